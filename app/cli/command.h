@@ -1,0 +1,67 @@
+// The parts every command of echolucent-cli shares.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "io/study.h"
+#include "processing/adaptive_otf.h"
+#include "processing/result.h"
+#include "processing/view.h"
+
+namespace echolucent::cli {
+
+/// Exit statuses: 0 done, 2 wrong usage, 3 an input could not be read, 4 an output could not be written.
+[[nodiscard]] int exitStatus(const Failure& failure);
+
+/// What a command does once its options are parsed; a failure becomes one sentence on stderr and an exit status.
+using Action = std::function<Result<void>()>;
+
+/// Each adds one subcommand with its options, help and example, and sets `action` when it was chosen.
+void addInfoCommand(CLI::App& program, Action& action);
+void addOtfCommand(CLI::App& program, Action& action);
+void addRenderCommand(CLI::App& program, Action& action);
+void addPhantomCommand(CLI::App& program, Action& action);
+
+/// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --keep-zero-as-data.
+struct VolumeOptions {
+    std::string path;
+    int phase = 0;
+    ReadOptions read;
+    std::string rawSize, rawSpacing, rawType, rawByteOrder;
+    std::int64_t rawHeaderBytes = 0;
+
+    void addTo(CLI::App& command);
+    /// Reads the study; fails (wrong usage) where --phase is out of range.
+    [[nodiscard]] Result<Study> readAll() const;
+    /// Reads and picks the phase.
+    [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase() const;
+};
+
+/// --beam-axis, --view-azimuth, --view-elevation, --near.
+struct ViewOptions {
+    View view;
+    std::string beamAxis = "+z";
+    void addTo(CLI::App& command);
+    [[nodiscard]] Result<View> get() const;
+};
+
+/// The method's options: --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale, ...
+struct MethodOptions {
+    AdaptiveOtfConfig config;
+    std::string initial = "parabolic";
+    std::string tubeGrid;
+    std::optional<double> opacityScale;
+    void addTo(CLI::App& command);
+    [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
+};
+
+/// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
+[[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option);
+
+/// linear | parabolic | quartic | manual:FILE. opacityScale multiplies (none: the default of docs/cli.md).
+[[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
+
+}  // namespace echolucent::cli

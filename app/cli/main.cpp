@@ -1,0 +1,35 @@
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "app/cli/command.h"
+
+int main(int count, char** arguments) {
+    using namespace echolucent::cli;
+    CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
+    program.set_version_flag("--version", std::string("echolucent-cli ") + ECHOLUCENT_VERSION);
+    program.require_subcommand(1);
+    program.fallthrough();
+    int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    program.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1, 1024))->capture_default_str();
+
+    Action action;
+    addInfoCommand(program, action);
+    addOtfCommand(program, action);
+    addRenderCommand(program, action);
+    addPhantomCommand(program, action);
+    try {
+        program.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    }
+
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const auto done = action();
+    if (done) return 0;
+    std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
+    return exitStatus(done.error());
+}

@@ -1,0 +1,26 @@
+# One set of compiler flags for every target of this project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    # Paths below the source folder are hashed relative to it, so that two clones share one cache.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+        ${CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
+
+# No -ffast-math anywhere: NaN voxels must stay recognisable. No contraction: the same bits on every machine.
+add_library(echolucent_flags INTERFACE)
+target_compile_options(echolucent_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+target_include_directories(echolucent_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(ECHOLUCENT_SANITIZE)
+    add_compile_options(-fsanitize=${ECHOLUCENT_SANITIZE} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${ECHOLUCENT_SANITIZE})
+endif()

@@ -1,0 +1,20 @@
+// Points, directions and rotations. "Grid mm" is the frame whose axes are the voxel grid's axes, in mm, with its
+// origin at the centre of voxel (0,0,0); tubes, rays, cameras and light live in it. The patient frame is DICOM's LPS.
+#pragma once
+
+#include <opencv2/core/matx.hpp>
+
+namespace echolucent {
+
+using Vec3 = cv::Vec3d;
+using Mat3 = cv::Matx33d;
+
+[[nodiscard]] double length(const Vec3& vector);
+/// The vector divided by its length; a zero vector is a broken contract (std::invalid_argument).
+[[nodiscard]] Vec3 normalized(const Vec3& vector);
+/// Right-handed rotations about the grid axes; angle in degrees. Exact (no 6e-17) at multiples of 90 degrees.
+[[nodiscard]] Mat3 rotationX(double degrees);
+[[nodiscard]] Mat3 rotationY(double degrees);
+[[nodiscard]] Mat3 rotationZ(double degrees);
+
+}  // namespace echolucent

@@ -1,0 +1,76 @@
+#include "processing/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> beamAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
+
+/// The fixed turn that brings +z onto the beam axis.
+Mat3 beamFrame(BeamAxis axis) {
+    switch (axis) {
+        case BeamAxis::plusX: return rotationY(90);
+        case BeamAxis::minusX: return rotationY(-90);
+        case BeamAxis::plusY: return rotationX(-90);
+        case BeamAxis::minusY: return rotationX(90);
+        case BeamAxis::plusZ: return Mat3::eye();
+        case BeamAxis::minusZ: return rotationY(180);
+    }
+    return Mat3::eye();
+}
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+}  // namespace
+
+std::string_view nameOf(BeamAxis axis) { return beamAxisNames[static_cast<std::size_t>(axis)]; }
+
+std::optional<BeamAxis> beamAxisFromName(std::string_view name) {
+    const auto* found = std::find(beamAxisNames.begin(), beamAxisNames.end(), name);
+    if (found == beamAxisNames.end()) return std::nullopt;
+    return static_cast<BeamAxis>(found - beamAxisNames.begin());
+}
+
+ViewFrame frameOf(const View& view) {
+    const Mat3 turn = beamFrame(view.beamAxis) * rotationY(view.azimuthDegrees) * rotationX(view.elevationDegrees) *
+                      rotationZ(view.rollDegrees);
+    return {Vec3(turn.col(0).val), Vec3(turn.col(1).val), Vec3(turn.col(2).val)};
+}
+
+View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm) {
+    View view;
+    view.beamAxis = beamAxis;
+    view.nearCutMm = nearCutMm;
+    const Mat3 toBeamFrame = beamFrame(beamAxis).t();
+    const Vec3 direction = normalized(toBeamFrame * forward);
+    // R_y(azimuth) R_x(elevation) (0,0,1) = (sin az cos el, -sin el, cos az cos el)
+    view.elevationDegrees = degrees(std::asin(std::clamp(-direction[1], -1.0, 1.0)));
+    if (std::hypot(direction[0], direction[2]) > 1e-12)
+        view.azimuthDegrees = degrees(std::atan2(direction[0], direction[2]));
+    const ViewFrame unrolled = frameOf(view);
+    view.rollDegrees = degrees(std::atan2(-unrolled.right.dot(down), unrolled.down.dot(down)));
+    return view;
+}
+
+Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry) {
+    return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
+}
+
+double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry) {
+    const Vec3 forward = frameOf(view).forward;
+    double foremost = std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
+        const Vec3 point{corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]};
+        foremost = std::min(foremost, forward.dot(point));
+    }
+    return foremost + std::max(0.0, view.nearCutMm);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,51 @@
+// From where the volume is looked at: beam axis, angles, near cut. The tubes and the rays share it.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "processing/geometry.h"
+#include "processing/volume.h"
+
+namespace echolucent {
+
+/// Which way along which grid axis sound travelled: the default view direction.
+enum class BeamAxis { plusX, minusX, plusY, minusY, plusZ, minusZ };
+
+/// "+x", "-x", "+y", "-y", "+z", "-z".
+[[nodiscard]] std::string_view nameOf(BeamAxis axis);
+[[nodiscard]] std::optional<BeamAxis> beamAxisFromName(std::string_view name);
+
+/// A view direction and what is cut off in front. With beam axis +z the direction is
+/// R_y(azimuth) R_x(elevation) (0,0,1), right-handed, on the grid axes in mm; another beam axis turns that frame first.
+struct View {
+    BeamAxis beamAxis = BeamAxis::plusZ;
+    double azimuthDegrees = 0.0;
+    double elevationDegrees = 0.0;
+    double rollDegrees = 0.0;  ///< turn of the picture about the view direction; moves no tube core's axis direction
+    double nearCutMm = 0.0;    ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
+
+    friend bool operator==(const View&, const View&) = default;
+};
+
+/// The orthonormal frame of a view in grid mm: `forward` is the direction in which rays travel (from the probe into the
+/// volume), `right` and `down` span the picture; right x down = forward.
+struct ViewFrame {
+    Vec3 right;
+    Vec3 down;
+    Vec3 forward;
+};
+[[nodiscard]] ViewFrame frameOf(const View& view);
+
+/// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute for
+/// this view" needs. Both vectors of any length above 0, not parallel. Angles in (-180, 180], elevation in [-90, 90].
+[[nodiscard]] View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
+
+/// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
+[[nodiscard]] Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry);
+
+/// Distance along `forward` (mm, measured from the grid origin) of the near cut plane: the foremost corner of the box
+/// plus nearCutMm.
+[[nodiscard]] double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry);
+
+}  // namespace echolucent

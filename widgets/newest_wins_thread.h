@@ -1,0 +1,72 @@
+// One worker thread that runs one job at a time, of which only the newest matters.
+#pragma once
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// Runs jobs in a QThread of its own. While one runs, a newer one replaces whatever waits.
+///
+///            submit(a)                        done, not superseded: deliver
+///   [Idle] -------------> [Running a] -----------------------------------> [Idle]
+///                           |      ^
+///                 submit(b) |      | a ended (result dropped if a was cancelled): start b
+///                           v      |
+///                        [Superseded]      shut down in any state: cancel, quit, wait
+///
+/// Values and shared_ptr<const ...> captured by the job are all that crosses the threads.
+class NewestWinsThread : public QObject {
+    Q_OBJECT
+
+public:
+    /// What is done with a job's result, in this object's thread; may be empty.
+    using Deliver = std::function<void()>;
+    /// The work, in the worker thread. Polls progress.cancelled(); an ended job returns an empty Deliver.
+    using Job = std::function<Deliver(const Progress&)>;
+
+    /// What a newer job does to this one while it runs.
+    enum class WhenSuperseded {
+        cancel,  ///< it is cancelled and its result dropped
+        finish,  ///< it runs to its end and is delivered (short jobs that must not starve under a stream of requests)
+    };
+
+    explicit NewestWinsThread(const QString& name, QObject* parent = nullptr);
+    /// Cancels what runs and waits for it; nothing is delivered afterwards.
+    ~NewestWinsThread() override;
+
+    /// Starts the job, or keeps it as the one that starts next, in place of any job kept before.
+    void submit(Job job, WhenSuperseded whenSuperseded = WhenSuperseded::cancel);
+    /// Cancels the running job and forgets the waiting one; what ran is not delivered.
+    void cancel();
+    /// True from submit() until the last job was delivered or dropped.
+    [[nodiscard]] bool busy() const { return m_running || m_waiting.has_value(); }
+
+signals:
+    void busyChanged(bool busy);
+    /// Share done of the running job, in [0,1], at most about 30 times a second.
+    void progressed(double share);
+
+private:
+    struct Waiting {
+        Job job;
+        WhenSuperseded whenSuperseded;
+    };
+    void start(Waiting next);
+    void ended(const std::shared_ptr<std::atomic<bool>>& cancelFlag, const Deliver& deliver);
+
+    QThread m_thread;
+    QObject* m_worker;  // lives in m_thread, receives the jobs; deleted there when the thread ends
+    bool m_running = false;
+    WhenSuperseded m_runningWhenSuperseded = WhenSuperseded::cancel;
+    std::shared_ptr<std::atomic<bool>> m_cancelFlag;
+    std::optional<Waiting> m_waiting;
+};
+
+}  // namespace echolucent
