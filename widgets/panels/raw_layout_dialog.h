@@ -1,0 +1,68 @@
+// Asks how a headerless file is laid out, and shows whether the answer fits the file.
+#pragma once
+
+#include <QDialog>
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace echolucent {
+
+/// How a headerless file is laid out; the same fields as the reader's.
+struct RawLayoutValues {
+    std::array<std::int64_t, 3> size{0, 0, 0};  ///< voxels along x (fastest), y, z
+    QString type = QStringLiteral("uint8");     ///< uint8, int8, uint16, int16, uint32, int32, float32, float64
+    bool bigEndian = false;
+    std::int64_t headerBytes = 0;
+    std::array<double, 3> spacing{1, 1, 1};  ///< mm
+    bool spacingKnown = false;
+    friend bool operator==(const RawLayoutValues&, const RawLayoutValues&) = default;
+};
+
+/// Bytes that a layout needs: header and voxels. None for a type or size that makes no sense, or beyond 2^63 - 1 bytes.
+[[nodiscard]] std::optional<std::int64_t> bytesNeeded(const RawLayoutValues& layout);
+
+/// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .spacingX,
+/// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the layout fits
+/// the file exactly.
+class RawLayoutDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// fileName: shown as it is. fileBytes: the file's length.
+    RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
+
+    [[nodiscard]] RawLayoutValues values() const;
+    void setValues(const RawLayoutValues& values);
+    /// True where header and voxels are exactly the file's length.
+    [[nodiscard]] bool fits() const;
+
+private:
+    void createControls();
+    void arrange(const QString& fileName);
+    void showFit();
+    void fitHeader();
+    [[nodiscard]] QString fitSentence() const;
+
+    std::int64_t m_fileBytes;
+    std::array<QSpinBox*, 3> m_size{};
+    QComboBox* m_type = nullptr;
+    QComboBox* m_byteOrder = nullptr;
+    QDoubleSpinBox* m_headerBytes = nullptr;  // whole numbers, exact to 2^53
+    QPushButton* m_headerFit = nullptr;
+    std::array<QDoubleSpinBox*, 3> m_spacing{};
+    QCheckBox* m_spacingUnknown = nullptr;
+    QLabel* m_fit = nullptr;
+    QDialogButtonBox* m_buttons = nullptr;
+};
+
+}  // namespace echolucent
