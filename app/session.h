@@ -81,3 +81,5 @@ private:
 };
 
 }  // namespace echolucent
+
+Q_DECLARE_METATYPE(echolucent::Failure)
