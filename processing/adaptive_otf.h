@@ -69,7 +69,8 @@ struct StageTimes {
 
 struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
-    AdaptiveOtfConfig config;      ///< as used, automatic values filled in
+    AdaptiveOtfConfig config;      ///< as asked for
+    std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, along the view's right and down axes
     View view;
     Vec3 directionVoxel{0, 0, 1};  ///< unit, voxel index space
     double tubeLengthUnit = 1.0;   ///< mm per unit
