@@ -35,7 +35,7 @@ public:
     /// What the panel shows. `initial` is a PowerCurve for the kinds parabolic and quartic. For linear and manual it is
     /// the last curve of that kind given to setConfig (else an empty one): the window puts the editor's curve there.
     /// Fields without a control (sigmaPerKernelSize, kernelCut) are as last set.
-    [[nodiscard]] AdaptiveOtfConfig config() const;
+    [[nodiscard]] AdaptiveOtfConfig config() const { return m_config; }
     [[nodiscard]] InitialKind initialKind() const;
     /// a of the parabolic and quartic initial functions.
     [[nodiscard]] double opacityScale() const;
@@ -58,13 +58,15 @@ private:
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
     void connectControls();
-    void changed();
     void showConfig();
-    void readControls();
-    void chooseInitial(InitialKind kind);
+    void showInitial();
+    void takeScales(int coarsest, int finest);
+    void takeInitial();
     void resetToDefaults();
 
     AdaptiveOtfConfig m_config;
+    OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
+    OpacityCurve m_manual = ManualCurve{};
     ValueSlider* m_strength = nullptr;
     QComboBox* m_initial = nullptr;
     QDoubleSpinBox* m_opacityScale = nullptr;

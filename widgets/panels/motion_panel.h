@@ -6,12 +6,12 @@
 
 #include "widgets/panels/motion_mode.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
 class QRadioButton;
 class QSlider;
-class QToolButton;
 
 namespace echolucent {
 
@@ -46,6 +46,9 @@ signals:
     void otfChanged(echolucent::MotionOtf otf);
     void pingPongChanged(bool pingPong);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void createControls();
     void arrange();
@@ -58,7 +61,7 @@ private:
     QComboBox* m_axis = nullptr;
     QRadioButton* m_oneOtf = nullptr;
     QRadioButton* m_eachView = nullptr;
-    QToolButton* m_pingPong = nullptr;
+    QCheckBox* m_pingPong = nullptr;
     QLabel* m_frameRate = nullptr;
 };
 

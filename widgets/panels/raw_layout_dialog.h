@@ -5,7 +5,8 @@
 #include <QString>
 #include <array>
 #include <cstdint>
-#include <optional>
+
+#include "widgets/panels/raw_layout.h"
 
 class QCheckBox;
 class QComboBox;
@@ -17,20 +18,6 @@ class QSpinBox;
 
 namespace echolucent {
 
-/// How a headerless file is laid out; the same fields as the reader's.
-struct RawLayoutValues {
-    std::array<std::int64_t, 3> size{0, 0, 0};  ///< voxels along x (fastest), y, z
-    QString type = QStringLiteral("uint8");     ///< uint8, int8, uint16, int16, uint32, int32, float32, float64
-    bool bigEndian = false;
-    std::int64_t headerBytes = 0;
-    std::array<double, 3> spacing{1, 1, 1};  ///< mm
-    bool spacingKnown = false;
-    friend bool operator==(const RawLayoutValues&, const RawLayoutValues&) = default;
-};
-
-/// Bytes that a layout needs: header and voxels. None for a type or size that makes no sense, or beyond 2^63 - 1 bytes.
-[[nodiscard]] std::optional<std::int64_t> bytesNeeded(const RawLayoutValues& layout);
-
 /// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .spacingX,
 /// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the layout fits
 /// the file exactly.
@@ -41,6 +28,7 @@ public:
     /// fileName: shown as it is. fileBytes: the file's length.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
+    /// Spacing is 1, 1, 1 where it is said to be unknown.
     [[nodiscard]] RawLayoutValues values() const;
     void setValues(const RawLayoutValues& values);
     /// True where header and voxels are exactly the file's length.

@@ -44,6 +44,7 @@ signals:
 private:
     void setProgressVisible(bool visible);
 
+    bool m_running = false;
     QTimer m_delay;
     QLabel* m_renderer;
     QLabel* m_otf;
