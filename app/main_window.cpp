@@ -6,7 +6,6 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStatusBar>
-#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include "widgets/otf_editor/otf_editor.h"
@@ -140,7 +139,7 @@ void MainWindow::connectMethod() {
     connect(m_otfEditor, &OtfEditor::saveCurveRequested, this, [this] { chooseAndSaveCurve(); });
     connect(m_methodPanel, &MethodPanel::computeRequested, this, &MainWindow::computeForThisView);
     connect(m_methodPanel, &MethodPanel::configChanged, this, [this] { computeFor(m_otfView); });
-    connect(m_otfEditor, &OtfEditor::stateChanged, this, [this] {
+    connect(&m_otfEditor->model(), &OtfEditorModel::changed, this, [this] {
         // The tubes multiply the editor's own curve where it was chosen as the initial function.
         const InitialKind kind = m_methodPanel->initialKind();
         if (kind != InitialKind::manual && kind != InitialKind::linear) return;

@@ -1,10 +1,8 @@
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QUndoStack>
 
 #include "app/main_window.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -31,20 +29,14 @@ void MainWindow::createActions() {
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::showRecentFiles);
     addAction(file, tr("Open the simulated scan"), "file.openSimulatedScan", {}, [this] { openSimulatedScan(); });
     file->addSeparator();
-    addAction(file, tr("Open &curve…"), "file.openCurve", {}, [this] { chooseAndOpenCurve(); });
-    addAction(file, tr("&Save curve…"), "file.saveCurve", QKeySequence::Save, [this] { chooseAndSaveCurve(); });
+    file->addActions({m_otfEditor->openCurveAction(), m_otfEditor->saveCurveAction()});
     addAction(file, tr("Save &picture…"), "file.savePicture", Qt::Key_P, [this] { chooseAndSavePicture(); });
     file->addSeparator();
     addAction(file, tr("&Quit"), "file.quit", QKeySequence::Quit, [this] { close(); });
 
+    // The editor's actions carry their own shortcuts, so they stand here as they are.
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = m_otfEditor->undoStack()->createUndoAction(this, tr("&Undo"));
-    undo->setObjectName("edit.undo");
-    undo->setShortcut(QKeySequence::Undo);
-    QAction* redo = m_otfEditor->undoStack()->createRedoAction(this, tr("&Redo"));
-    redo->setObjectName("edit.redo");
-    redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
-    edit->addActions({undo, redo});
+    edit->addActions({m_otfEditor->undoAction(), m_otfEditor->redoAction()});
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     addAction(view, tr("&Reset view"), "view.resetView", Qt::Key_R, [this] { resetView(); });
@@ -54,21 +46,12 @@ void MainWindow::createActions() {
     for (QDockWidget* dock : findChildren<QDockWidget*>()) m_docksMenu->addAction(dock->toggleViewAction());
 
     QMenu* otf = menuBar()->addMenu(tr("&OTF"));
-    addAction(otf, tr("&Compute for this view"), "otf.computeForThisView", Qt::Key_A, [this] { computeForThisView(); });
+    addAction(otf, tr("C&ompute for this view"), "otf.computeForThisView", Qt::Key_A, [this] { computeForThisView(); });
     otf->addSeparator();
-    const std::pair<CurveKind, QString> kinds[] = {{CurveKind::adaptive, tr("Adaptive")},
-                                                   {CurveKind::manual, tr("Manual")},
-                                                   {CurveKind::linear, tr("Linear")},
-                                                   {CurveKind::parabolic, tr("Parabolic, x²")},
-                                                   {CurveKind::quartic, tr("Quartic, x⁴")}};
-    int key = Qt::Key_1;
-    for (const auto& [kind, name] : kinds)
-        addAction(otf, name, QStringLiteral("otf.active.%1").arg(key - Qt::Key_0), QKeySequence(key++),
-                  [this, kind = kind] { m_otfEditor->setActive(kind); });
+    for (const CurveKind kind : allCurveKinds) otf->addAction(m_otfEditor->activateAction(kind));
     otf->addSeparator();
-    addAction(otf, tr("Copy the adaptive curve into &nodes"), "otf.copyAdaptive", {},
-              [this] { m_otfEditor->copyAdaptiveIntoNodes(); });
-    addAction(otf, tr("&Reset curve"), "otf.resetCurve", Qt::Key_C, [this] { m_otfEditor->resetActiveCurve(); });
+    otf->addActions({m_otfEditor->copyAdaptiveAction(), m_otfEditor->resetAction()});
+    otf->addMenu(m_otfEditor->presetsMenu());
 
     QMenu* motion = menuBar()->addMenu(tr("&Motion"));
     addAction(motion, tr("&Play or pause"), "motion.playOrPause", Qt::Key_Space,

@@ -1,17 +1,16 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
+#include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "app/main_window.h"
 #include "io/curve_file.h"
 #include "io/picture_file.h"
-#include "io/raw_layout_file.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/raw_layout_dialog.h"
 #include "widgets/volume_view/volume_view_widget.h"
-
-#include <QMenu>
 
 namespace echolucent {
 
@@ -72,7 +71,8 @@ void MainWindow::chooseAndOpenRaw() {
 void MainWindow::openRaw(const QString& path) {
     auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), QFileInfo(path).size(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    if (const auto remembered = recalledRawLayout(path.toStdString())) dialog->setValues(toDialog(*remembered));
+    if (const auto remembered = recalledRawLayout(path.toStdString()); remembered && *remembered)
+        dialog->setValues(toDialog(**remembered));
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
         ReadOptions options;
         options.raw = fromDialog(dialog->values());
