@@ -14,6 +14,9 @@
 
 namespace echolucent {
 
+/// a of the initial function where nobody asks for another: opacity at full intensity, before the clamp. Chosen by looking.
+inline constexpr double defaultOpacityScale = 1.0;
+
 /// How the method is run. Lengths are in units (the volume's smallest spacing) along and across the tube cores.
 struct AdaptiveOtfConfig {
     int tubeColumns = 15;         ///< tube cores across the view's right axis, >= 1 (Petersch 2005, 6.1)
@@ -28,7 +31,7 @@ struct AdaptiveOtfConfig {
     double significance = 0.4;    ///< a local maximum counts from this share of the largest value in its range
     int slopeHalfStep = 5;        ///< slope: central difference of cell means over +- this many units
     double strength = 6.75;       ///< T * d_max: one rule for any number of tube cores, >= 0
-    OpacityCurve initial = PowerCurve{2, 1.0};  ///< the initial function; its scale is a
+    OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
 };
 
