@@ -32,8 +32,9 @@ bool boolOr(const QVariant& value, bool otherwise) {
 }  // namespace
 
 Settings::Settings(const QString& file)
-    : m_store(file.isEmpty() ? QSettings(QSettings::IniFormat, QSettings::UserScope, "Echolucent", "Echolucent").fileName()
-                             : file,
+    : m_store(file.isEmpty()
+                  ? QSettings(QSettings::IniFormat, QSettings::UserScope, "Echolucent", "Echolucent").fileName()
+                  : file,
               QSettings::IniFormat) {}
 
 QStringList Settings::recentFiles() const {

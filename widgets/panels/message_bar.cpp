@@ -61,7 +61,8 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
     m_kind = kind;
     m_text->setText(text);
     for (int i = 0; i < actions.size(); ++i) {
-        auto* button = named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
+        auto* button =
+            named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
         connect(button, &QPushButton::clicked, this, [this, run = actions[i].run] {
             const auto chosen = run;  // the button, and run with it, may be gone once the bar has closed
             closeByPerson();

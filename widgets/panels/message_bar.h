@@ -20,8 +20,8 @@ struct MessageAction {
     std::function<void()> run;  ///< called once, after the bar has closed; may be empty
 };
 
-/// Objects: message (this), message.text, message.action.0 ..., message.close. Hidden until showMessage. Escape closes it
-/// while the focus is inside.
+/// Objects: message (this), message.text, message.action.0 ..., message.close. Hidden until showMessage. Escape closes
+/// it while the focus is inside.
 class MessageBar : public QWidget {
     Q_OBJECT
 

@@ -79,8 +79,9 @@ MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
 QWidget* MethodPanel::createMainControls() {
     m_strength = new ValueSlider("adaptive.strength", tr("Strength"), 0.25, 2);
     m_strength->setRange(0, 40);
-    m_strength->setToolTip(tr("How far the found surfaces bend the initial function: number of tube cores times the "
-                              "largest weight of one"));
+    m_strength->setToolTip(
+        tr("How far the found surfaces bend the initial function: number of tube cores times the "
+           "largest weight of one"));
     m_initial = named(new QComboBox, "adaptive.initial", tr("Initial function"),
                       tr("The function that the method starts from"));
     m_initial->addItem(tr("x² (parabolic)"), static_cast<int>(InitialKind::parabolic));
@@ -88,10 +89,11 @@ QWidget* MethodPanel::createMainControls() {
     m_initial->addItem(tr("Linear curve"), static_cast<int>(InitialKind::linear));
     m_initial->addItem(tr("Manual nodes"), static_cast<int>(InitialKind::manual));
     wheelNeedsFocus(m_initial);
-    m_opacityScale = createDoubleSpinBox("opacityScale", tr("Opacity scale a"),
-                                         tr("a: opacity of the initial function at full intensity. The linear curve and "
-                                            "the manual nodes bring their own"),
-                                         10, 2, 0.05);
+    m_opacityScale =
+        createDoubleSpinBox("opacityScale", tr("Opacity scale a"),
+                            tr("a: opacity of the initial function at full intensity. The linear curve and "
+                               "the manual nodes bring their own"),
+                            10, 2, 0.05);
     auto* compute = named(new QPushButton(tr("Compute for this view")), "adaptive.compute", tr("Compute for this view"),
                           tr("Lays the tube cores along the direction in which the camera looks (A)"));
     auto* reset = named(new QPushButton(tr("Defaults")), "adaptive.reset", tr("Reset to defaults"),
@@ -124,24 +126,27 @@ QWidget* MethodPanel::createMainControls() {
 QWidget* MethodPanel::createAdvancedControls() {
     m_tubeColumns = createSpinBox("tubeColumns", tr("Tube columns"), tr("Tube cores across the picture"), 1, 400);
     m_tubeRows = createSpinBox("tubeRows", tr("Tube rows"), tr("Tube cores down the picture"), 1, 400);
-    m_tubeSpacing = createDoubleSpinBox("tubeSpacing", tr("Tube spacing"),
-                                        tr("Distance of neighbouring tube cores; automatic: the grid covers the volume. "
-                                           "A unit is the smallest voxel spacing"),
-                                        1000, 1, 1, tr(" units"));
+    m_tubeSpacing =
+        createDoubleSpinBox("tubeSpacing", tr("Tube spacing"),
+                            tr("Distance of neighbouring tube cores; automatic: the grid covers the volume. "
+                               "A unit is the smallest voxel spacing"),
+                            1000, 1, 1, tr(" units"));
     m_tubeSpacing->setSpecialValueText(tr("automatic"));
-    m_cellSize = createSpinBox("cellSize", tr("Cell size"), tr("Edge of the cells along a tube core"), 2, 32, tr(" units"));
+    m_cellSize =
+        createSpinBox("cellSize", tr("Cell size"), tr("Edge of the cells along a tube core"), 2, 32, tr(" units"));
     m_coarsestScale = createSpinBox("coarsestScale", tr("Coarsest scale"),
                                     tr("n of the widest kernel, 2ⁿ units, in which a surface is looked for"), 1, 10);
     m_finestScale = createSpinBox("finestScale", tr("Finest scale"),
                                   tr("n of the narrowest kernel, 2ⁿ units, to which a surface is followed"), 1, 10);
-    m_significance = createDoubleSpinBox("significance", tr("Significance"),
-                                         tr("A local maximum counts from this share of the largest value on"), 1, 2, 0.05);
-    m_slopeHalfStep = createSpinBox("slopeHalfStep", tr("Slope half step"),
-                                    tr("The slope at a surface is taken over this many units to either side"), 1, 32,
-                                    tr(" units"));
+    m_significance =
+        createDoubleSpinBox("significance", tr("Significance"),
+                            tr("A local maximum counts from this share of the largest value on"), 1, 2, 0.05);
+    m_slopeHalfStep =
+        createSpinBox("slopeHalfStep", tr("Slope half step"),
+                      tr("The slope at a surface is taken over this many units to either side"), 1, 32, tr(" units"));
 
-    m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
-                       tr("Tube cores, cells and scales"));
+    m_advanced =
+        named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"), tr("Tube cores, cells and scales"));
     m_advanced->setText(tr("Advanced"));
     m_advanced->setCheckable(true);
     m_advanced->setAutoRaise(true);
@@ -152,10 +157,12 @@ QWidget* MethodPanel::createAdvancedControls() {
     auto* hidden = new QWidget;
     auto* grid = new QGridLayout(hidden);
     grid->setContentsMargins(0, 0, 0, 0);
-    const std::array<QWidget*, 8> controls{m_tubeColumns, m_tubeRows, m_tubeSpacing, m_cellSize, m_coarsestScale,
-                                           m_finestScale, m_significance, m_slopeHalfStep};
+    const std::array<QWidget*, 8> controls{m_tubeColumns,   m_tubeRows,    m_tubeSpacing,  m_cellSize,
+                                           m_coarsestScale, m_finestScale, m_significance, m_slopeHalfStep};
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
+        control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
+        control->setMinimumWidth(84);
         grid->addWidget(labelFor(control, control->accessibleName()), i / 2, 2 * (i % 2));
         grid->addWidget(control, i / 2, 2 * (i % 2) + 1);
     }
@@ -190,12 +197,10 @@ void MethodPanel::connectControls() {
     changes(m_cellSize, &AdaptiveOtfConfig::cellSize);
     changes(m_significance, &AdaptiveOtfConfig::significance);
     changes(m_slopeHalfStep, &AdaptiveOtfConfig::slopeHalfStep);
-    connect(m_coarsestScale, &QSpinBox::valueChanged, this, [this](int scale) {
-        takeScales(scale, std::min(scale, m_config.finestScale));
-    });
-    connect(m_finestScale, &QSpinBox::valueChanged, this, [this](int scale) {
-        takeScales(std::max(scale, m_config.coarsestScale), scale);
-    });
+    connect(m_coarsestScale, &QSpinBox::valueChanged, this,
+            [this](int scale) { takeScales(scale, std::min(scale, m_config.finestScale)); });
+    connect(m_finestScale, &QSpinBox::valueChanged, this,
+            [this](int scale) { takeScales(std::max(scale, m_config.coarsestScale), scale); });
     connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
     connect(m_opacityScale, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeInitial);
 }

@@ -69,7 +69,7 @@ void MotionPanel::createControls() {
     m_angle->setPageStep(15);
     m_angle->setTickInterval(15);
     m_angle->setTickPosition(QSlider::TicksBelow);
-    m_angle->setMinimumWidth(80);
+    m_angle->setMinimumWidth(60);
     wheelNeedsFocus(m_angle);
     m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
     m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -94,6 +94,7 @@ void MotionPanel::createControls() {
 
 void MotionPanel::arrange() {
     auto* first = new QHBoxLayout;
+    first->setSpacing(5);
     first->addWidget(m_play);
     first->addWidget(new QLabel(angleText(firstMotionAngle)));
     first->addWidget(m_angle, 1);
@@ -122,12 +123,22 @@ void MotionPanel::setPlaying(bool playing) {
     m_play->setText(playing ? tr("Pause") : tr("Play"));
     m_play->setAccessibleName(m_play->text());
     m_play->setToolTip(playing ? tr("Holds the motion (Space)") : tr("Turns the view from −45° to +45° (Space)"));
-    m_play->setIcon(playIcon(playing, m_play->palette().color(QPalette::ButtonText)));
+    showPlayIcon();
+}
+
+void MotionPanel::showPlayIcon() {
+    m_play->ensurePolished();  // the style sheet's colours are in the palette only from then on
+    m_play->setIcon(playIcon(m_playing, m_play->palette().color(QPalette::ButtonText)));
 }
 
 void MotionPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) setPlaying(m_playing);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) showPlayIcon();
+}
+
+void MotionPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showPlayIcon();
 }
 
 double MotionPanel::angle() const { return m_angle->value(); }
@@ -158,7 +169,8 @@ void MotionPanel::setPingPong(bool pingPong) {
 }
 
 void MotionPanel::setFrameRate(std::optional<double> framesPerSecond) {
-    m_frameRate->setText(framesPerSecond ? tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0)) : QString());
+    m_frameRate->setText(framesPerSecond ? tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0))
+                                         : QString());
 }
 
 }  // namespace echolucent

@@ -48,11 +48,13 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void createControls();
     void arrange();
     void showAngle();
+    void showPlayIcon();
 
     bool m_playing = false;
     QPushButton* m_play = nullptr;

@@ -18,7 +18,8 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
     return widget;
 }
 
-/// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by accident.
+/// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by
+/// accident.
 void wheelNeedsFocus(QWidget* control);
 
 /// A text in front of a control, which is its buddy.

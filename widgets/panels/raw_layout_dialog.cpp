@@ -58,6 +58,9 @@ void RawLayoutDialog::createControls() {
         m_size[i]->setRange(0, std::numeric_limits<int>::max());
         m_spacing[i] = createSpinBox<QDoubleSpinBox>(new SpacingSpinBox, "spacing" + letter,
                                                      tr("Spacing along %1").arg(letter.toLower()));
+        m_size[i]->setMinimumWidth(96);
+        m_size[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        m_spacing[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         m_spacing[i]->setDecimals(9);
         m_spacing[i]->setRange(1e-9, 1000);
         m_spacing[i]->setSingleStep(0.1);
@@ -71,8 +74,10 @@ void RawLayoutDialog::createControls() {
     m_headerBytes = createSpinBox(new QDoubleSpinBox, "headerBytes", tr("Header bytes to skip"));
     m_headerBytes->setDecimals(0);
     m_headerBytes->setRange(0, largestHeader);
-    m_headerFit = named(new QPushButton(tr("Take the rest as header")), "rawLayout.headerFit", tr("Take the rest as header"),
-                        tr("The voxels are the last bytes of the file; what is before them is skipped"));
+    m_headerBytes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // not as wide as its largest value
+    m_headerFit =
+        named(new QPushButton(tr("Take the rest as header")), "rawLayout.headerFit", tr("Take the rest as header"),
+              tr("The voxels are the last bytes of the file; what is before them is skipped"));
     m_headerFit->setAutoDefault(false);
     m_spacingUnknown = named(new QCheckBox(tr("Unknown")), "rawLayout.spacingUnknown", tr("Spacing unknown"),
                              tr("The picture will say that its spacing is a guess"));
@@ -81,6 +86,8 @@ void RawLayoutDialog::createControls() {
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     named(m_buttons->button(QDialogButtonBox::Ok), "rawLayout.ok", tr("Open with this layout"));
     named(m_buttons->button(QDialogButtonBox::Cancel), "rawLayout.cancel", tr("Cancel"));
+
+    for (QAbstractButton* button : m_buttons->buttons()) button->setIcon({});
 
     connect(m_type, &QComboBox::currentIndexChanged, this, &RawLayoutDialog::showFit);
     connect(m_headerBytes, &QDoubleSpinBox::valueChanged, this, &RawLayoutDialog::showFit);
@@ -104,7 +111,7 @@ void RawLayoutDialog::arrange(const QString& fileName) {
     grid->addWidget(m_byteOrder, 2, 2);
     grid->addWidget(labelFor(m_headerBytes, tr("Header bytes")), 3, 0);
     grid->addWidget(m_headerBytes, 3, 1);
-    grid->addWidget(m_headerFit, 3, 2, 1, 3);
+    grid->addWidget(m_headerFit, 3, 2, 1, 2);
     grid->addWidget(labelFor(m_spacing[0], tr("Spacing, mm")), 4, 0);
     for (int i = 0; i < 3; ++i) {
         grid->addWidget(m_size[static_cast<std::size_t>(i)], 1, i + 1);
@@ -167,7 +174,8 @@ QString RawLayoutDialog::fitSentence() const {
     if (*needed == m_fileBytes) {
         return tr("✓ These settings need %1 bytes, and the file has as many.").arg(grouped(*needed));
     }
-    const QString sizes = tr("These settings need %1 bytes; the file has %2").arg(grouped(*needed), grouped(m_fileBytes));
+    const QString sizes =
+        tr("These settings need %1 bytes; the file has %2").arg(grouped(*needed), grouped(m_fileBytes));
     return *needed > m_fileBytes ? tr("%1: %2 are missing.").arg(sizes, grouped(*needed - m_fileBytes))
                                  : tr("%1: %2 are left over.").arg(sizes, grouped(m_fileBytes - *needed));
 }

@@ -76,10 +76,9 @@ void RunStatus::setRenderer(const QString& name, std::optional<double> milliseco
 }
 
 void RunStatus::setOtf(double milliseconds, int tubesWithSurface, int tubesMeetingVolume) {
-    showText(m_otf, tr("OTF %1, %2 of %3 tubes")
-                        .arg(millisecondsText(milliseconds))
-                        .arg(tubesWithSurface)
-                        .arg(tubesMeetingVolume));
+    showText(
+        m_otf,
+        tr("OTF %1, %2 of %3 tubes").arg(millisecondsText(milliseconds)).arg(tubesWithSurface).arg(tubesMeetingVolume));
 }
 
 void RunStatus::clearOtf() { showText(m_otf, {}); }

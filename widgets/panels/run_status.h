@@ -30,7 +30,8 @@ public:
     /// Normalised intensity and opacity under the cursor, both in [0,1]; none: nothing is pointed at.
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
-    /// Something runs, named with a word ("loading"). Its share is not known until setProgress. A second call renames it.
+    /// Something runs, named with a word ("loading"). Its share is not known until setProgress. A second call renames
+    /// it.
     void beginProgress(const QString& activity);
     /// Share done, clamped into [0,1]; ignored while nothing runs.
     void setProgress(double share);
