@@ -166,8 +166,8 @@ QWidget* MethodPanel::createAdvancedControls() {
         grid->addWidget(labelFor(control, control->accessibleName()), i / 2, 2 * (i % 2));
         grid->addWidget(control, i / 2, 2 * (i % 2) + 1);
     }
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(3, 1);
+    grid->setColumnStretch(1, 4);  // "automatic" is the longest text
+    grid->setColumnStretch(3, 3);
     hidden->hide();
     connect(m_advanced, &QToolButton::toggled, this, [this, hidden](bool open) {
         m_advanced->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

@@ -12,6 +12,7 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyleOptionSlider>
 #include <cmath>
 
 #include "widgets/panels/panel_controls.h"
@@ -23,6 +24,13 @@ namespace {
 QString angleText(int degrees) {
     const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
     return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));
+}
+
+/// The angle at an end of the slider, as secondary text.
+QLabel* endLabel(int degrees) {
+    auto* label = new QLabel(angleText(degrees));
+    label->setProperty("secondary", true);
+    return label;
 }
 
 QIcon playIcon(bool playing, const QColor& colour) {
@@ -40,6 +48,32 @@ QIcon playIcon(bool playing, const QColor& colour) {
     }
     return QIcon(pixmap);
 }
+
+/// Marks every 15 degrees below the groove. Drawn here, because a style sheet's sliders have no tick marks.
+class AngleSlider : public QSlider {
+public:
+    AngleSlider() : QSlider(Qt::Horizontal) {
+        setRange(firstMotionAngle, lastMotionAngle);
+        setPageStep(15);
+        setMinimumSize(56, 26);
+    }
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        QSlider::paintEvent(event);
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const int handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this).width();
+        QColor colour = palette().color(QPalette::WindowText);
+        colour.setAlphaF(0.6);
+        QPainter painter(this);
+        for (int angle = minimum(); angle <= maximum(); angle += pageStep()) {
+            const int x =
+                handle / 2 + QStyle::sliderPositionFromValue(minimum(), maximum(), angle, width() - handle - 1);
+            painter.fillRect(x, height() - 4, 1, angle == 0 ? 4 : 2, colour);
+        }
+    }
+};
 
 }  // namespace
 
@@ -63,13 +97,8 @@ MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
 
 void MotionPanel::createControls() {
     m_play = named(new QPushButton, "motion.play", tr("Play"));
-    m_angle = named(new QSlider(Qt::Horizontal), "motion.angle", tr("Angle"),
-                    tr("Angle from the view in which the motion began (← and →: one degree)"));
-    m_angle->setRange(firstMotionAngle, lastMotionAngle);
-    m_angle->setPageStep(15);
-    m_angle->setTickInterval(15);
-    m_angle->setTickPosition(QSlider::TicksBelow);
-    m_angle->setMinimumWidth(60);
+    m_angle = named<QSlider>(new AngleSlider, "motion.angle", tr("Angle"),
+                             tr("Angle from the view in which the motion began (← and →: one degree)"));
     wheelNeedsFocus(m_angle);
     m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
     m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -96,9 +125,9 @@ void MotionPanel::arrange() {
     auto* first = new QHBoxLayout;
     first->setSpacing(5);
     first->addWidget(m_play);
-    first->addWidget(new QLabel(angleText(firstMotionAngle)));
+    first->addWidget(endLabel(firstMotionAngle));
     first->addWidget(m_angle, 1);
-    first->addWidget(new QLabel(angleText(lastMotionAngle)));
+    first->addWidget(endLabel(lastMotionAngle));
     first->addWidget(m_angleValue);
     first->addWidget(m_axis);
 

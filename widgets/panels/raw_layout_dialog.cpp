@@ -149,13 +149,16 @@ void RawLayoutDialog::setValues(const RawLayoutValues& values) {
     showFit();
 }
 
-bool RawLayoutDialog::fits() const { return bytesNeeded(values()) == m_fileBytes; }
+bool RawLayoutDialog::fits() const {
+    const auto needed = bytesNeeded(values());
+    return needed && *needed <= m_fileBytes;
+}
 
 void RawLayoutDialog::showFit() {
     m_fit->setText(fitSentence());
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(fits());
     const auto voxelBytes = voxelBytesNeeded(values());
-    m_headerFit->setEnabled(voxelBytes && *voxelBytes < m_fileBytes && !fits());
+    m_headerFit->setEnabled(voxelBytes && *voxelBytes < m_fileBytes && bytesNeeded(values()) != m_fileBytes);
 }
 
 void RawLayoutDialog::fitHeader() {
@@ -176,8 +179,9 @@ QString RawLayoutDialog::fitSentence() const {
     }
     const QString sizes =
         tr("These settings need %1 bytes; the file has %2").arg(grouped(*needed), grouped(m_fileBytes));
-    return *needed > m_fileBytes ? tr("%1: %2 are missing.").arg(sizes, grouped(*needed - m_fileBytes))
-                                 : tr("%1: %2 are left over.").arg(sizes, grouped(m_fileBytes - *needed));
+    return *needed > m_fileBytes
+               ? tr("%1: %2 are missing.").arg(sizes, grouped(*needed - m_fileBytes))
+               : tr("⚠ %1: the last %2 are left over and would be ignored.").arg(sizes, grouped(m_fileBytes - *needed));
 }
 
 }  // namespace echolucent

@@ -19,8 +19,8 @@ class QSpinBox;
 namespace echolucent {
 
 /// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .spacingX,
-/// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the layout fits
-/// the file exactly.
+/// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the file holds
+/// all that the layout needs; bytes left over are warned of, not refused, as the reader does.
 class RawLayoutDialog : public QDialog {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
     /// Spacing is 1, 1, 1 where it is said to be unknown.
     [[nodiscard]] RawLayoutValues values() const;
     void setValues(const RawLayoutValues& values);
-    /// True where header and voxels are exactly the file's length.
+    /// True where the file holds header and voxels; it may be longer.
     [[nodiscard]] bool fits() const;
 
 private:
