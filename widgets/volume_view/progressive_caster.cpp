@@ -5,8 +5,8 @@
 
 namespace echolucent {
 
-ProgressiveCaster::ProgressiveCaster(Cast cast, QObject* parent)
-    : QObject(parent), m_cast(std::move(cast)), m_thread("ray caster") {
+ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
+    : m_cast(std::move(cast)), m_quality(quality), m_thread("ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
 }
 

@@ -31,7 +31,7 @@ public:
     using Cast = std::function<std::optional<Picture>(const Volume&, const OpacityCurve&, const RayCastSettings&,
                                                       const Progress&)>;
 
-    explicit ProgressiveCaster(Cast cast = castRays, QObject* parent = nullptr);
+    explicit ProgressiveCaster(Cast cast = castRays, const PreviewQuality& quality = PreviewQuality{});
 
     void request(const PictureRequest& request);
     /// Forgets the newest request and cancels what runs; nothing of it is delivered.

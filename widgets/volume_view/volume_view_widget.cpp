@@ -84,7 +84,7 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     layout->addWidget(parts.container);
     parts.pointer = new ViewPointer(parts.window, this);
     connectPointer();
-    connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::show);
+    connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
 }
 
@@ -238,7 +238,7 @@ void VolumeViewWidget::requestPicture() {
     updateBusy();
 }
 
-void VolumeViewWidget::show(const std::shared_ptr<const CastPicture>& picture) {
+void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
     Parts& parts = *m_parts;
     parts.shown = picture;
     const PictureRequest& request = picture->request;
@@ -308,8 +308,10 @@ void VolumeViewWidget::refit(double aspectBefore) {
     const double now = aspect();
     if (!parts.volume || now == aspectBefore) return;
     const VolumeGeometry& geometry = parts.volume->geometry();
-    parts.pose.heightMm *= defaultCamera(geometry, parts.fittedView, now).heightMm /
-                           defaultCamera(geometry, parts.fittedView, aspectBefore).heightMm;
+    const auto fittedHeight = [&](double ofAspect) {
+        return fittedPose(geometry, parts.fittedView, parts.look.projection, ofAspect).heightMm;
+    };
+    parts.pose.heightMm *= fittedHeight(now) / fittedHeight(aspectBefore);
 }
 
 void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
