@@ -102,7 +102,7 @@ private:
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
-    void refit(double aspectBefore);
+    void refit();
     [[nodiscard]] QSize pixelSize() const;
     [[nodiscard]] double aspect() const;
 
