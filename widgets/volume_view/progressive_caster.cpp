@@ -5,9 +5,17 @@
 
 namespace echolucent {
 
-ProgressiveCaster::ProgressiveCaster(Cast cast, QObject* parent)
-    : QObject(parent), m_cast(std::move(cast)), m_thread("ray caster") {
+namespace {
+constexpr int streamMilliseconds = 150;  // requests that follow each other within this belong to one movement
+constexpr int restMilliseconds = 40;     // longer than between two moves of a mouse
+}  // namespace
+
+ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
+    : m_cast(std::move(cast)), m_quality(quality), m_thread("ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMilliseconds);
+    connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::startFine);
 }
 
 void ProgressiveCaster::request(const PictureRequest& request) {
@@ -15,6 +23,9 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     // A picture of another volume is not a coarse preview of this one.
     if (m_newest && m_newest->volume != request.volume) m_thread.cancel();
     m_newest = std::make_shared<const PictureRequest>(request);
+    m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
+    m_sinceRequest.start();
+    m_rest.stop();
     const RayCastSettings coarse = m_quality.coarse(request.settings);
     const bool isFine = coarse.width == request.settings.width && coarse.height == request.settings.height &&
                         coarse.step == request.settings.step;
@@ -24,7 +35,13 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 void ProgressiveCaster::clear() {
     m_newest.reset();
     m_thread.cancel();
+    m_sinceRequest.invalidate();
+    if (!m_rest.isActive()) return;
+    m_rest.stop();
+    emit busyChanged();
 }
+
+void ProgressiveCaster::startFine() { start(m_newest->settings, true, NewestWinsThread::WhenSuperseded::cancel); }
 
 void ProgressiveCaster::start(const RayCastSettings& settings, bool fine,
                               NewestWinsThread::WhenSuperseded whenSuperseded) {
@@ -46,7 +63,13 @@ void ProgressiveCaster::start(const RayCastSettings& settings, bool fine,
 void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, const RayCastSettings& settings) {
     m_quality.measured(settings, picture->milliseconds);
     const bool newest = m_newest && samePicture(*m_newest, picture->request);
-    if (newest && !picture->fine) start(m_newest->settings, true, NewestWinsThread::WhenSuperseded::cancel);
+    if (newest && !picture->fine) {
+        if (m_inStream) {
+            m_rest.start();
+        } else {
+            startFine();
+        }
+    }
     emit delivered(picture);
 }
 

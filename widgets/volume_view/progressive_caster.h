@@ -1,7 +1,9 @@
 // Pictures made away from the person's thread: first a coarse one, then, when nothing newer waits, the fine one.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,7 +24,8 @@ struct CastPicture {
 };
 
 /// Coarse pictures run to their end and are delivered also when a newer request waits, so that a drag always shows
-/// something; fine ones are cancelled by any newer request. A request equal to the newest one does nothing.
+/// something; fine ones are cancelled by any newer request. In a stream of requests the fine one waits until the hand
+/// rests, so that it takes no time from the next coarse one. A request equal to the newest one does nothing.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -31,24 +34,29 @@ public:
     using Cast = std::function<std::optional<Picture>(const Volume&, const OpacityCurve&, const RayCastSettings&,
                                                       const Progress&)>;
 
-    explicit ProgressiveCaster(Cast cast = castRays, QObject* parent = nullptr);
+    explicit ProgressiveCaster(Cast cast = castRays, const PreviewQuality& quality = PreviewQuality{});
 
     void request(const PictureRequest& request);
     /// Forgets the newest request and cancels what runs; nothing of it is delivered.
     void clear();
-    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+    /// True from a request until its fine picture was delivered or it was cleared.
+    [[nodiscard]] bool busy() const { return m_thread.busy() || m_rest.isActive(); }
 
 signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
     void busyChanged();
 
 private:
+    void startFine();
     void start(const RayCastSettings& settings, bool fine, NewestWinsThread::WhenSuperseded whenSuperseded);
     void deliver(const std::shared_ptr<const CastPicture>& picture, const RayCastSettings& settings);
 
     Cast m_cast;
     PreviewQuality m_quality;
     std::shared_ptr<const PictureRequest> m_newest;
+    QElapsedTimer m_sinceRequest;
+    bool m_inStream = false;  // the newest request came soon after another
+    QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -43,7 +43,8 @@ struct VolumeViewWidget::Parts {
     Look look;
     CameraPose pose;
     CameraPose poseBeforeDrag;
-    View fittedView;  ///< that the zoom is measured against when the view changes its shape
+    View fittedView;             ///< the view and ...
+    double fittedAspect = 1.0;   ///< ... the shape of the picture that the zoom is measured against
     std::shared_ptr<const CastPicture> shown;
     std::optional<QPointF> cursor;  ///< while it rests over the picture, logical pixels
     bool scheduled = false;
@@ -84,7 +85,7 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     layout->addWidget(parts.container);
     parts.pointer = new ViewPointer(parts.window, this);
     connectPointer();
-    connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::show);
+    connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
 }
 
@@ -179,6 +180,7 @@ View VolumeViewWidget::view() const { return m_parts->pose.view; }
 void VolumeViewWidget::resetView(const View& view) {
     Parts& parts = *m_parts;
     parts.fittedView = view;
+    parts.fittedAspect = aspect();
     parts.pose.view = view;
     if (parts.volume) parts.pose = fittedPose(parts.volume->geometry(), view, parts.look.projection, aspect());
     schedule();
@@ -238,7 +240,7 @@ void VolumeViewWidget::requestPicture() {
     updateBusy();
 }
 
-void VolumeViewWidget::show(const std::shared_ptr<const CastPicture>& picture) {
+void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
     Parts& parts = *m_parts;
     parts.shown = picture;
     const PictureRequest& request = picture->request;
@@ -257,9 +259,8 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     std::optional<PointedSample> sample;
     if (position && parts.shown) {
         const PictureRequest& request = parts.shown->request;
-        const QSize size = parts.window->size();
-        sample = samplePointedAt(request, position->x() * request.settings.width / size.width(),
-                                 position->y() * request.settings.height / size.height());
+        sample = samplePointedAt(request, position->x() * request.settings.width / width(),
+                                 position->y() * request.settings.height / height());
     }
     if (sample) {
         emit pointed(sample->intensity, sample->opacity);
@@ -275,12 +276,11 @@ void VolumeViewWidget::updateBusy() {
 }
 
 QSize VolumeViewWidget::pixelSize() const {
-    return m_parts->window->size() * m_parts->window->devicePixelRatio();
+    return size() * m_parts->window->devicePixelRatio();
 }
 
 double VolumeViewWidget::aspect() const {
-    const QSize size = m_parts->window->size();
-    return size.isEmpty() ? 1.0 : static_cast<double>(size.width()) / size.height();
+    return size().isEmpty() ? 1.0 : static_cast<double>(width()) / height();
 }
 
 void VolumeViewWidget::showEvent(QShowEvent* event) {
@@ -295,21 +295,21 @@ void VolumeViewWidget::hideEvent(QHideEvent* event) {
 }
 
 void VolumeViewWidget::resizeEvent(QResizeEvent* event) {
-    const double before = aspect();
     QWidget::resizeEvent(event);
-    layout()->activate();
-    refit(before);
+    refit();
     schedule();
 }
 
 /// What filled the picture before its shape changed fills it afterwards.
-void VolumeViewWidget::refit(double aspectBefore) {
+void VolumeViewWidget::refit() {
     Parts& parts = *m_parts;
-    const double now = aspect();
-    if (!parts.volume || now == aspectBefore) return;
+    const double before = std::exchange(parts.fittedAspect, aspect());
+    if (!parts.volume || parts.fittedAspect == before) return;
     const VolumeGeometry& geometry = parts.volume->geometry();
-    parts.pose.heightMm *= defaultCamera(geometry, parts.fittedView, now).heightMm /
-                           defaultCamera(geometry, parts.fittedView, aspectBefore).heightMm;
+    const auto fittedHeight = [&](double ofAspect) {
+        return fittedPose(geometry, parts.fittedView, parts.look.projection, ofAspect).heightMm;
+    };
+    parts.pose.heightMm *= fittedHeight(parts.fittedAspect) / fittedHeight(before);
 }
 
 void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {

@@ -99,10 +99,10 @@ private:
     void followHand(const struct CameraPose& pose);
     void schedule();
     void requestPicture();
-    void show(const std::shared_ptr<const CastPicture>& picture);
+    void showPicture(const std::shared_ptr<const CastPicture>& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
-    void refit(double aspectBefore);
+    void refit();
     [[nodiscard]] QSize pixelSize() const;
     [[nodiscard]] double aspect() const;
 

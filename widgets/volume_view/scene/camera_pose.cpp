@@ -11,6 +11,8 @@ namespace {
 constexpr double degreesPerHeight = 180.0;
 constexpr double viewAngleDegrees = 30.0;
 
+double halfAngle(double degrees) { return degrees / 2.0 * std::numbers::pi / 180.0; }
+
 double wrapped(double degrees) {
     const double turn = std::remainder(degrees, 360.0);
     return turn == -180.0 ? 180.0 : turn;
@@ -29,13 +31,17 @@ Camera cameraFor(const CameraPose& pose) {
     camera.projection = pose.projection;
     camera.heightMm = pose.heightMm;
     camera.viewAngleDegrees = viewAngleDegrees;
-    camera.distanceMm = pose.heightMm / 2.0 / std::tan(viewAngleDegrees / 2.0 * std::numbers::pi / 180.0);
+    camera.distanceMm = pose.heightMm / 2.0 / std::tan(halfAngle(viewAngleDegrees));
     return camera;
 }
 
 CameraPose fittedPose(const VolumeGeometry& geometry, const View& view, Projection projection, double aspect) {
     const Camera fitted = defaultCamera(geometry, view, aspect);
-    return {view, fitted.focalPoint, fitted.heightMm, projection};
+    // In perspective the volume's front is larger than its middle: the distance of the default camera allows for that.
+    const double height = projection == Projection::parallel
+                              ? fitted.heightMm
+                              : 2.0 * fitted.distanceMm * std::tan(halfAngle(fitted.viewAngleDegrees));
+    return {view, fitted.focalPoint, height, projection};
 }
 
 CameraPose orbited(CameraPose pose, double right, double down) {

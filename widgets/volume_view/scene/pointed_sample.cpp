@@ -49,32 +49,33 @@ void clip(Ray& ray, const VolumeGeometry& geometry, const RayCastSettings& setti
     ray.begin = std::max(ray.begin, (settings.nearPlaneDepthMm - forward.dot(ray.origin)) / forward.dot(ray.direction));
 }
 
-/// Trilinear between voxel centres, constant beyond the outermost; empty at a voxel without data.
+/// As castRays(): the nearest voxel, or the mean of the data voxels around by their trilinear weights; empty at a voxel
+/// without data, or where less than half the weight is data. Constant beyond the outermost voxel centres.
 std::optional<double> intensityAt(const Volume& volume, const Vec3& gridMm, Interpolation interpolation) {
     const VolumeGeometry& geometry = volume.geometry();
     const Vec3 voxel = geometry.voxelFromGridMm(gridMm);
-    std::array<std::int64_t, 3> lower{}, upper{}, nearest{};
-    Vec3 share;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double last = static_cast<double>(geometry.size[axis] - 1);
-        const double position = std::clamp(voxel[static_cast<int>(axis)], 0.0, last);
-        lower[axis] = static_cast<std::int64_t>(position);
-        upper[axis] = std::min(lower[axis] + 1, geometry.size[axis] - 1);
-        nearest[axis] = std::llround(position);
-        share[static_cast<int>(axis)] = position - static_cast<double>(lower[axis]);
+    std::array<std::array<std::int64_t, 2>, 3> around{};
+    std::array<std::array<double, 2>, 3> weights{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const double position = std::clamp(voxel[axis], 0.0, static_cast<double>(geometry.size[i] - 1));
+        const auto lower = static_cast<std::int64_t>(position);
+        double share = position - static_cast<double>(lower);
+        if (interpolation == Interpolation::nearest) share = std::round(share);
+        around[i] = {lower, std::min(lower + 1, geometry.size[i] - 1)};
+        weights[i] = {1.0 - share, share};
     }
-    const std::int64_t nearestOffset = geometry.offset(nearest[0], nearest[1], nearest[2]);
-    if (!volume.hasData(nearestOffset)) return std::nullopt;
-    if (interpolation == Interpolation::nearest) return volume.normalisedIntensity(nearestOffset);
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const bool x = corner & 1, y = corner & 2, z = corner & 4;
-        const double weight = (x ? share[0] : 1 - share[0]) * (y ? share[1] : 1 - share[1]) * (z ? share[2] : 1 - share[2]);
-        if (weight == 0.0) continue;
-        sum += weight * volume.normalisedIntensity(geometry.offset(x ? upper[0] : lower[0], y ? upper[1] : lower[1],
-                                                                   z ? upper[2] : lower[2]));
+    double sum = 0.0, weightOfData = 0.0;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::size_t x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+        const double weight = weights[0][x] * weights[1][y] * weights[2][z];
+        const std::int64_t offset = geometry.offset(around[0][x], around[1][y], around[2][z]);
+        if (weight == 0.0 || !volume.hasData(offset)) continue;
+        sum += weight * volume.normalisedIntensity(offset);
+        weightOfData += weight;
     }
-    return sum;
+    if (weightOfData < 0.5) return std::nullopt;
+    return sum / weightOfData;
 }
 
 }  // namespace
