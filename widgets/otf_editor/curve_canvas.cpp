@@ -21,8 +21,9 @@ constexpr double wheelNotch = 120.0;  // eighths of a degree times 15, Qt's unit
 CurveCanvas::CurveCanvas(OtfEditorModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
     setObjectName("otfEditor.canvas");
     setAccessibleName(tr("Opacity curves"));
-    setAccessibleDescription(tr("Opacity over intensity. Tab goes from node to node, arrow keys move the selected one, "
-                                "Delete removes it."));
+    setAccessibleDescription(
+        tr("Opacity over intensity. Tab goes from node to node, arrow keys move the selected one, "
+           "Delete removes it."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -69,7 +70,9 @@ void CurveCanvas::resetZoom() {
 
 void CurveCanvas::layOutPlot() {
     const QFontMetrics metrics(font());
-    const double left = metrics.horizontalAdvance("0.000") + metrics.height() + 6;  // numbers and the turned title
+    const double numbersAndTitle = metrics.horizontalAdvance("0.000") + metrics.height() + 6;
+    const double rowName = storedRowGap + metrics.horizontalAdvance(tr("stored"));
+    const double left = std::max(numbersAndTitle, m_whiteLevel > 1.0 ? rowName : 0.0);
     const double rows = m_whiteLevel > 1.0 ? 2.0 : 1.0;
     const double bottom = rows * metrics.height() + 7;
     const double right = metrics.horizontalAdvance("0000") / 2.0 + 2;

@@ -64,6 +64,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
+    static constexpr double storedRowGap = 18.0;  // pixels from the name of the row of stored values to the plot
     enum class Region { plot, intensityAxis, opacityAxis, corner };
     /// Where a node or the plot was taken, so that it does not jump under the pointer.
     struct Grab {

@@ -34,7 +34,9 @@ double stepOf(const std::vector<double>& ticks) { return ticks.size() > 1 ? tick
 }  // namespace
 
 CurveCanvas::Colors CurveCanvas::colors() const {
-    const QColor background = palette().color(QPalette::Base);
+    constexpr int darker = 140;  // per cent: the plot lies deeper than a dark panel
+    const QColor panel = palette().color(QPalette::Window);
+    const QColor background = panel.lightness() < 128 ? panel.darker(darker) : palette().color(QPalette::Base);
     const QColor text = palette().color(QPalette::WindowText);
     return {background,
             text,
@@ -97,7 +99,7 @@ void CurveCanvas::paintIntensityAxis(QPainter& painter, const Colors& colors) co
     painter.setPen(colors.secondary);
     painter.drawText(plot.adjusted(0, 0, -6, -3), Qt::AlignRight | Qt::AlignBottom, tr("intensity"));
     if (m_whiteLevel > 1.0)
-        painter.drawText(QRectF(0, plot.bottom() + 5 + rowHeight, plot.left() - cell / 4, rowHeight),
+        painter.drawText(QRectF(0, plot.bottom() + 5 + rowHeight, plot.left() - storedRowGap, rowHeight),
                          Qt::AlignRight, tr("stored"));
 }
 
@@ -149,8 +151,8 @@ void CurveCanvas::paintCurves(QPainter& painter, const Colors& colors) const {
     painter.save();
     painter.setClipRect(m_axes.rect.adjusted(-1, -2, 1, 2));
     // The least important first; the active one lies on top.
-    for (const CurveKind kind : {CurveKind::quartic, CurveKind::parabolic, CurveKind::linear, CurveKind::manual,
-                                 CurveKind::adaptive})
+    for (const CurveKind kind :
+         {CurveKind::quartic, CurveKind::parabolic, CurveKind::linear, CurveKind::manual, CurveKind::adaptive})
         if (kind != state.active) paintCurve(painter, kind, colors);
     paintCurve(painter, state.active, colors);
     painter.restore();

@@ -11,7 +11,7 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
     setObjectName("otfEditor.legend");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(8);
+    grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
     for (int row = 0; row < 2; ++row) {
         auto* heading = new QLabel(row == 0 ? tr("Render") : tr("Show"));
@@ -31,7 +31,7 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
         visible->setAccessibleName(tr("Show the %1 curve in the plot").arg(curveName(kind)));
         visible->setToolTip(visible->accessibleName());
         visible->setIcon(curveSample(kind));
-        visible->setIconSize({30, 12});
+        visible->setIconSize(curveSampleSize);
         connect(visible, &QCheckBox::toggled, this, [this, kind](bool on) { m_model.setVisible(kind, on); });
         grid->addWidget(visible, 1, column);
         m_active[indexOf(kind)] = active;

@@ -15,8 +15,8 @@ struct CurveStyle {
     QString shortName;
     QString name;
     QColor color;
-    double width;              // pixels, not active
-    double activeWidth;        // pixels
+    double width;                // pixels, not active
+    double activeWidth;          // pixels
     std::vector<double> dashes;  // pixels on, off, ...; empty: solid
 };
 
@@ -82,13 +82,14 @@ QPen curvePen(CurveKind kind, bool active) {
 QIcon curveSample(CurveKind kind) {
     QIcon icon;
     for (const double scale : iconScales) {
-        QPixmap pixmap = transparentPixmap({30, 12}, scale);
+        QPixmap pixmap = transparentPixmap(curveSampleSize, scale);
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
         QPen pen = curvePen(kind, true);
         painter.setPen(pen);
-        painter.drawLine(QPointF(1, 6), QPointF(29, 6));
-        if (kind == CurveKind::manual) paintNode(painter, {15, 6}, 7, curveColor(kind), curveColor(kind));
+        const QPointF middle = QRectF({}, QSizeF(curveSampleSize)).center();
+        painter.drawLine(QPointF(0, middle.y()), QPointF(curveSampleSize.width(), middle.y()));
+        if (kind == CurveKind::manual) paintNode(painter, middle, 7, curveColor(kind), curveColor(kind));
         painter.end();
         icon.addPixmap(pixmap);
     }

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QIcon>
 #include <QPen>
+#include <QSize>
 #include <QString>
 
 #include "widgets/otf_editor/otf_editor_state.h"
@@ -23,6 +24,7 @@ inline constexpr QColor accentColor{0x4f, 0xb3, 0xbf};
 [[nodiscard]] QColor curveColor(CurveKind kind);
 /// Colour, width and dashes; the active curve is drawn heavier.
 [[nodiscard]] QPen curvePen(CurveKind kind, bool active);
+inline constexpr QSize curveSampleSize{25, 12};  ///< pixels
 /// A short piece of the line, with a square node for the manual curve.
 [[nodiscard]] QIcon curveSample(CurveKind kind);
 

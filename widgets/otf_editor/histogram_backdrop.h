@@ -19,7 +19,7 @@ enum class HistogramScale { linear, logarithmic };
 [[nodiscard]] std::array<double, 256> histogramHeights(const IntensityHistogram& histogram, HistogramScale scale);
 
 /// Fills the steps of the histogram over the shown intensities; the opacity axis's zoom does not touch the heights.
-void paintHistogram(QPainter& painter, const PlotAxes& axes, const std::array<double, 256>& heights,
-                    const QColor& fill, const QColor& outline);
+void paintHistogram(QPainter& painter, const PlotAxes& axes, const std::array<double, 256>& heights, const QColor& fill,
+                    const QColor& outline);
 
 }  // namespace echolucent

@@ -17,8 +17,7 @@ bool beginsNumber(const QKeyEvent& event) {
 
 }  // namespace
 
-NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent)
-    : QTableView(parent), m_editorModel(model), m_rows(model) {
+NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent), m_editorModel(model), m_rows(model) {
     setObjectName("otfEditor.nodeTable");
     setAccessibleName(tr("Nodes of the manual curve"));
     setModel(&m_rows);

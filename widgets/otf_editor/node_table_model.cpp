@@ -107,7 +107,7 @@ QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, in
     switch (section) {
         case intensityColumn: return tr("Intensity");
         case opacityColumn: return tr("Opacity");
-        default: return tr("Stored value");
+        default: return tr("Stored");
     }
 }
 

@@ -23,6 +23,8 @@ namespace echolucent {
 
 namespace {
 
+constexpr int shownNodeRows = 4;  // of the node table, without scrolling
+
 QToolButton* buttonFor(QAction* action, const QString& objectName, Qt::ToolButtonStyle style) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
@@ -60,7 +62,7 @@ OtfEditor::OtfEditor(QWidget* parent) : QWidget(parent) {
     m_readout->setAccessibleName(tr("Values under the pointer"));
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 8, 10, 10);
+    column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
     column->addLayout(makeToolRow());
     column->addWidget(m_canvas, 1);
@@ -71,6 +73,13 @@ OtfEditor::OtfEditor(QWidget* parent) : QWidget(parent) {
     connectModel();
     paintIcons();
     showState();
+}
+
+OtfEditor::~OtfEditor() {
+    // A number still being typed is committed as the focus goes, and the table refers to the model: both first.
+    hide();
+    undoStack()->disconnect(this);
+    qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 
 void OtfEditor::makeActions() {
@@ -90,8 +99,8 @@ void OtfEditor::makeActions() {
     m_undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
     m_redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
     m_reset->setShortcut(QKeySequence(Qt::Key_C));
-    m_copyAdaptive->setToolTip(tr("Copy the adaptive curve into few nodes, within %1 of its opacity")
-                                   .arg(copiedCurveMaxError));
+    m_copyAdaptive->setToolTip(
+        tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
     m_openCurve->setToolTip(tr("Open a manual curve from a file"));
     m_saveCurve->setToolTip(tr("Save the manual curve to a file"));
     m_addNode->setToolTip(tr("Add a node on the curve, after the selected one"));
@@ -155,7 +164,8 @@ QLayout* OtfEditor::makeToolRow() {
 
 QStackedWidget* OtfEditor::makePages() {
     auto* pages = new QStackedWidget;
-    pages->addWidget(makeAdaptivePage());  // in the order of allCurveKinds
+    pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // the plot must not jump when the page changes
+    pages->addWidget(makeAdaptivePage());                              // in the order of allCurveKinds
     pages->addWidget(makeManualPage());
     pages->addWidget(new LinearParameters(m_model));
     pages->addWidget(new PowerParameters(m_model, CurveKind::parabolic));
@@ -182,7 +192,7 @@ QWidget* OtfEditor::makeManualPage() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     m_nodeTable = new NodeTable(m_model);
-    m_nodeTable->setMinimumHeight(4 * (fontMetrics().height() + 8) + 12);
+    m_nodeTable->setFixedHeight((shownNodeRows + 1) * (fontMetrics().height() + 8) + 6);
     row->addWidget(m_nodeTable, 1);
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(4);
@@ -217,6 +227,8 @@ void OtfEditor::connectModel() {
         m_redo->setEnabled(undoStack()->canRedo());
         m_undo->setText(undoStack()->canUndo() ? tr("Undo %1").arg(undoStack()->undoText()) : tr("Undo"));
         m_redo->setText(undoStack()->canRedo() ? tr("Redo %1").arg(undoStack()->redoText()) : tr("Redo"));
+        m_undo->setToolTip(tr("%1 (Ctrl+Z)").arg(m_undo->text()));
+        m_redo->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(m_redo->text()));
     };
     connect(undoStack(), &QUndoStack::indexChanged, this, showSteps);
     showSteps();
@@ -284,8 +296,9 @@ QString OtfEditor::adaptiveFacts() const {
         intensities += QString("<td align='right'>%1</td>").arg(intensity ? intensityText(*intensity) : tr("never"));
     }
     return tr("Computed from the volume. To edit it, copy it into nodes.") +
-           QString("<table cellspacing='0' cellpadding='1' style='margin-top:6px'><tr><td>%1</td>%2</tr>"
-                   "<tr><td>%3</td>%4</tr></table>")
+           QString(
+               "<table cellspacing='0' cellpadding='1' style='margin-top:6px'><tr><td>%1</td>%2</tr>"
+               "<tr><td>%3</td>%4</tr></table>")
                .arg(tr("Opacity reaches"), opacities, tr("at intensity"), intensities);
 }
 
@@ -294,7 +307,8 @@ QString OtfEditor::intensityText(double intensity) const { return QString::numbe
 QString OtfEditor::storedText(double intensity) const {
     if (!(m_whiteLevel > 1.0)) return {};
     const double stored = intensity * m_whiteLevel;
-    return m_whiteLevel >= 100.0 ? tr(" (stored %1)").arg(std::lround(stored)) : tr(" (stored %1)").arg(stored, 0, 'g', 3);
+    return m_whiteLevel >= 100.0 ? tr(" (stored %1)").arg(std::lround(stored))
+                                 : tr(" (stored %1)").arg(stored, 0, 'g', 3);
 }
 
 void OtfEditor::showHovered(std::optional<CurveNode> value, int node) {

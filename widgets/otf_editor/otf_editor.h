@@ -28,6 +28,7 @@ class OtfEditor : public QWidget {
 
 public:
     explicit OtfEditor(QWidget* parent = nullptr);
+    ~OtfEditor() override;
 
     [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }
     /// Replaces everything; forgets the undo steps, and the manual curve counts as saved.

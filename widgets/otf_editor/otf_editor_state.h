@@ -24,8 +24,8 @@ struct OtfEditorState {
     LinearCurve linear;
     PowerCurve parabolic{2, 1.0};
     PowerCurve quartic{4, 1.0};
-    SampledCurve adaptive;                  ///< empty: not computed yet
-    CurveKind active = CurveKind::adaptive;  ///< the curve that is rendered
+    SampledCurve adaptive;                                      ///< empty: not computed yet
+    CurveKind active = CurveKind::adaptive;                     ///< the curve that is rendered
     std::array<bool, 5> visible{true, true, true, true, true};  ///< drawn in the plot, by indexOf(kind)
     friend bool operator==(const OtfEditorState&, const OtfEditorState&) = default;
 };

@@ -12,13 +12,14 @@ namespace {
 
 constexpr double maxSlope = 255.0;  // from 0 to 1 between two neighbouring 8-bit values
 constexpr double maxScale = 100.0;
+constexpr int spinButtonsWidth = 44;  // pixels: frame, padding and the two arrows
 
 ParameterSpinBox* spinBox(OtfEditorModel& model, const QString& objectName, const QString& name, double maximum) {
     auto* box = new ParameterSpinBox(model);
     box->setObjectName(objectName);
     box->setAccessibleName(name);
     box->setRange(0.0, maximum);
-    box->setMaximumWidth(120);
+    box->setFixedWidth(box->fontMetrics().horizontalAdvance("0.000000") + spinButtonsWidth);
     return box;
 }
 
@@ -46,8 +47,9 @@ LinearParameters::LinearParameters(OtfEditorModel& model, QWidget* parent)
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(4);
     int column = 0;
-    for (const auto& [box, text] : {std::pair{m_lower, tr("Lower, L<sub>L</sub>")}, std::pair{m_slope, tr("Slope, <i>a</i>")},
-                                    std::pair{m_upper, tr("Upper, L<sub>H</sub>")}}) {
+    for (const auto& [box, text] :
+         {std::pair{m_lower, tr("Lower, L<sub>L</sub>")}, std::pair{m_slope, tr("Slope, <i>a</i>")},
+          std::pair{m_upper, tr("Upper, L<sub>H</sub>")}}) {
         auto* label = new QLabel(text);
         label->setBuddy(box);
         grid->addWidget(label, 0, column);
@@ -105,11 +107,10 @@ PowerParameters::PowerParameters(OtfEditorModel& model, CurveKind kind, QWidget*
     grid->addWidget(formula(tr("<i>a</i> <i>x</i><sup>%1</sup>, at most 1").arg(exponent)), 2, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     grid->setRowStretch(3, 1);
-    connect(m_scale, &ParameterSpinBox::edited, this,
-            [this](double value, OtfEditorModel::Gesture gesture) {
-                m_model.setScale(m_kind, value, gesture);
-                showState();
-            });
+    connect(m_scale, &ParameterSpinBox::edited, this, [this](double value, OtfEditorModel::Gesture gesture) {
+        m_model.setScale(m_kind, value, gesture);
+        showState();
+    });
     connect(&m_model, &OtfEditorModel::changed, this, &PowerParameters::showState);
     showState();
 }

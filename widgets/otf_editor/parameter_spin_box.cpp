@@ -47,9 +47,18 @@ QValidator::State ParameterSpinBox::validate(QString& text, int& position) const
 }
 
 void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {
-    if (!event->isAutoRepeat()) m_keyGesture = m_model.newGesture();
-    m_gesture = m_keyGesture;
+    if (!event->isAutoRepeat()) m_gesture = m_model.newGesture();
     QDoubleSpinBox::keyPressEvent(event);
+}
+
+void ParameterSpinBox::keyReleaseEvent(QKeyEvent* event) {
+    QDoubleSpinBox::keyReleaseEvent(event);
+    // Held keys step by a timer of the base class, so the gesture lasts until the key is let go.
+    if (!event->isAutoRepeat()) m_gesture = OtfEditorModel::noGesture;
+}
+
+void ParameterSpinBox::focusOutEvent(QFocusEvent* event) {
+    QDoubleSpinBox::focusOutEvent(event);
     m_gesture = OtfEditorModel::noGesture;
 }
 

@@ -27,6 +27,8 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -37,7 +39,6 @@ private:
     OtfEditorModel& m_model;
     std::optional<double> m_shown;  // exact, where value() is rounded
     OtfEditorModel::Gesture m_gesture = OtfEditorModel::noGesture;
-    OtfEditorModel::Gesture m_keyGesture = OtfEditorModel::noGesture;
 };
 
 }  // namespace echolucent
