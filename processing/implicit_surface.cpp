@@ -134,7 +134,8 @@ double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
 }
 
 void ImplicitBody::add(ImplicitPrimitive primitive, double seam, bool carves) {
-    m_terms.push_back({std::move(primitive), seam, carves});
+    m_terms.push_back({std::move(primitive), seam, carves, seam});
+    for (Term& term : m_terms) term.reach = std::max(term.reach, seam);
 }
 
 double ImplicitBody::distance(const Vec3& point) const {
@@ -153,7 +154,7 @@ ImplicitBody::Standing ImplicitBody::standingOf(const Vec3& centre, double radiu
     for (std::size_t index = 0; index < m_terms.size(); ++index) {
         const Term& term = m_terms[index];
         const ImplicitPrimitive& primitive = term.primitive;
-        const double reach = radius + band + term.seam;
+        const double reach = radius + band + term.reach;
         const Vec3 offset = centre - primitive.boundCentre;
         const double bound = primitive.boundRadius + reach;
         if (offset.dot(offset) > bound * bound || outerRadius(primitive, centre) > reach) continue;

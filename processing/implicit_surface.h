@@ -93,6 +93,7 @@ public:
         ImplicitPrimitive primitive;
         double seam = 0.0;
         bool carves = false;
+        double reach = 0.0;  ///< widest of its own and all later seams: how far beyond its surface it matters
     };
     [[nodiscard]] const std::vector<Term>& terms() const { return m_terms; }
 

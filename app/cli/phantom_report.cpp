@@ -12,6 +12,13 @@ using Json = nlohmann::ordered_json;
 
 Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
 
+VolumeGeometry geometryOf(const PhantomConfig& config) {
+    VolumeGeometry geometry;
+    geometry.size = config.size;
+    geometry.spacing = config.spacing;
+    return geometry;
+}
+
 Json configJson(const PhantomConfig& config) {
     return {{"scene", nameOf(config.scene)},
             {"size", config.size},
@@ -71,9 +78,7 @@ Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const V
 
 Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const View& view,
                const AdaptiveOtfConfig& tubes) {
-    VolumeGeometry geometry;
-    geometry.size = config.size;
-    geometry.spacing = config.spacing;
+    const VolumeGeometry geometry = geometryOf(config);
     Json all = Json::array();
     for (const TubeAxis& axis : tubeAxes(geometry, view, tubes))
         all.push_back(tubeJson(truth, geometry, view, axis, tubes.cellSize));
@@ -91,9 +96,10 @@ std::string truthReport(const std::vector<PhantomConfig>& phases, const View& vi
                       {"elevation_degrees", view.elevationDegrees},
                       {"near_mm", view.nearCutMm},
                       {"direction_mm", triple(frameOf(view).forward)}};
+    const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes);
     report["tube_grid"] = {{"columns", tubes.tubeColumns},
                            {"rows", tubes.tubeRows},
-                           {"spacing_units", tubes.tubeSpacing},
+                           {"spacing_units", spacing},
                            {"cell_size_units", tubes.cellSize}};
     const auto add = [&](Json& to, const PhantomConfig& config) {
         const PhantomTruth truth(config);
