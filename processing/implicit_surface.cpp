@@ -127,6 +127,12 @@ double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
     return (1 - length(local.mul(primitive.inverseRadii))) * smallest(primitive.radii);
 }
 
+double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
+    // All but the ellipsoid's distance functions are exact or understate outside.
+    if (primitive.kind != ImplicitPrimitive::Kind::ellipsoid) return signedDistance(primitive, point);
+    return -innerRadius(primitive, point);
+}
+
 void ImplicitBody::add(ImplicitPrimitive primitive, double seam, bool carves) {
     m_terms.push_back({std::move(primitive), seam, carves});
 }
@@ -150,9 +156,7 @@ ImplicitBody::Standing ImplicitBody::standingOf(const Vec3& centre, double radiu
         const double reach = radius + band + term.seam;
         const Vec3 offset = centre - primitive.boundCentre;
         const double bound = primitive.boundRadius + reach;
-        if (offset.dot(offset) > bound * bound) continue;
-        // Far from the surface the distance functions understate, so this test is on the safe side.
-        if (std::isinf(primitive.boundRadius) && signedDistance(primitive, centre) > reach) continue;
+        if (offset.dot(offset) > bound * bound || outerRadius(primitive, centre) > reach) continue;
         active.push_back(static_cast<int>(index));
         (term.carves ? carved : joined) = true;
         within = within || (!term.carves && innerRadius(primitive, centre) > radius + band);

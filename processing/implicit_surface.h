@@ -71,6 +71,9 @@ struct ImplicitPrimitive {
 /// Radius of a ball around the point that surely lies inside the primitive; 0 or less where the point may be outside.
 [[nodiscard]] double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
 
+/// Radius of a ball around the point that surely lies outside the primitive; 0 or less where the point may be inside.
+[[nodiscard]] double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
+
 /// Smooth minimum with a seam of finite width (polynomial): the plain minimum where |a - b| >= width.
 [[nodiscard]] inline double smoothMinimum(double a, double b, double width) {
     const double share = width > 0.0 ? std::max(width - std::abs(a - b), 0.0) / width : 0.0;

@@ -47,11 +47,11 @@ struct PhantomConfig {
     friend bool operator==(const PhantomConfig&, const PhantomConfig&) = default;
 };
 
-/// The usual config of a scene: method.md's base condition; a fetus also gets attenuation, shadow and a glint on surfaces
-/// that face the probe, as a scan has them. It is what is shown where no file is given.
+/// The usual config of a scene: the base condition; a fetus gets less speckle, attenuation, shadow and a glint on surfaces
+/// that face the probe. It is what is shown where no file is given.
 [[nodiscard]] PhantomConfig defaultPhantom(PhantomScene scene);
 
-/// One of method.md's conditions by name.
+/// One of the conditions of the studies behind the method, by name.
 struct NamedPhantom {
     std::string name;
     PhantomConfig config;
@@ -102,12 +102,22 @@ public:
     [[nodiscard]] std::optional<double> firstInterface(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
+    /// The same transition as a point in grid mm.
+    [[nodiscard]] std::optional<Vec3> firstInterfacePoint(
+        const Vec3& originMm, const Vec3& direction,
+        double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
     /// Signed distance (mm) to the fluid, negative within it: the sharp materials.
     [[nodiscard]] double fluidDistance(const Vec3& gridMm) const;
 
 private:
     PhantomConfig m_config;
     std::shared_ptr<const PhantomScenery> m_scenery;
+
+    struct Transition {
+        double entry, surface;  ///< mm along the unit direction from the ray's origin
+    };
+    [[nodiscard]] std::optional<Transition> firstTransition(const Vec3& originMm, const Vec3& forward,
+                                                            double nearPlaneDepthMm) const;
 };
 
 /// Builds the volume: the same bits for the same config on any number of threads. Empty only where cancelled.

@@ -64,7 +64,7 @@ void addFoot(Sculpture flesh, const Vec3& ankle, const Vec3& toes, const Vec3& s
     for (int toe = 0; toe < 5; ++toe) {
         const double place = (toe - 2) / 2.0;
         const Vec3 from = ball + across * (place * 0.030);
-        flesh.join(roundCone("toe", from, from + toes * (0.034 - 0.008 * place), 0.0125, 0.0105 - 0.0015 * place),
+        flesh.join(roundCone("toe", from, from + toes * (0.026 + 0.005 * place), 0.0125, 0.0115 + 0.0015 * place),
                    0.010);
     }
 }
@@ -75,7 +75,7 @@ void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus}, bone{bodies.bone, fetus}, chambers{bodies.chambers, fetus};
     flesh.join(roundCone("neck", {-0.03, 0.20, 0}, {-0.05, 0.10, 0}, 0.085, 0.095), 0.06);
     flesh.join(ellipsoid("chest", {-0.03, -0.02, 0}, {0.135, 0.17, 0.135}), 0.06);
-    flesh.join(ellipsoid("belly", {0.01, -0.20, 0}, {0.155, 0.16, 0.145}), 0.07);
+    flesh.join(ellipsoid("belly", {0.02, -0.20, 0}, {0.160, 0.16, 0.150}), 0.07);
     flesh.join(ellipsoid("hips", {-0.03, -0.36, 0}, {0.115, 0.11, 0.13}), 0.07);
     flesh.join(ellipsoid("buttock, near side", {-0.06, -0.425, 0.06}, {0.085, 0.085, 0.075}), 0.04);
     flesh.join(ellipsoid("buttock, far side", {-0.06, -0.425, -0.06}, {0.085, 0.085, 0.075}), 0.04);
@@ -92,35 +92,35 @@ void addArms(FetusBodies& bodies, const Pose& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus};
     // Near arm: bent before the chest, the hand below the chin.
     addLimb(bodies, fetus,
-            {"upper arm, near side", "forearm, near side", {-0.03, 0.065, 0.135}, {0.10, -0.115, 0.20}, {0.225, 0.02, 0.135},
-             0.046, 0.037, 0.027});
-    flesh.join(ellipsoid("palm, near side", {0.250, 0.052, 0.125}, {0.030, 0.040, 0.022}, rotationZ(-35)), 0.015);
-    addDigits(flesh, {0.266, 0.082, 0.120}, normalized(Vec3(0.35, 0.9, -0.25)), normalized(Vec3(-0.85, 0.30, 0.25)),
-              0.050, 0.024, 0.0115);
+            {"upper arm, near side", "forearm, near side", {-0.03, 0.06, 0.135}, {0.09, -0.125, 0.20},
+             {0.225, -0.005, 0.135}, 0.050, 0.041, 0.030});
+    flesh.join(ellipsoid("palm, near side", {0.254, 0.030, 0.125}, {0.034, 0.044, 0.024}, rotationZ(-35)), 0.015);
+    addDigits(flesh, {0.272, 0.064, 0.120}, normalized(Vec3(0.35, 0.9, -0.25)), normalized(Vec3(-0.85, 0.30, 0.25)),
+              0.054, 0.027, 0.0130);
 
     // Far arm: it waves about the elbow.
     const double swing = 16 * wave(phase);
     const Vec3 shoulder{-0.03, 0.065, -0.135}, elbow{0.20, -0.03, -0.17};
     const Mat3 turn = rotationZ(swing);
-    const Vec3 wrist = elbow + turn * Vec3(0.135, 0.125, 0.02);
+    const Vec3 wrist = elbow + turn * Vec3(0.125, 0.115, 0.02);
     addLimb(bodies, fetus,
-            {"upper arm, far side", "forearm, far side", shoulder, elbow, wrist, 0.044, 0.036, 0.026});
+            {"upper arm, far side", "forearm, far side", shoulder, elbow, wrist, 0.048, 0.040, 0.029});
     const Vec3 ahead = turn * normalized(Vec3(0.60, 0.78, 0.10)), across = turn * normalized(Vec3(-0.78, 0.60, 0.15));
-    flesh.join(ellipsoid("palm, far side", wrist + ahead * 0.035, {0.030, 0.040, 0.020}, turn * rotationZ(-38)), 0.015);
-    addDigits(flesh, wrist + ahead * 0.066, ahead, across, 0.055, 0.027, 0.0115);
+    flesh.join(ellipsoid("palm, far side", wrist + ahead * 0.035, {0.034, 0.044, 0.022}, turn * rotationZ(-38)), 0.015);
+    addDigits(flesh, wrist + ahead * 0.070, ahead, across, 0.058, 0.030, 0.0130);
 }
 
 void addLegs(FetusBodies& bodies, const Pose& fetus) {
     Sculpture flesh{bodies.flesh, fetus};
-    const Vec3 nearAnkle{0.235, -0.445, 0.10}, farAnkle{0.37, -0.49, -0.07};
+    const Vec3 nearAnkle{0.195, -0.455, 0.095}, farAnkle{0.305, -0.475, -0.075};
     addLimb(bodies, fetus,
-            {"thigh, near side", "shin, near side", {-0.02, -0.385, 0.085}, {0.265, -0.225, 0.135}, nearAnkle, 0.076,
-             0.052, 0.031});
-    addFoot(flesh, nearAnkle, normalized(Vec3(0.93, -0.30, 0.20)), normalized(Vec3(-0.30, -0.93, 0)));
+            {"thigh, near side", "shin, near side", {-0.02, -0.385, 0.085}, {0.255, -0.235, 0.140}, nearAnkle, 0.080,
+             0.056, 0.034});
+    addFoot(flesh, nearAnkle, normalized(Vec3(0.95, -0.12, 0.25)), normalized(Vec3(-0.15, -0.95, 0.25)));
     addLimb(bodies, fetus,
-            {"thigh, far side", "shin, far side", {-0.02, -0.385, -0.085}, {0.31, -0.285, -0.12}, farAnkle, 0.074, 0.050,
-             0.031});
-    addFoot(flesh, farAnkle, normalized(Vec3(0.90, 0.35, 0.20)), normalized(Vec3(0.35, -0.90, 0)));
+            {"thigh, far side", "shin, far side", {-0.02, -0.385, -0.085}, {0.315, -0.265, -0.125}, farAnkle, 0.078,
+             0.054, 0.034});
+    addFoot(flesh, farAnkle, normalized(Vec3(0.92, 0.20, 0.30)), normalized(Vec3(0.15, -0.95, 0.20)));
 }
 
 }  // namespace echolucent

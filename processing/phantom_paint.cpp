@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int blockX = 16, blockY = 8, blockZ = 8;
+constexpr int blockX = 8, blockY = 8, blockZ = 8;
 constexpr int blockVoxels = blockX * blockY * blockZ;
 
 /// How thick the brightened shell of a surface is, units, inside the solid.
@@ -49,9 +49,9 @@ class Painter {
 public:
     Painter(const PhantomScenery& scenery, const PhantomConfig& config, std::vector<float>& voxels)
         : m_scenery(scenery), m_config(config), m_geometry(phantomGeometry(config)), m_gain(config), m_voxels(voxels) {
-        const double unit = m_geometry.unit();
+        m_unit = m_geometry.unit();
         m_inverseRamp = inverseRampPerMm(config);
-        m_band = std::max(0.5 * config.ramp, config.specular > 0 ? shellDepth + shellHalfWidth : 0.0) * unit +
+        m_band = std::max(0.5 * config.ramp, config.specular > 0 ? shellDepth + shellHalfWidth : 0.0) * m_unit +
                  m_geometry.spacing[2];
         m_blockRadius =
             0.5 * length(Vec3((blockX - 1) * m_geometry.spacing[0], (blockY - 1) * m_geometry.spacing[1],
@@ -134,14 +134,14 @@ private:
 
     /// Brightening of a surface's shell by the cosine between its outward normal and the way back to the probe.
     [[nodiscard]] double specularFactor(double fluidDistance, double before) const {
-        const double shell = 1 - std::abs(fluidDistance / m_geometry.unit() - shellDepth) / shellHalfWidth;
+        const double shell = 1 - std::abs(fluidDistance / m_unit - shellDepth) / shellHalfWidth;
         if (shell <= 0) return 1;
         const double cosine = std::clamp((fluidDistance - before) / m_geometry.spacing[2], 0.0, 1.0);
         return 1 + m_config.specular * cosine * shell;
     }
 
     void sendBeam(const Index& from, const Block& block, Beam& beam) {
-        const double depthUnits = m_geometry.spacing[2] / m_geometry.unit();
+        const double depthUnits = m_geometry.spacing[2] / m_unit;
         const Index end{std::min(from[0] + blockX, m_config.size[0]), std::min(from[1] + blockY, m_config.size[1]),
                         std::min(from[2] + blockZ, m_config.size[2])};
         for (std::int64_t z = from[2]; z < end[2]; ++z) {
@@ -177,7 +177,7 @@ private:
     VolumeGeometry m_geometry;
     Gain m_gain;
     std::vector<float>& m_voxels;
-    double m_inverseRamp = 0, m_band = 0, m_blockRadius = 0;
+    double m_unit = 1, m_inverseRamp = 0, m_band = 0, m_blockRadius = 0;
 };
 
 }  // namespace

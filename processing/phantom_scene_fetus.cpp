@@ -17,8 +17,8 @@ Pose fetusPose(const Pose& scene) {
     const Mat3 upright{1, 0, 0, 0, -1, 0, 0, 0, -1};
     Pose fetus;
     fetus.axes = rotationZ(-32) * upright * rotationY(-16);
-    fetus.origin = {0.44, 0.535, 0.47};
-    fetus.scale = 0.80;
+    fetus.origin = {0.435, 0.535, 0.47};
+    fetus.scale = 0.85;
     return scene * fetus;
 }
 
@@ -90,8 +90,8 @@ void addFetus(PhantomScenery& scenery, const Pose& scene, const PhantomConfig& c
 
     add(amnioticSac(scene), PhantomMaterial::fluid, config.fluid, 0);
     add(placenta(scene), PhantomMaterial::tissue, between(0.12), 0);
-    add(std::move(cord), PhantomMaterial::tissue, between(0.45), 0);
-    add(std::move(bodies.flesh), PhantomMaterial::tissue, between(0.45), 0);
+    add(std::move(cord), PhantomMaterial::tissue, between(0.55), 0);
+    add(std::move(bodies.flesh), PhantomMaterial::tissue, between(0.65), 0);
     add(std::move(bodies.chambers), PhantomMaterial::fluid, config.fluid, 0);
     add(std::move(bodies.bone), PhantomMaterial::object, config.object, 1);
 }

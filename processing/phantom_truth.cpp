@@ -101,32 +101,46 @@ double PhantomTruth::fluidDistance(const Vec3& gridMm) const {
 
 std::optional<double> PhantomTruth::firstInterface(const Vec3& originMm, const Vec3& direction,
                                                    double nearPlaneDepthMm) const {
+    const auto found = firstTransition(originMm, normalized(direction), nearPlaneDepthMm);
+    if (!found) return std::nullopt;
+    return (found->surface - found->entry) / phantomGeometry(m_config).unit();
+}
+
+std::optional<Vec3> PhantomTruth::firstInterfacePoint(const Vec3& originMm, const Vec3& direction,
+                                                      double nearPlaneDepthMm) const {
+    const Vec3 forward = normalized(direction);
+    const auto found = firstTransition(originMm, forward, nearPlaneDepthMm);
+    if (!found) return std::nullopt;
+    return originMm + forward * found->surface;
+}
+
+std::optional<PhantomTruth::Transition> PhantomTruth::firstTransition(const Vec3& originMm, const Vec3& forward,
+                                                                      double nearPlaneDepthMm) const {
     constexpr double leastFluid = 8.0, finestStep = 0.25, largestStep = 4.0;  // units
     const VolumeGeometry geometry = phantomGeometry(m_config);
-    const Vec3 forward = normalized(direction);
-    auto span = withinBox(geometry, originMm, forward);
-    if (!span) return std::nullopt;
-    span->from = std::max(span->from, nearPlaneDepthMm - forward.dot(originMm));
+    const auto box = withinBox(geometry, originMm, forward);
+    if (!box) return std::nullopt;
+    const Span span{std::max(box->from, nearPlaneDepthMm - forward.dot(originMm)), box->to};
     const double unit = geometry.unit();
-    const auto inFluid = [&](double t) { return fluidDistance(originMm + forward * t); };
+    const auto distanceAt = [&](double t) { return fluidDistance(originMm + forward * t); };
     // The crossing between two parameters that stand on different sides of the fluid's surface.
     const auto crossing = [&](double before, double after, bool beforeIsFluid) {
         for (int i = 0; i < 40; ++i) {
             const double middle = 0.5 * (before + after);
-            ((inFluid(middle) < 0) == beforeIsFluid ? before : after) = middle;
+            ((distanceAt(middle) < 0) == beforeIsFluid ? before : after) = middle;
         }
         return 0.5 * (before + after);
     };
-    double at = span->from, here = inFluid(at), fluidSince = at;
-    while (at < span->to) {
+    double at = span.from, here = distanceAt(at), fluidSince = at;
+    while (at < span.to) {
         // Half the distance is safe: the bodies' distance functions overstate it by less than that near their surfaces.
-        const double next = std::min(
-            span->to, at + std::clamp(0.5 * std::abs(here), finestStep * unit, largestStep * unit));
-        const double there = inFluid(next);
+        const double step = std::clamp(0.5 * std::abs(here), finestStep * unit, largestStep * unit);
+        const double next = std::min(span.to, at + step);
+        const double there = distanceAt(next);
         if (here >= 0 && there < 0) fluidSince = crossing(at, next, false);
         if (here < 0 && there >= 0) {
             const double surface = crossing(at, next, true);
-            if (surface - fluidSince >= leastFluid * unit) return (surface - span->from) / unit;
+            if (surface - fluidSince >= leastFluid * unit) return Transition{span.from, surface};
         }
         at = next;
         here = there;
