@@ -92,7 +92,8 @@ private:
         const auto function = std::span<const double>(m_cells.variances)
                                   .subspan(static_cast<std::size_t>(m_cells.firstCell),
                                            static_cast<std::size_t>(m_cells.lastCell - m_cells.firstCell + 1));
-        tube.trackedCells = trackSurface(function, m_kernels, m_config.significance, m_scratch);
+        tube.trackedCells = trackSurface(
+            function, m_kernels, {m_config.significance, m_config.significanceAboveSmallest}, m_scratch);
         if (tube.trackedCells.empty()) return;
         for (int& cell : tube.trackedCells) cell += m_cells.firstCell;
         int surface = tube.trackedCells.back();

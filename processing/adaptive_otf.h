@@ -29,6 +29,8 @@ struct AdaptiveOtfConfig {
     double sigmaPerKernelSize = 0.25;  ///< standard deviation = this times 2^n units
     double kernelCut = 3.0;       ///< kernels end at this many standard deviations, renormalised
     double significance = 0.4;    ///< a local maximum counts from this share of the largest value in its range
+    bool significanceAboveSmallest = true;  ///< at the scales in between, that share is measured from the smallest value in
+                                            ///< the range; false: from zero at all scales, as method.md's table has it
     int slopeHalfStep = 5;        ///< slope: central difference of cell means over +- this many units
     double strength = 6.75;       ///< T * d_max: one rule for any number of tube cores, >= 0
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a

@@ -13,9 +13,11 @@ constexpr std::size_t block = 8;
 
 GaussianKernel::GaussianKernel(double sigma, double cut) {
     const int radius = std::max(0, static_cast<int>(std::floor(cut * sigma)));
+    const auto gaussian = [sigma](int distance) { return std::exp(-0.5 * (distance / sigma) * (distance / sigma)); };
+    const double end = gaussian(radius + 1);
     double sum = 0.0;
     for (int i = 0; i <= radius; ++i) {
-        m_weights.push_back(std::exp(-0.5 * (i / sigma) * (i / sigma)));
+        m_weights.push_back(gaussian(i) - end);
         sum += (i == 0 ? 1.0 : 2.0) * m_weights.back();
     }
     for (double& weight : m_weights) weight /= sum;

@@ -6,7 +6,8 @@
 
 namespace echolucent {
 
-/// A sampled Gaussian, cut and renormalised: symmetric, odd, its weights sum to 1.
+/// A sampled Gaussian, cut, lowered so that it ends at zero, and renormalised: symmetric, odd, its weights sum to 1. A
+/// kernel that ends in a step makes a false maximum where its end passes over a peak.
 class GaussianKernel {
 public:
     /// sigma in samples, above 0; ends at cut * sigma.

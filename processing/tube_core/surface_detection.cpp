@@ -26,16 +26,20 @@ bool standsOut(std::span<const double> function, const IndexRange& plateau) {
 
 }  // namespace
 
-std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range, double significance) {
+std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range, double significance,
+                                           SignificanceFrom from) {
     range.first = std::max(range.first, 0);
     range.last = std::min(range.last, static_cast<int>(function.size()) - 1);
     if (range.last < range.first) return std::nullopt;
-    const double largest = *std::max_element(function.begin() + range.first, function.begin() + range.last + 1);
+    const auto [smallest, largest] =
+        std::minmax_element(function.begin() + range.first, function.begin() + range.last + 1);
+    const double origin = from == SignificanceFrom::smallestInRange ? *smallest : 0.0;
+    const double threshold = origin + significance * (*largest - origin);
     for (int i = range.first; i <= range.last;) {
         const IndexRange plateau = plateauAround(function, i);
         const int middle = (plateau.first + plateau.last) / 2;
         if (standsOut(function, plateau) && middle >= range.first && middle <= range.last &&
-            at(function, i) >= significance * largest)
+            at(function, i) >= threshold)
             return middle;
         i = plateau.last + 1;
     }
@@ -51,20 +55,21 @@ IndexRange valleyToValley(std::span<const double> function, int position) {
 }
 
 std::vector<int> trackSurface(std::span<const double> interfaceFunction, std::span<const GaussianKernel> kernels,
-                              double significance, DetectionScratch& scratch) {
+                              const TrackingRule& rule, DetectionScratch& scratch) {
     IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
-    if (!firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
+    if (kernels.empty() || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
     std::vector<int> tracked;
-    for (const GaussianKernel& kernel : kernels) {
-        kernel.smooth(interfaceFunction, scratch.smoothed, scratch.padded);
-        const auto maximum = firstSignificantMaximum(scratch.smoothed, range, significance);
+    for (std::size_t scale = 0; scale < kernels.size(); ++scale) {
+        kernels[scale].smooth(interfaceFunction, scratch.smoothed, scratch.padded);
+        const bool between = scale > 0 && scale + 1 < kernels.size();
+        const auto maximum = firstSignificantMaximum(
+            scratch.smoothed, range, rule.significance,
+            between && rule.aboveSmallest ? SignificanceFrom::smallestInRange : SignificanceFrom::zero);
         if (!maximum && tracked.empty()) return {};
-        tracked.push_back(maximum.value_or(tracked.empty() ? 0 : tracked.back()));
+        tracked.push_back(maximum ? *maximum : tracked.back());
         if (maximum) range = valleyToValley(scratch.smoothed, *maximum);
     }
-    const auto maximum = firstSignificantMaximum(interfaceFunction, range, significance);
-    if (!maximum && tracked.empty()) return {};
-    tracked.push_back(maximum ? *maximum : tracked.back());
+    tracked.push_back(firstSignificantMaximum(interfaceFunction, range, rule.significance).value_or(tracked.back()));
     return tracked;
 }
 

@@ -16,7 +16,7 @@ std::vector<double> smoothed(const GaussianKernel& kernel, const std::vector<dou
     return result;
 }
 
-TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthCutAtThreeSigmaWithSumOne) {
+TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) {
     const auto kernels = scaleSpaceKernels(7, 3, 0.25, 3.0);
     ASSERT_EQ(kernels.size(), 5u);
     const double sigmas[] = {32, 16, 8, 4, 2};
@@ -28,11 +28,12 @@ TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthCutAtThreeSigmaWithSumOne) 
         for (int i = 1; i <= kernel.radius(); ++i) {
             sum += 2 * kernel.weight(i);
             secondMoment += 2.0 * i * i * kernel.weight(i);
-            EXPECT_NEAR(kernel.weight(i) / kernel.weight(0), std::exp(-i * i / (2 * sigma * sigma)), 1e-15);
+            const double end = std::exp(-0.5 * std::pow((kernel.radius() + 1) / sigma, 2));
+            EXPECT_NEAR(kernel.weight(i) / kernel.weight(0), (std::exp(-i * i / (2 * sigma * sigma)) - end) / (1 - end), 1e-14);
         }
         EXPECT_NEAR(sum, 1.0, 1e-14);
-        // A Gaussian cut at 3 sigma keeps 97.3 % of its variance.
-        EXPECT_NEAR(secondMoment / (sigma * sigma), 0.973, 0.02);
+        // Lowered to reach zero behind 3 sigma, it keeps most of a Gaussian's variance.
+        EXPECT_NEAR(secondMoment / (sigma * sigma), 0.945, 0.035);
     }
 }
 

@@ -21,7 +21,7 @@ std::vector<double> stairs(std::initializer_list<std::pair<int, double>> steps) 
 
 std::vector<int> track(const std::vector<double>& function, double significance = 0.4) {
     DetectionScratch scratch;
-    return trackSurface(function, scaleSpaceKernels(7, 3, 0.25, 3.0), significance, scratch);
+    return trackSurface(function, scaleSpaceKernels(7, 3, 0.25, 3.0), {significance, true}, scratch);
 }
 
 TEST(FirstSignificantMaximum, TakesTheFirstThatIsLargeEnough) {
@@ -31,6 +31,12 @@ TEST(FirstSignificantMaximum, TakesTheFirstThatIsLargeEnough) {
     EXPECT_EQ(firstSignificantMaximum(function, {0, 6}, 0.0), 1);
     EXPECT_EQ(firstSignificantMaximum(function, {0, 2}, 1.0), 1) << "significance is relative to the range";
     EXPECT_EQ(firstSignificantMaximum(function, {4, 6}, 0.4), 5);
+}
+
+TEST(FirstSignificantMaximum, CanMeasureFromTheSmallestValueInTheRange) {
+    const std::vector<double> lifted{10, 11, 10, 15, 12, 20, 13};
+    EXPECT_EQ(firstSignificantMaximum(lifted, {0, 6}, 0.4), 1) << "11 is more than 0.4 * 20";
+    EXPECT_EQ(firstSignificantMaximum(lifted, {0, 6}, 0.4, SignificanceFrom::smallestInRange), 3);
 }
 
 TEST(FirstSignificantMaximum, CountsAPlateauOnceAtItsMiddle) {
@@ -75,6 +81,17 @@ TEST(TrackSurface, FollowsAPeakThroughAllScales) {
     ASSERT_EQ(tracked.size(), 6u) << "five scales and the unsmoothed function";
     EXPECT_EQ(tracked.back(), 120);
     EXPECT_NEAR(tracked[4], 120, 1);
+}
+
+TEST(TrackSurface, APeakIsFoundAtAnyDepthBehindTheCoarsestSigma) {
+    // Also where a cut kernel's end, or its mirror image's, passes over the peak.
+    for (int position = 36; position < 190; ++position) {
+        std::vector<double> function(195, 1e-4);
+        function[static_cast<std::size_t>(position)] = 1.0;
+        const auto tracked = track(function);
+        ASSERT_FALSE(tracked.empty()) << position;
+        EXPECT_EQ(tracked.back(), position);
+    }
 }
 
 TEST(TrackSurface, PrefersTheFirstOfTwoEqualPeaksApart) {
