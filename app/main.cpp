@@ -28,6 +28,7 @@ int main(int count, char** arguments) {
     parser.addOption(firstPicture);
     parser.process(application);
 
+    QApplication::setStyle(QStringLiteral("Fusion"));
     QFile theme(QStringLiteral(":/dark.qss"));
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
 

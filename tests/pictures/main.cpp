@@ -83,6 +83,7 @@ void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
+    QApplication::setStyle("Fusion");
     QFile theme(":/dark.qss");
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
     const QTemporaryDir settings;
