@@ -349,7 +349,7 @@ private slots:
         drawn.scene.setAnnotationsVisible(true);
         drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(200, 200, {0, 0, 0, 0})), cameraOn(*volume, {}));
         drawn.draw();
-        const int foot = 61;  // margin + arm + letter
+        const int foot = 68;  // margin + arm + letter
         const Level alongX = drawn.at(foot + 20, 199 - foot), alongY = drawn.at(foot, 199 - foot + 20);
         QVERIFY(alongX[0] > alongX[1] + 40);  // red to the right
         QVERIFY(alongY[1] > alongY[0] + 20);  // green downwards

@@ -12,6 +12,6 @@ constexpr int annotationFontSize = 14;     ///< pixels of a plain screen (72 dpi
 constexpr Colour annotationColour{0xd8, 0xdd, 0xe2};
 
 /// Legible over black and over bright tissue.
-void styleAnnotation(vtkTextActor& text, const Colour& colour, bool bold);
+void styleAnnotation(vtkTextActor& text, const Colour& colour);
 
 }  // namespace echolucent

@@ -14,10 +14,10 @@ namespace echolucent {
 
 namespace {
 
-constexpr double armLength = 34.0;     // pixels of a plain screen
-constexpr double letterDistance = 9.0; // beyond the arm's end
-constexpr double lineWidth = 2.5;
-constexpr double discRadius = 4.0;
+constexpr double armLength = 40.0;      // pixels of a plain screen
+constexpr double letterDistance = 10.0; // beyond the arm's end
+constexpr double lineWidth = 3.0;
+constexpr double discRadius = 5.0;
 constexpr double alongSight = 0.2;     // an arm seen shorter than this share is a disc
 constexpr double dimming = 0.55;       // of what points away from the viewer
 
@@ -40,7 +40,7 @@ Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis) {
 
 OrientationMarker::OrientationMarker() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        styleAnnotation(*m_letters[axis], axisColours[axis], true);
+        styleAnnotation(*m_letters[axis], axisColours[axis]);
         m_letters[axis]->SetInput(axisNames[axis]);
         m_letters[axis]->GetTextProperty()->SetJustificationToCentered();
         m_letters[axis]->GetTextProperty()->SetVerticalJustificationToCentered();
@@ -90,7 +90,6 @@ void OrientationMarker::layOut(double scale, const ViewFrame& frame) {
         }
         m_letters[axis]->SetDisplayPosition(static_cast<int>(std::lround(letter[0])),
                                             static_cast<int>(std::lround(letter[1])));
-        m_letters[axis]->GetTextProperty()->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
     }
 }
 

@@ -36,7 +36,7 @@ RoundLength roundLengthUpTo(double mm) {
 }
 
 ScaleBar::ScaleBar() {
-    styleAnnotation(*m_text, annotationColour, false);
+    styleAnnotation(*m_text, annotationColour);
     m_text->GetTextProperty()->SetVerticalJustificationToBottom();
 }
 
