@@ -23,7 +23,7 @@ PhantomConfig defaultPhantom(PhantomScene scene) {
     PhantomConfig config;
     config.scene = scene;
     if (scene == PhantomScene::fetus) {
-        config.speckle = 0.35;
+        config.speckle = 0.3;
         config.attenuation = 0.002;
         config.shadow = 0.02;
         config.specular = 0.25;

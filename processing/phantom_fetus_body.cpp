@@ -75,10 +75,11 @@ void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus}, bone{bodies.bone, fetus}, chambers{bodies.chambers, fetus};
     flesh.join(roundCone("neck", {-0.03, 0.20, 0}, {-0.05, 0.10, 0}, 0.085, 0.095), 0.06);
     flesh.join(ellipsoid("chest", {-0.03, -0.02, 0}, {0.135, 0.17, 0.135}), 0.06);
+    flesh.join(ellipsoid("back", {-0.075, -0.15, 0}, {0.085, 0.22, 0.10}), 0.06);
     flesh.join(ellipsoid("belly", {0.02, -0.20, 0}, {0.160, 0.16, 0.150}), 0.07);
     flesh.join(ellipsoid("hips", {-0.03, -0.36, 0}, {0.115, 0.11, 0.13}), 0.07);
-    flesh.join(ellipsoid("buttock, near side", {-0.06, -0.425, 0.06}, {0.085, 0.085, 0.075}), 0.04);
-    flesh.join(ellipsoid("buttock, far side", {-0.06, -0.425, -0.06}, {0.085, 0.085, 0.075}), 0.04);
+    flesh.join(ellipsoid("buttock, near side", {-0.072, -0.41, 0.06}, {0.100, 0.095, 0.082}), 0.04);
+    flesh.join(ellipsoid("buttock, far side", {-0.072, -0.41, -0.06}, {0.100, 0.095, 0.082}), 0.04);
     flesh.join(sphere("shoulder, near side", {-0.03, 0.07, 0.12}, 0.058), 0.05);
     flesh.join(sphere("shoulder, far side", {-0.03, 0.07, -0.12}, 0.058), 0.05);
     addSpine(bone);

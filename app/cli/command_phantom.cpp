@@ -93,6 +93,18 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     return config;
 }
 
+/// What CLI11's ranges let through: NaN; and more memory than a person can have meant.
+Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
+    for (const double value : {config.speckle, config.speckleSize, config.ramp, config.gainVariation, config.attenuation,
+                               config.shadow, config.specular, config.logCompressDecibel, options.tubes.tubeSpacing})
+        if (!std::isfinite(value)) return wrong("", "every option's number must be finite");
+    constexpr double largest = 4e9;
+    double bytes = (config.bits == 8 ? 1.0 : 2.0) * options.phases;
+    for (const std::int64_t count : config.size) bytes *= static_cast<double>(count);
+    if (bytes > largest) return wrong("--size", "makes more than 4 GB", "Use fewer voxels or phases.");
+    return {};
+}
+
 Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
     AdaptiveOtfConfig tubes = options.tubes;
     if (options.tubeGrid.empty()) return tubes;
@@ -109,6 +121,7 @@ Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
 Result<void> writePhantom(const PhantomOptions& options) {
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
+    if (auto checked = check(options, *config); !checked) return checked;
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto tubes = tubesFrom(options);
@@ -129,7 +142,7 @@ Result<void> writePhantom(const PhantomOptions& options) {
 
 void addLook(CLI::App& command, PhantomOptions& options) {
     const auto share = CLI::Range(0.0, 1.0);
-    command.add_option("--speckle", options.speckle, "s of 1 + s (R - 1), R Rayleigh of unit mean [0.5; fetus 0.35]")
+    command.add_option("--speckle", options.speckle, "s of 1 + s (R - 1), R Rayleigh of unit mean [0.5; fetus 0.3]")
         ->check(share);
     command.add_option("--speckle-size", options.speckleSize, "FWHM of the speckle's smoothing, voxels; 0: uncorrelated [2]")
         ->check(CLI::Range(0.0, 64.0));
