@@ -1,4 +1,5 @@
-// The conditions of the studies behind the method's settled points, by name, so that tests and later studies share them.
+// The conditions of the studies behind the method's settled points, by name, so that tests and later studies share
+// them.
 #include "processing/phantom.h"
 
 namespace echolucent {

@@ -62,16 +62,29 @@ protected:
 
 TEST_F(PhantomCommand, EveryOptionReachesTheVolume) {
     const json truth = truthOf(
-        "--scene shapes --size 40x36x44 --spacing 0.5x0.6x0.7 --speckle 0.25 --speckle-size 3 --contrast 20,90,180 --ramp 2 "
-        "--gain-variation 0.1 --attenuation 0.004 --shadow 0.03 --specular 0.4 --log-compress 60 --front-wall --bits 12 "
+        "--scene shapes --size 40x36x44 --spacing 0.5x0.6x0.7 --speckle 0.25 --speckle-size 3 --contrast 20,90,180 "
+        "--ramp 2 "
+        "--gain-variation 0.1 --attenuation 0.004 --shadow 0.03 --specular 0.4 --log-compress 60 --front-wall --bits "
+        "12 "
         "--seed 9");
     const json& config = truth.at("config");
-    const json expected = {{"scene", "shapes"},      {"size", {40, 36, 44}},         {"spacing_mm", {0.5, 0.6, 0.7}},
-                           {"fluid", 20.0},          {"tissue", 90.0},               {"object", 180.0},
-                           {"ramp_units", 2.0},      {"gain_variation", 0.1},        {"speckle", 0.25},
-                           {"attenuation_per_unit", 0.004}, {"shadow_per_unit", 0.03}, {"specular", 0.4},
-                           {"log_compress_db", 60.0}, {"front_wall", true},           {"bits", 12},
-                           {"seed", 9},              {"speckle_size_voxels", 3.0}};
+    const json expected = {{"scene", "shapes"},
+                           {"size", {40, 36, 44}},
+                           {"spacing_mm", {0.5, 0.6, 0.7}},
+                           {"fluid", 20.0},
+                           {"tissue", 90.0},
+                           {"object", 180.0},
+                           {"ramp_units", 2.0},
+                           {"gain_variation", 0.1},
+                           {"speckle", 0.25},
+                           {"attenuation_per_unit", 0.004},
+                           {"shadow_per_unit", 0.03},
+                           {"specular", 0.4},
+                           {"log_compress_db", 60.0},
+                           {"front_wall", true},
+                           {"bits", 12},
+                           {"seed", 9},
+                           {"speckle_size_voxels", 3.0}};
     EXPECT_EQ(config, expected);
     EXPECT_NE(header().find("DimSize = 40 36 44"), std::string::npos) << header();
     EXPECT_NE(header().find("MET_USHORT"), std::string::npos);
@@ -135,10 +148,10 @@ TEST_F(PhantomCommand, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(PhantomCommand, WrongUsageIsStatusTwoInOneSentence) {
-    for (const char* options :
-         {"--size 4", "--size 10x10", "--size axb", "--spacing 0", "--contrast 1,2", "--contrast 1,2,300", "--bits 9",
-          "--scene heart", "--scene empty --front-wall", "--speckle 2", "--speckle nan", "--ramp -1", "--log-compress 0",
-          "--phases 0", "--beam-axis q", "--tube-grid 0x3", "--size 1024 --bits 16 --phases 8", "--nonsense"}) {
+    for (const char* options : {"--size 4", "--size 10x10", "--size axb", "--spacing 0", "--contrast 1,2",
+                                "--contrast 1,2,300", "--bits 9", "--scene heart", "--scene empty --front-wall",
+                                "--speckle 2", "--speckle nan", "--ramp -1", "--log-compress 0", "--phases 0",
+                                "--beam-axis q", "--tube-grid 0x3", "--size 1024 --bits 16 --phases 8", "--nonsense"}) {
         const Outcome outcome = run("phantom " + path("v.mha") + " " + options);
         EXPECT_EQ(outcome.status, 2) << options << ": " << outcome.output;
         EXPECT_FALSE(outcome.output.empty());
