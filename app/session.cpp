@@ -10,8 +10,7 @@ namespace echolucent {
 namespace {
 
 Result<Study> simulatedScan(const Progress& progress) {
-    PhantomConfig config;
-    config.scene = PhantomScene::fetus;
+    PhantomConfig config = defaultPhantom(PhantomScene::fetus);
     config.size = {160, 160, 160};
     config.spacing = Vec3(0.6, 0.6, 0.6);
     auto volume = makePhantom(config, progress);

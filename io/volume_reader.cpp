@@ -59,10 +59,12 @@ Result<Study> readUnknown(const std::string& path, std::string_view beginning, c
     }
     if (!layout) {
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
-        return fail(FailureKind::unreadable, path, "",
-                    beginning.empty() ? "is empty" : "is not a MetaImage, NRRD or DICOM file",
-                    "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
-                    "--raw-byte-order, --raw-header-bytes and --raw-spacing.");
+        auto unknown = fail(FailureKind::unreadable, path, "",
+                            beginning.empty() ? "is empty" : "is not a MetaImage, NRRD or DICOM file",
+                            "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
+                            "--raw-byte-order, --raw-header-bytes and --raw-spacing.");
+        unknown.value().layoutUnknown = !beginning.empty();
+        return unknown;
     }
     auto stored = storedVolumeFromLayout(path, *layout, source);
     if (!stored) return tl::unexpected(stored.error());

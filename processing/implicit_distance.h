@@ -19,7 +19,8 @@ struct LocalFrame {
     }
     [[nodiscard]] Vec3 operator()(double x, double y, double z) const {
         const double dx = x - cx, dy = y - cy, dz = z - cz;
-        return {m[0] * dx + m[3] * dy + m[6] * dz, m[1] * dx + m[4] * dy + m[7] * dz, m[2] * dx + m[5] * dy + m[8] * dz};
+        return {m[0] * dx + m[3] * dy + m[6] * dz, m[1] * dx + m[4] * dy + m[7] * dz,
+                m[2] * dx + m[5] * dy + m[8] * dz};
     }
 };
 
@@ -47,7 +48,8 @@ struct RoundConeDistance {
     explicit RoundConeDistance(const ImplicitPrimitive& primitive) : p(primitive) {}
     [[nodiscard]] double operator()(double x, double y, double z) const {
         const double dx = x - p.centre[0], dy = y - p.centre[1], dz = z - p.centre[2];
-        const double t = std::clamp((dx * p.along[0] + dy * p.along[1] + dz * p.along[2]) * p.inverseLengthSquared, 0.0, 1.0);
+        const double t =
+            std::clamp((dx * p.along[0] + dy * p.along[1] + dz * p.along[2]) * p.inverseLengthSquared, 0.0, 1.0);
         const double ex = dx - t * p.along[0], ey = dy - t * p.along[1], ez = dz - t * p.along[2];
         return (std::sqrt(ex * ex + ey * ey + ez * ez) - (p.radii[0] + t * (p.radii[1] - p.radii[0]))) * p.slant;
     }
@@ -88,8 +90,8 @@ struct WavyPlaneDistance {
     explicit WavyPlaneDistance(const ImplicitPrimitive& primitive)
         : p(primitive), wave(2 * std::numbers::pi / primitive.radii[1]) {}
     [[nodiscard]] double operator()(double x, double y, double z) const {
-        const double height = (x - p.centre[0]) * p.axes(0, 2) + (y - p.centre[1]) * p.axes(1, 2) +
-                              (z - p.centre[2]) * p.axes(2, 2);
+        const double height =
+            (x - p.centre[0]) * p.axes(0, 2) + (y - p.centre[1]) * p.axes(1, 2) + (z - p.centre[2]) * p.axes(2, 2);
         return (height - p.radii[0] * std::sin(wave * x) * std::cos(wave * y)) * p.slant;
     }
 };

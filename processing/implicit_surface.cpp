@@ -114,8 +114,8 @@ ImplicitPrimitive placed(const Pose& pose, ImplicitPrimitive primitive) {
 }
 
 double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point) {
-    return withDistanceFunction(
-        primitive, [&](const auto& distance) { return distance(point[0], point[1], point[2]); });
+    return withDistanceFunction(primitive,
+                                [&](const auto& distance) { return distance(point[0], point[1], point[2]); });
 }
 
 double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {

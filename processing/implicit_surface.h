@@ -12,8 +12,8 @@
 
 namespace echolucent {
 
-/// A similarity that places a drawing: local coordinates to grid mm. `axes` is orthonormal, its columns are the images of
-/// the local axes; `scale` is mm per local unit.
+/// A similarity that places a drawing: local coordinates to grid mm. `axes` is orthonormal, its columns are the images
+/// of the local axes; `scale` is mm per local unit.
 struct Pose {
     Mat3 axes = Mat3::eye();
     Vec3 origin{0, 0, 0};
@@ -30,13 +30,13 @@ struct Pose {
 struct ImplicitPrimitive {
     enum class Kind { ellipsoid, roundCone, roundBox, cylinder, wavyPlane };
     Kind kind = Kind::ellipsoid;
-    std::string name;            ///< anatomy, for people
-    Vec3 centre{0, 0, 0};        ///< ellipsoid, box: centre; round cone, cylinder: first end; plane: a point on it
-    Vec3 end{0, 0, 0};           ///< round cone, cylinder: second end
-    Vec3 radii{1, 1, 1};         ///< ellipsoid: radii; box: half sizes; round cone: end radii; cylinder: radius;
-                                 ///< plane: depth of the waves and their wavelength
-    Mat3 axes = Mat3::eye();     ///< columns: local axes of ellipsoid and box; last column: the plane's outward normal
-    double rounding = 0.0;       ///< radius of box and cylinder edges, within the stated size
+    std::string name;         ///< anatomy, for people
+    Vec3 centre{0, 0, 0};     ///< ellipsoid, box: centre; round cone, cylinder: first end; plane: a point on it
+    Vec3 end{0, 0, 0};        ///< round cone, cylinder: second end
+    Vec3 radii{1, 1, 1};      ///< ellipsoid: radii; box: half sizes; round cone: end radii; cylinder: radius;
+                              ///< plane: depth of the waves and their wavelength
+    Mat3 axes = Mat3::eye();  ///< columns: local axes of ellipsoid and box; last column: the plane's outward normal
+    double rounding = 0.0;    ///< radius of box and cylinder edges, within the stated size
 
     /// Derived by prepare(): what the distance functions use.
     Vec3 inverseRadii{1, 1, 1};

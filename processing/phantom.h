@@ -29,26 +29,26 @@ enum class PhantomScene {
 struct PhantomConfig {
     PhantomScene scene = PhantomScene::fetus;
     std::array<std::int64_t, 3> size{199, 197, 199};
-    Vec3 spacing{0.5, 0.5, 0.5};       ///< mm
+    Vec3 spacing{0.5, 0.5, 0.5};                   ///< mm
     double fluid = 14, tissue = 85, object = 170;  ///< mean echo, [0,255]
-    double ramp = 4;                   ///< width of a boundary, units
-    double gainVariation = 0.15;       ///< slow change of gain across the volume: between 1 - this and 1 + this
-    double speckle = 0.5;              ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
-    double speckleSize = 2;            ///< FWHM of the smoothing of the complex noise, voxels; 0: uncorrelated
-    double attenuation = 0;            ///< per unit along +z
-    double shadow = 0;                 ///< per unit of object passed along +z
-    double specular = 0;               ///< brightening of surfaces that face the probe, share, times the cosine
-    double logCompressDecibel = 0;     ///< dynamic range of logarithmic compression; 0: none
-    bool frontWall = false;            ///< tissue in front of the fluid, across the whole field, 20 to 25 units thick
-                                       ///< (at most a fifth of the depth)
-    int bits = 8;                      ///< 8, 12 or 16
+    double ramp = 4;                               ///< width of a boundary, units
+    double gainVariation = 0.15;    ///< slow change of gain across the volume: between 1 - this and 1 + this
+    double speckle = 0.5;           ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
+    double speckleSize = 2;         ///< FWHM of the smoothing of the complex noise, voxels; 0: uncorrelated
+    double attenuation = 0;         ///< per unit along +z
+    double shadow = 0;              ///< per unit of object passed along +z
+    double specular = 0;            ///< brightening of surfaces that face the probe, share, times the cosine
+    double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; 0: none
+    bool frontWall = false;         ///< tissue in front of the fluid, across the whole field, 20 to 25 units thick
+                                    ///< (at most a fifth of the depth)
+    int bits = 8;                   ///< 8, 12 or 16
     std::uint64_t seed = 1;
-    double phase = 0;                  ///< of the movement (an arm, the heart), in turns [0,1)
+    double phase = 0;  ///< of the movement (an arm, the heart), in turns [0,1)
     friend bool operator==(const PhantomConfig&, const PhantomConfig&) = default;
 };
 
-/// The usual config of a scene: the base condition; a fetus gets less speckle, attenuation, shadow and a glint on surfaces
-/// that face the probe. It is what is shown where no file is given.
+/// The usual config of a scene: the base condition; a fetus gets less speckle, attenuation, shadow and a glint on
+/// surfaces that face the probe. It is what is shown where no file is given.
 [[nodiscard]] PhantomConfig defaultPhantom(PhantomScene scene);
 
 /// One of the conditions of the studies behind the method, by name.
@@ -79,9 +79,9 @@ struct PhantomPrimitive {
     bool carves = false;   ///< taken away from the body it belongs to, instead of added
     double seamMm = 0;     ///< width of the rounded seam with the primitives before it in its body
     double echo = 0;       ///< mean echo, 0..255
-    /// In grid mm. Ellipsoid: centre (3), radii (3), axes (9, row-major, columns are the axes). Round cone: ends (3 + 3),
-    /// radii at the ends (2). Round box: centre (3), half sizes (3), rounding, axes (9). Cylinder: ends (3 + 3), radius,
-    /// rounding. Wavy plane: point (3), outward normal (3), depth and length of the waves (2).
+    /// In grid mm. Ellipsoid: centre (3), radii (3), axes (9, row-major, columns are the axes). Round cone: ends (3 +
+    /// 3), radii at the ends (2). Round box: centre (3), half sizes (3), rounding, axes (9). Cylinder: ends (3 + 3),
+    /// radius, rounding. Wavy plane: point (3), outward normal (3), depth and length of the waves (2).
     std::vector<double> parameters;
 };
 
@@ -97,8 +97,8 @@ public:
     [[nodiscard]] double echoAt(const Vec3& gridMm) const;
     /// Distance in units from the ray's entry into the volume's box to the first transition from at least 8 units of
     /// fluid to tissue or object (the sharp boundary, the middle of the ramp); none: no such interface on this ray.
-    /// originMm: any point of the ray's line; direction of any length above 0. nearPlaneDepthMm: the ray enters no earlier
-    /// than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in view.h).
+    /// originMm: any point of the ray's line; direction of any length above 0. nearPlaneDepthMm: the ray enters no
+    /// earlier than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in view.h).
     [[nodiscard]] std::optional<double> firstInterface(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;

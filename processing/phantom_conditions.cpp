@@ -1,4 +1,5 @@
-// The conditions of the studies behind the method's settled points, by name, so that tests and later studies share them.
+// The conditions of the studies behind the method's settled points, by name, so that tests and later studies share
+// them.
 #include "processing/phantom.h"
 
 namespace echolucent {
@@ -23,7 +24,7 @@ PhantomConfig defaultPhantom(PhantomScene scene) {
     PhantomConfig config;
     config.scene = scene;
     if (scene == PhantomScene::fetus) {
-        config.speckle = 0.35;
+        config.speckle = 0.3;
         config.attenuation = 0.002;
         config.shadow = 0.02;
         config.specular = 0.25;

@@ -75,10 +75,11 @@ void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus}, bone{bodies.bone, fetus}, chambers{bodies.chambers, fetus};
     flesh.join(roundCone("neck", {-0.03, 0.20, 0}, {-0.05, 0.10, 0}, 0.085, 0.095), 0.06);
     flesh.join(ellipsoid("chest", {-0.03, -0.02, 0}, {0.135, 0.17, 0.135}), 0.06);
+    flesh.join(ellipsoid("back", {-0.075, -0.15, 0}, {0.085, 0.22, 0.10}), 0.06);
     flesh.join(ellipsoid("belly", {0.02, -0.20, 0}, {0.160, 0.16, 0.150}), 0.07);
     flesh.join(ellipsoid("hips", {-0.03, -0.36, 0}, {0.115, 0.11, 0.13}), 0.07);
-    flesh.join(ellipsoid("buttock, near side", {-0.06, -0.425, 0.06}, {0.085, 0.085, 0.075}), 0.04);
-    flesh.join(ellipsoid("buttock, far side", {-0.06, -0.425, -0.06}, {0.085, 0.085, 0.075}), 0.04);
+    flesh.join(ellipsoid("buttock, near side", {-0.072, -0.41, 0.06}, {0.100, 0.095, 0.082}), 0.04);
+    flesh.join(ellipsoid("buttock, far side", {-0.072, -0.41, -0.06}, {0.100, 0.095, 0.082}), 0.04);
     flesh.join(sphere("shoulder, near side", {-0.03, 0.07, 0.12}, 0.058), 0.05);
     flesh.join(sphere("shoulder, far side", {-0.03, 0.07, -0.12}, 0.058), 0.05);
     addSpine(bone);
@@ -92,8 +93,14 @@ void addArms(FetusBodies& bodies, const Pose& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus};
     // Near arm: bent before the chest, the hand below the chin.
     addLimb(bodies, fetus,
-            {"upper arm, near side", "forearm, near side", {-0.03, 0.06, 0.135}, {0.09, -0.125, 0.20},
-             {0.225, -0.005, 0.135}, 0.050, 0.041, 0.030});
+            {"upper arm, near side",
+             "forearm, near side",
+             {-0.03, 0.06, 0.135},
+             {0.09, -0.125, 0.20},
+             {0.225, -0.005, 0.135},
+             0.050,
+             0.041,
+             0.030});
     flesh.join(ellipsoid("palm, near side", {0.254, 0.030, 0.125}, {0.034, 0.044, 0.024}, rotationZ(-35)), 0.015);
     addDigits(flesh, {0.272, 0.064, 0.120}, normalized(Vec3(0.35, 0.9, -0.25)), normalized(Vec3(-0.85, 0.30, 0.25)),
               0.054, 0.027, 0.0130);
@@ -103,8 +110,7 @@ void addArms(FetusBodies& bodies, const Pose& fetus, double phase) {
     const Vec3 shoulder{-0.03, 0.065, -0.135}, elbow{0.20, -0.03, -0.17};
     const Mat3 turn = rotationZ(swing);
     const Vec3 wrist = elbow + turn * Vec3(0.125, 0.115, 0.02);
-    addLimb(bodies, fetus,
-            {"upper arm, far side", "forearm, far side", shoulder, elbow, wrist, 0.048, 0.040, 0.029});
+    addLimb(bodies, fetus, {"upper arm, far side", "forearm, far side", shoulder, elbow, wrist, 0.048, 0.040, 0.029});
     const Vec3 ahead = turn * normalized(Vec3(0.60, 0.78, 0.10)), across = turn * normalized(Vec3(-0.78, 0.60, 0.15));
     flesh.join(ellipsoid("palm, far side", wrist + ahead * 0.035, {0.034, 0.044, 0.022}, turn * rotationZ(-38)), 0.015);
     addDigits(flesh, wrist + ahead * 0.070, ahead, across, 0.058, 0.030, 0.0130);
@@ -114,12 +120,24 @@ void addLegs(FetusBodies& bodies, const Pose& fetus) {
     Sculpture flesh{bodies.flesh, fetus};
     const Vec3 nearAnkle{0.195, -0.455, 0.095}, farAnkle{0.305, -0.475, -0.075};
     addLimb(bodies, fetus,
-            {"thigh, near side", "shin, near side", {-0.02, -0.385, 0.085}, {0.255, -0.235, 0.140}, nearAnkle, 0.080,
-             0.056, 0.034});
+            {"thigh, near side",
+             "shin, near side",
+             {-0.02, -0.385, 0.085},
+             {0.255, -0.235, 0.140},
+             nearAnkle,
+             0.080,
+             0.056,
+             0.034});
     addFoot(flesh, nearAnkle, normalized(Vec3(0.95, -0.12, 0.25)), normalized(Vec3(-0.15, -0.95, 0.25)));
     addLimb(bodies, fetus,
-            {"thigh, far side", "shin, far side", {-0.02, -0.385, -0.085}, {0.315, -0.265, -0.125}, farAnkle, 0.078,
-             0.054, 0.034});
+            {"thigh, far side",
+             "shin, far side",
+             {-0.02, -0.385, -0.085},
+             {0.315, -0.265, -0.125},
+             farAnkle,
+             0.078,
+             0.054,
+             0.034});
     addFoot(flesh, farAnkle, normalized(Vec3(0.92, 0.20, 0.30)), normalized(Vec3(0.15, -0.95, 0.20)));
 }
 

@@ -59,8 +59,8 @@ void addEars(Sculpture flesh) {
         const double out = side * 0.74;
         flesh.join(ellipsoid("ear", {-0.14, -0.22, out}, {0.17, 0.26, 0.07}, rotationY(side * 12)), 0.05);
         flesh.carve(ellipsoid("concha", {-0.11, -0.24, out + side * 0.07}, {0.085, 0.15, 0.06}), 0.04);
-        const std::array<Vec3, 6> rim{Vec3{-0.03, -0.06, 0}, {-0.13, 0.00, 0.02}, {-0.24, -0.05, 0.04},
-                                      {-0.28, -0.17, 0.04}, {-0.24, -0.31, 0.03}, {-0.15, -0.43, 0.0}};
+        const std::array<Vec3, 6> rim{Vec3{-0.03, -0.06, 0}, {-0.13, 0.00, 0.02},  {-0.24, -0.05, 0.04},
+                                      {-0.28, -0.17, 0.04},  {-0.24, -0.31, 0.03}, {-0.15, -0.43, 0.0}};
         for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
             const Vec3 from{rim[i][0], rim[i][1], out + side * (0.04 + rim[i][2])};
             const Vec3 to{rim[i + 1][0], rim[i + 1][1], out + side * (0.04 + rim[i + 1][2])};

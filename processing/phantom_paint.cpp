@@ -1,5 +1,5 @@
-// From closed-form bodies to voxels: blocks that a surface cannot meet are filled at once, the others voxel by voxel with
-// only the primitives that can matter there.
+// From closed-form bodies to voxels: blocks that a surface cannot meet are filled at once, the others voxel by voxel
+// with only the primitives that can matter there.
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 
@@ -38,8 +38,7 @@ struct Gain {
             parts[axis].resize(count);
             for (std::size_t i = 0; i < count; ++i) {
                 const double turns = (static_cast<double>(i) + 0.5) / static_cast<double>(count) + phase;
-                parts[axis][i] =
-                    static_cast<float>(config.gainVariation / 3 * std::sin(2 * std::numbers::pi * turns));
+                parts[axis][i] = static_cast<float>(config.gainVariation / 3 * std::sin(2 * std::numbers::pi * turns));
             }
         }
     }
@@ -53,9 +52,8 @@ public:
         m_inverseRamp = inverseRampPerMm(config);
         m_band = std::max(0.5 * config.ramp, config.specular > 0 ? shellDepth + shellHalfWidth : 0.0) * m_unit +
                  m_geometry.spacing[2];
-        m_blockRadius =
-            0.5 * length(Vec3((blockX - 1) * m_geometry.spacing[0], (blockY - 1) * m_geometry.spacing[1],
-                              (blockZ - 1) * m_geometry.spacing[2]));
+        m_blockRadius = 0.5 * length(Vec3((blockX - 1) * m_geometry.spacing[0], (blockY - 1) * m_geometry.spacing[1],
+                                          (blockZ - 1) * m_geometry.spacing[2]));
     }
 
     /// All blocks of one column of the beam, from the probe on.
@@ -159,8 +157,7 @@ private:
                         beam.fluidDistance[line + x] = block.fluidDistance[row + x];
                     }
                     if (m_config.shadow > 0) {
-                        const double passed =
-                            0.5 * (beam.shadowing[line + x] + block.shadowing[row + x]) * depthUnits;
+                        const double passed = 0.5 * (beam.shadowing[line + x] + block.shadowing[row + x]) * depthUnits;
                         beam.shadowing[line + x] = block.shadowing[row + x];
                         if (passed > 0) beam.transmitted[line + x] *= std::exp(-m_config.shadow * passed);
                         echo *= beam.transmitted[line + x];
@@ -182,8 +179,7 @@ private:
 
 }  // namespace
 
-std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config,
-                                 const Progress& progress) {
+std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config, const Progress& progress) {
     std::vector<float> voxels(static_cast<std::size_t>(phantomGeometry(config).voxelCount()));
     Painter painter(scenery, config, voxels);
     const std::int64_t columns = (config.size[0] + blockX - 1) / blockX, rows = (config.size[1] + blockY - 1) / blockY;

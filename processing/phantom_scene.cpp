@@ -16,8 +16,8 @@ void addFrontWall(PhantomScenery& scenery, const VolumeGeometry& geometry) {
     PhantomLayer wall;
     wall.material = PhantomMaterial::tissue;
     wall.echo = scenery.tissueEcho;
-    wall.body.join(wavyPlane("front wall", {0, 0, geometry.boxMinMm()[2] + 22.5 * scale}, {0, 0, 1}, 2 * scale,
-                             80 * scale));
+    wall.body.join(
+        wavyPlane("front wall", {0, 0, geometry.boxMinMm()[2] + 22.5 * scale}, {0, 0, 1}, 2 * scale, 80 * scale));
     scenery.layers.push_back(std::move(wall));
 }
 

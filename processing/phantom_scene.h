@@ -1,4 +1,5 @@
-// The anatomy of the simulated scans: bodies in grid mm, painted one over the other. Shared by the voxels and the truth.
+// The anatomy of the simulated scans: bodies in grid mm, painted one over the other. Shared by the voxels and the
+// truth.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The paper's artificial scene (Petersch 2005, section 5): an ellipsoid, a cylinder and various spheres of high intensity
-// behind a window of fluid in tissue.
+// The paper's artificial scene (Petersch 2005, section 5): an ellipsoid, a cylinder and various spheres of high
+// intensity behind a window of fluid in tissue.
 #include "processing/phantom_scene.h"
 
 namespace echolucent {
@@ -12,8 +12,7 @@ void addShapes(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& c
                      0.06 * pose.scale);
     scenery.layers.push_back(std::move(window));
 
-    PhantomLayer objects{
-        .body = {}, .material = PhantomMaterial::object, .echo = config.object, .shadowing = 1.0};
+    PhantomLayer objects{.body = {}, .material = PhantomMaterial::object, .echo = config.object, .shadowing = 1.0};
     const auto place = [&](const ImplicitPrimitive& primitive) { objects.body.join(placed(pose, primitive)); };
     place(ellipsoid("ellipsoid", {0.34, 0.40, 0.47}, {0.19, 0.13, 0.12}, rotationZ(25) * rotationY(-15)));
     place(cylinder("cylinder", {0.50, 0.78, 0.42}, {0.76, 0.52, 0.56}, 0.062, 0.015));

@@ -40,8 +40,7 @@ HWY_INLINE FloatVector naturalLog(FloatVector value) {
     const hn::RebindToSigned<Floats> integers;
     const auto bits = hn::Sub(hn::BitCast(integers, value), hn::Set(integers, 0x3f3504f3));
     const auto exponent = hn::ConvertTo(d, hn::ShiftRight<23>(bits));
-    const auto mantissaBits =
-        hn::Add(hn::And(bits, hn::Set(integers, 0x007fffff)), hn::Set(integers, 0x3f3504f3));
+    const auto mantissaBits = hn::Add(hn::And(bits, hn::Set(integers, 0x007fffff)), hn::Set(integers, 0x3f3504f3));
     const FloatVector x = hn::Sub(hn::BitCast(d, mantissaBits), hn::Set(d, 1.0F));
     FloatVector p = hn::Set(d, 7.0376836292e-2F);
     p = timesPlus(p, x, -1.1514610310e-1F);
@@ -101,9 +100,8 @@ void gaussianRow(std::uint64_t key, std::int64_t count, float* real, float* imag
         const WordVector turn = mixed(hn::Add(bits, hn::Set(words, keys.second)));
         // Two bits choose the quarter, 24 bits the angle from -45 to 45 degrees within it.
         const auto fine = hn::BitCast(integers, hn::And(hn::ShiftRight<2>(turn), hn::Set(words, 0xffffffU)));
-        const FloatVector angle =
-            hn::Mul(hn::Add(hn::ConvertTo(d, fine), hn::Set(d, -8388607.5F)),
-                    hn::Set(d, static_cast<float>(std::numbers::pi / 2) * 0x1p-24F));
+        const FloatVector angle = hn::Mul(hn::Add(hn::ConvertTo(d, fine), hn::Set(d, -8388607.5F)),
+                                          hn::Set(d, static_cast<float>(std::numbers::pi / 2) * 0x1p-24F));
         const FloatVector square = hn::Mul(angle, angle);
         FloatVector sine = timesPlus(hn::Set(d, -1.9515295891e-4F), square, 8.3321608736e-3F);
         sine = timesPlus(sine, square, -1.6666654611e-1F);
@@ -129,8 +127,7 @@ void weightedSum(const float* const* rows, const float* taps, std::int64_t tapCo
     for (std::int64_t i = 0; i < count; i += static_cast<std::int64_t>(hn::Lanes(d))) {
         FloatVector sum = hn::Mul(hn::LoadU(d, rows[middle] + i), hn::Set(d, taps[middle]));
         for (std::int64_t k = 0; k < middle; ++k) {
-            const FloatVector pair =
-                hn::Add(hn::LoadU(d, rows[k] + i), hn::LoadU(d, rows[tapCount - 1 - k] + i));
+            const FloatVector pair = hn::Add(hn::LoadU(d, rows[k] + i), hn::LoadU(d, rows[tapCount - 1 - k] + i));
             sum = hn::Add(sum, hn::Mul(pair, hn::Set(d, taps[k])));
         }
         hn::StoreU(sum, d, out + i);

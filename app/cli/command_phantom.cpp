@@ -93,6 +93,19 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     return config;
 }
 
+/// What CLI11's ranges let through: NaN; and more memory than a person can have meant.
+Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
+    for (const double value :
+         {config.speckle, config.speckleSize, config.ramp, config.gainVariation, config.attenuation, config.shadow,
+          config.specular, config.logCompressDecibel, options.tubes.tubeSpacing})
+        if (!std::isfinite(value)) return wrong("", "every option's number must be finite");
+    constexpr double largest = 4e9;
+    double bytes = (config.bits == 8 ? 1.0 : 2.0) * options.phases;
+    for (const std::int64_t count : config.size) bytes *= static_cast<double>(count);
+    if (bytes > largest) return wrong("--size", "makes more than 4 GB", "Use fewer voxels or phases.");
+    return {};
+}
+
 Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
     AdaptiveOtfConfig tubes = options.tubes;
     if (options.tubeGrid.empty()) return tubes;
@@ -109,6 +122,7 @@ Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
 Result<void> writePhantom(const PhantomOptions& options) {
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
+    if (auto checked = check(options, *config); !checked) return checked;
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto tubes = tubesFrom(options);
@@ -129,9 +143,11 @@ Result<void> writePhantom(const PhantomOptions& options) {
 
 void addLook(CLI::App& command, PhantomOptions& options) {
     const auto share = CLI::Range(0.0, 1.0);
-    command.add_option("--speckle", options.speckle, "s of 1 + s (R - 1), R Rayleigh of unit mean [0.5; fetus 0.35]")
+    command.add_option("--speckle", options.speckle, "s of 1 + s (R - 1), R Rayleigh of unit mean [0.5; fetus 0.3]")
         ->check(share);
-    command.add_option("--speckle-size", options.speckleSize, "FWHM of the speckle's smoothing, voxels; 0: uncorrelated [2]")
+    command
+        .add_option("--speckle-size", options.speckleSize,
+                    "FWHM of the speckle's smoothing, voxels; 0: uncorrelated [2]")
         ->check(CLI::Range(0.0, 64.0));
     command.add_option("--contrast", options.contrast, "Mean echoes of fluid, tissue and object, 0 to 255 [14,85,170]")
         ->type_name("FLUID,TISSUE,OBJECT");
@@ -142,7 +158,9 @@ void addLook(CLI::App& command, PhantomOptions& options) {
         ->check(CLI::Range(0.0, 1.0));
     command.add_option("--shadow", options.shadow, "Loss per unit of object (bone) passed along +z [0; fetus 0.02]")
         ->check(CLI::Range(0.0, 1.0));
-    command.add_option("--specular", options.specular, "Brightening of surfaces that face the probe, share [0; fetus 0.25]")
+    command
+        .add_option("--specular", options.specular,
+                    "Brightening of surfaces that face the probe, share [0; fetus 0.25]")
         ->check(CLI::Range(0.0, 10.0));
     command.add_option("--log-compress", options.decibel, "Logarithmic compression to this many decibels [none]")
         ->type_name("DB")
@@ -159,7 +177,8 @@ void addTruth(CLI::App& command, PhantomOptions& options) {
     command.add_option("--tube-spacing", options.tubes.tubeSpacing, "Units between tube cores; 0: automatic")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
-    command.add_option("--cell-size", options.tubes.cellSize, "Width of a tube core, units, for the truth's corner rays")
+    command
+        .add_option("--cell-size", options.tubes.cellSize, "Width of a tube core, units, for the truth's corner rays")
         ->check(CLI::Range(2, 32))
         ->capture_default_str();
 }
@@ -168,7 +187,8 @@ void addTruth(CLI::App& command, PhantomOptions& options) {
 
 void addPhantomCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<PhantomOptions>();
-    CLI::App& command = *program.add_subcommand("phantom", "Writes a simulated 3D ultrasound volume with known surfaces");
+    CLI::App& command =
+        *program.add_subcommand("phantom", "Writes a simulated 3D ultrasound volume with known surfaces");
     command.add_option("OUT", options->output, "MetaImage file to write (.mha)")->required();
     command.add_option("--scene", options->scene, "shapes, fetus or empty")->type_name("NAME")->capture_default_str();
     command.add_option("--phases", options->phases, "Number of phases of a moving scene; more than 1 makes a 4D file")
@@ -176,7 +196,8 @@ void addPhantomCommand(CLI::App& program, Action& action) {
         ->capture_default_str();
     command.add_option("--size", options->size, "Voxels along x, y, z, or one number for all [199x197x199]")
         ->type_name("XxYxZ");
-    command.add_option("--spacing", options->spacing, "mm between voxels, three numbers or one [0.5]")->type_name("XxYxZ");
+    command.add_option("--spacing", options->spacing, "mm between voxels, three numbers or one [0.5]")
+        ->type_name("XxYxZ");
     command.add_option("--bits", options->bits, "Bits stored: 8, 12 or 16")
         ->check(CLI::IsMember({8, 12, 16}))
         ->capture_default_str();
@@ -184,7 +205,8 @@ void addPhantomCommand(CLI::App& program, Action& action) {
     addLook(command, *options);
     addTruth(command, *options);
     command.footer(
-        "Example: echolucent-cli phantom shapes.mha --scene shapes --size 160 --speckle 1 --seed 7 --truth shapes.json\n"
+        "Example: echolucent-cli phantom shapes.mha --scene shapes --size 160 --speckle 1 --seed 7 --truth "
+        "shapes.json\n"
         "         echolucent-cli phantom heart.mha --phases 8");
     command.callback([options, &action] { action = [options] { return writePhantom(*options); }; });
 }

@@ -55,7 +55,8 @@ Json primitivesJson(const PhantomTruth& truth) {
 /// The truth along one tube core: depths in units from where the tube core's axis enters the picture.
 Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view, const TubeAxis& axis,
               int cellSize) {
-    Json tube{{"u", axis.column}, {"v", axis.row}, {"entry_voxel", nullptr}, {"depth_units", nullptr},
+    Json tube{{"u", axis.column},         {"v", axis.row},
+              {"entry_voxel", nullptr},   {"depth_units", nullptr},
               {"surface_voxel", nullptr}, {"corner_depths_units", Json::array({nullptr, nullptr, nullptr, nullptr})}};
     if (!axis.entryVoxel) return tube;
     tube["entry_voxel"] = triple(*axis.entryVoxel);
@@ -69,7 +70,8 @@ Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const V
     const ViewFrame frame = frameOf(view);
     const double half = 0.5 * (cellSize - 1) * geometry.unit();
     for (std::size_t corner = 0; corner < 4; ++corner) {
-        const Vec3 origin = entry + frame.right * (corner & 1 ? half : -half) + frame.down * (corner & 2 ? half : -half);
+        const Vec3 origin =
+            entry + frame.right * (corner & 1 ? half : -half) + frame.down * (corner & 2 ? half : -half);
         if (const auto surface = truth.firstInterfacePoint(origin, axis.directionMm, nearPlane))
             tube["corner_depths_units"][corner] = depthOf(*surface);
     }

@@ -11,10 +11,8 @@ namespace {
 
 std::vector<ImplicitPrimitive> onePerKind() {
     return {ellipsoid("e", {1, 2, 3}, {4, 2, 3}, rotationZ(30) * rotationX(20)),
-            roundCone("c", {0, 0, 0}, {5, 3, 2}, 2, 1),
-            roundBox("b", {0, 1, 0}, {4, 3, 2}, 1, rotationY(40)),
-            cylinder("y", {-2, 0, 1}, {4, 2, 0}, 1.5, 0.4),
-            wavyPlane("w", {0, 0, 2}, {0, 0, 1}, 0.3, 12)};
+            roundCone("c", {0, 0, 0}, {5, 3, 2}, 2, 1), roundBox("b", {0, 1, 0}, {4, 3, 2}, 1, rotationY(40)),
+            cylinder("y", {-2, 0, 1}, {4, 2, 0}, 1.5, 0.4), wavyPlane("w", {0, 0, 2}, {0, 0, 1}, 0.3, 12)};
 }
 
 TEST(ImplicitPrimitive, DistancesOfASphereACapsuleAndABoxAreExact) {
@@ -58,7 +56,8 @@ TEST(ImplicitPrimitive, PoseMovesTheDrawingAndScalesItsDistances) {
         if (primitive.kind == ImplicitPrimitive::Kind::wavyPlane) continue;
         const auto moved = placed(pose, primitive);
         for (const Vec3& p : {Vec3(0, 0, 0), Vec3(5, 1, -2), Vec3(1, 2, 2.5)})
-            EXPECT_NEAR(signedDistance(moved, pose.point(p)), 2.5 * signedDistance(primitive, p), 1e-9) << primitive.name;
+            EXPECT_NEAR(signedDistance(moved, pose.point(p)), 2.5 * signedDistance(primitive, p), 1e-9)
+                << primitive.name;
     }
     const Pose inner{rotationY(10), {1, 2, 3}, 0.5};
     EXPECT_NEAR(length((pose * inner).point({1, 1, 2}) - pose.point(inner.point({1, 1, 2}))), 0, 1e-12);

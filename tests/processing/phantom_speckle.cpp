@@ -1,4 +1,5 @@
-// Speckle has the statistics of a Rayleigh field, the correlation of its smoothing, and the same bits wherever it is made.
+// Speckle has the statistics of a Rayleigh field, the correlation of its smoothing, and the same bits wherever it is
+// made.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +33,8 @@ Moments momentsOf(const std::vector<float>& values) {
 }
 
 /// Correlation of R^2 between voxels `lag` apart along an axis.
-double intensityCorrelation(const std::vector<float>& field, const std::array<std::int64_t, 3>& size, int axis, int lag) {
+double intensityCorrelation(const std::vector<float>& field, const std::array<std::int64_t, 3>& size, int axis,
+                            int lag) {
     const std::array<std::int64_t, 3> stride{1, size[0], size[0] * size[1]};
     double a = 0, b = 0, ab = 0, aa = 0, bb = 0, n = 0;
     for (std::int64_t z = 0; z < size[2]; ++z)
@@ -79,7 +81,8 @@ TEST(Speckle, CorrelationFollowsFromTheSmoothing) {
         const double sigma = smoothing / 2.354820045;
         for (int axis = 0; axis < 3; ++axis)
             for (const int lag : {1, 2, 3, 6})
-                EXPECT_NEAR(intensityCorrelation(field, size, axis, lag), std::exp(-lag * lag / (2 * sigma * sigma)), 0.035)
+                EXPECT_NEAR(intensityCorrelation(field, size, axis, lag), std::exp(-lag * lag / (2 * sigma * sigma)),
+                            0.035)
                     << smoothing << " axis " << axis << " lag " << lag;
     }
 }

@@ -50,8 +50,8 @@ struct Counts {
 };
 
 template <typename IsFluid>
-Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, const View& view, double tolerance, int grid,
-               const IsFluid& isFluid) {
+Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, const View& view, double tolerance,
+               int grid, const IsFluid& isFluid) {
     const PhantomTruth truth(config);
     const ViewFrame frame = frameOf(view);
     Counts counts;
@@ -64,8 +64,8 @@ Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, cons
             const auto brute = marched(geometry, origin, frame.forward, isFluid);
             ++counts.rays;
             counts.withInterface += closed.has_value();
-            const bool same = closed.has_value() == brute.has_value() &&
-                              (!closed || std::abs(*closed - *brute) <= tolerance);
+            const bool same =
+                closed.has_value() == brute.has_value() && (!closed || std::abs(*closed - *brute) <= tolerance);
             counts.different += !same;
         }
     return counts;
@@ -80,7 +80,8 @@ TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheVoxels) {
     const auto isFluid = [&](const Vec3& p) {
         const Vec3 v = geometry.voxelFromGridMm(p);
         const auto nearest = [&](int axis) {
-            return std::clamp<std::int64_t>(std::llround(v[axis]), 0, geometry.size[static_cast<std::size_t>(axis)] - 1);
+            return std::clamp<std::int64_t>(std::llround(v[axis]), 0,
+                                            geometry.size[static_cast<std::size_t>(axis)] - 1);
         };
         return volume.storedValue(geometry.offset(nearest(0), nearest(1), nearest(2))) == 14;
     };
@@ -140,7 +141,8 @@ TEST(PhantomTruth, TheFetusIsSeenThroughFluid) {
 }
 
 TEST(PhantomTruth, EmptyHasNoInterfaceOnAnyRay) {
-    EXPECT_EQ(shareOfRays(bare(PhantomScene::empty), [](const Vec3&, const auto& depth) { return depth.has_value(); }), 0);
+    EXPECT_EQ(shareOfRays(bare(PhantomScene::empty), [](const Vec3&, const auto& depth) { return depth.has_value(); }),
+              0);
 }
 
 TEST(PhantomTruth, FrontWallPutsTissueFirst) {
@@ -150,7 +152,8 @@ TEST(PhantomTruth, FrontWallPutsTissueFirst) {
         config.frontWall = true;
         const Volume volume = *makePhantom(config);
         for (std::int64_t z = 0; z < 20; ++z)
-            for (std::int64_t i = 0; i < 120 * 116; ++i) ASSERT_EQ(volume.storedValue(120 * 116 * z + i), config.tissue);
+            for (std::int64_t i = 0; i < 120 * 116; ++i)
+                ASSERT_EQ(volume.storedValue(120 * 116 * z + i), config.tissue);
         const PhantomTruth truth(config), truthOpen(open);
         int same = 0, met = 0;
         shareOfRays(open, [&](const Vec3& origin, const auto& depth) {
@@ -204,7 +207,8 @@ TEST(PhantomMotion, OnlyAnArmAndTheHeartMove) {
             balls.emplace_back(Vec3(p[0], p[1], p[2]), primitive.kind == "round cone" ? p[6] : p[3]);
             if (primitive.kind == "round cone")
                 for (double t = 0.1; t <= 1; t += 0.1)
-                    balls.emplace_back(Vec3(p[0], p[1], p[2]) * (1 - t) + Vec3(p[3], p[4], p[5]) * t, std::max(p[6], p[7]));
+                    balls.emplace_back(Vec3(p[0], p[1], p[2]) * (1 - t) + Vec3(p[3], p[4], p[5]) * t,
+                                       std::max(p[6], p[7]));
         }
     }
     EXPECT_EQ(movers, (std::set<std::string>{"finger", "forearm, far side", "heart", "palm, far side", "thumb"}));

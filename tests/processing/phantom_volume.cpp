@@ -171,7 +171,8 @@ TEST_P(PhantomScenes, FinerVoxelsShowTheSameScene) {
     int different = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3 share((i % 20 + 0.387) / 20, (i / 20 % 20 + 0.631) / 20, (i / 400 + 0.517) / 10);
-        different += coarse.echoAt(share * 30 - Vec3(0.25, 0.25, 0.25)) != fine.echoAt(share * 90 - Vec3(0.25, 0.25, 0.25));
+        different +=
+            coarse.echoAt(share * 30 - Vec3(0.25, 0.25, 0.25)) != fine.echoAt(share * 90 - Vec3(0.25, 0.25, 0.25));
     }
     EXPECT_EQ(different, 0);
 }
