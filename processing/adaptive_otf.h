@@ -32,7 +32,7 @@ struct AdaptiveOtfConfig {
     double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1]; 0:
                                   ///< nothing, as in method.md's table
     int slopeHalfStep = 5;        ///< slope: central difference of cell means over +- this many units
-    double leastEdgeToNoise = 6.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that ranks
+    double leastEdgeToNoise = 4.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that ranks
                                     ///< cannot be; 0: no test, as in method.md's table
     double strength = 6.75;       ///< T * d_max: one rule for any number of tube cores, >= 0
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
@@ -72,7 +72,8 @@ struct TubeCore {
 
     std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
     std::vector<float> interfaceFunction;  ///< variance of normalised intensity of cell i: the interface indicating function
-    std::vector<int> trackedCells;         ///< detected cell at each scale, coarsest first, unsmoothed last; for Fig. 4
+    std::vector<int> trackedCells;         ///< detected cell at each scale, for Fig. 4: from the coarsest that has a
+                                           ///< maximum to the finest, the unsmoothed function last
 };
 
 /// Where the time went, in ms of wall time. The tubes' stages run mixed on all threads; their wall time is shared out by

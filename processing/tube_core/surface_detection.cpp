@@ -70,10 +70,11 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, std::sp
     for (const GaussianKernel& kernel : kernels) {
         kernel.smooth(scratch.aboveFloor, scratch.smoothed, scratch.padded);
         const auto maximum = firstSignificantMaximum(scratch.smoothed, range, rule.significance);
-        if (!maximum && tracked.empty()) return {};
+        if (!maximum && tracked.empty()) continue;
         tracked.push_back(maximum ? *maximum : tracked.back());
         if (maximum) range = valleyToValley(scratch.smoothed, *maximum);
     }
+    if (tracked.empty()) return {};
     tracked.push_back(firstSignificantMaximum(scratch.aboveFloor, range, rule.significance).value_or(tracked.back()));
     return tracked;
 }

@@ -40,9 +40,11 @@ struct DetectionScratch {
     std::vector<double> aboveFloor, smoothed, padded;
 };
 
-/// Where the maximum was at each scale: coarsest first, the unsmoothed function last. Empty: there is no surface, because
-/// the coarsest scale has no significant maximum, or the function itself none at all (a constant, a ramp, a step: there
-/// the coarse maximum is only the border's). A scale without a maximum in the range keeps position and range.
+/// Where the maximum was at each scale, coarsest first, the unsmoothed function last. It begins at the coarsest scale that
+/// has a significant maximum: a peak nearer to the front than sigma and its mirror image are one hill at the border, and a
+/// short tube has no room for the coarsest kernels. A later scale without a maximum in the range keeps position and range.
+/// Empty: there is no surface, because no scale has a maximum, or the function itself has none (a constant, a ramp, a step:
+/// there the coarse maximum is only the border's).
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction,
                                             std::span<const GaussianKernel> kernels, const TrackingRule& rule,
                                             DetectionScratch& scratch);

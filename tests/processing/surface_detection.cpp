@@ -78,9 +78,10 @@ TEST(TrackSurface, FollowsAPeakThroughAllScales) {
     EXPECT_NEAR(tracked[4], 120, 1);
 }
 
-TEST(TrackSurface, APeakIsFoundAtAnyDepthBehindTheCoarsestSigma) {
-    // Also where a cut kernel's end, or its mirror image's, passes over the peak.
-    for (int position = 36; position < 190; ++position) {
+TEST(TrackSurface, APeakIsFoundAtAnyDepth) {
+    // Also where a cut kernel's end, or its mirror image's, passes over the peak; and where mirror image and peak are one
+    // at the coarse scales.
+    for (int position = 3; position < 190; ++position) {
         std::vector<double> function(195, 1e-4);
         function[static_cast<std::size_t>(position)] = 1.0;
         const auto tracked = track(function);
@@ -109,6 +110,15 @@ TEST(TrackSurface, APeakOnAHighFloorOfNoiseIsFoundOnlyWithoutTheFloor) {
     EXPECT_NEAR(track(function, {.floorQuantile = 0.25}).back(), 130, 3);
     const auto asSettled = track(function, {.floorQuantile = 0.0});
     EXPECT_TRUE(asSettled.empty() || std::abs(asSettled.back() - 130) > 30);
+}
+
+TEST(TrackSurface, ShortTubesBeginAtTheScaleThatHasRoom) {
+    std::vector<double> function(40, 0.01);
+    for (int i = 0; i < 40; ++i) function[static_cast<std::size_t>(i)] += std::exp(-0.5 * std::pow((i - 22) / 2.0, 2));
+    const auto tracked = track(function);
+    ASSERT_FALSE(tracked.empty());
+    EXPECT_LE(tracked.size(), 6u);
+    EXPECT_EQ(tracked.back(), 22);
 }
 
 TEST(TrackSurface, PrefersTheFirstOfTwoEqualPeaksApart) {
