@@ -146,12 +146,14 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     const auto extent = stored.extent.compressed ? checkCompressedExtent(stored, fileSize, counts->all)
                                                  : checkStoredExtent(stored, fileSize, counts->all);
     if (!extent) return tl::unexpected(extent.error());
-    if (auto memory = requireMemory(stored.path, stored.sizeKey, static_cast<std::uint64_t>(counts->all)); !memory)
-        return tl::unexpected(memory.error());
     VoxelSource source(std::move(*file), stored.extent);
     if (stored.extent.compressed) {
         if (auto checked = checkDecompressedSize(stored, source, counts->all, progress); !checked)
             return tl::unexpected(checked.error());
+    }
+    if (auto memory = requireMemory(stored.path, stored.sizeKey, static_cast<std::uint64_t>(counts->all)); !memory)
+        return tl::unexpected(memory.error());
+    if (stored.extent.compressed) {
         if (auto skipped = skipDecompressed(source, stored.extent.skipBytes, progress); !skipped)
             return tl::unexpected(skipped.error());
     }
