@@ -92,8 +92,8 @@ private:
         const auto function = std::span<const double>(m_cells.variances)
                                   .subspan(static_cast<std::size_t>(m_cells.firstCell),
                                            static_cast<std::size_t>(m_cells.lastCell - m_cells.firstCell + 1));
-        tube.trackedCells = trackSurface(
-            function, m_kernels, {m_config.significance, m_config.significanceAboveSmallest}, m_scratch);
+        tube.trackedCells = trackSurface(function, m_kernels, {m_config.significance, m_config.floorQuantile},
+                                         m_scratch);
         if (tube.trackedCells.empty()) return;
         for (int& cell : tube.trackedCells) cell += m_cells.firstCell;
         int surface = tube.trackedCells.back();
@@ -156,11 +156,17 @@ std::string messageFor(const AdaptiveOtf& result) {
     const std::string consequence = ": the initial function is used.";
     if (result.tubesWithSurface > 0) return {};
     if (result.tubesMeetingVolume == 0) return "No tube core meets the volume's data" + consequence;
-    const auto found = std::count_if(result.tubes.begin(), result.tubes.end(),
-                                     [](const TubeCore& tube) { return tube.status == TubeStatus::surface; });
+    int found = 0, usable = 0;
+    for (const TubeCore& tube : result.tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        ++found;
+        if (tube.extraWeight > 0.0) ++usable;
+    }
     if (found == 0) return "No surface found" + consequence;
+    if (usable == 0) return "No surface found that stands out from the speckle" + consequence;
     if (result.dMax == 0.0) return "The strength is 0" + consequence;
-    return "No surface stands out: " + std::to_string(found) + " found, but none has a weight above 0" + consequence;
+    // Ranks compare tubes with each other: one tube, or tubes that are all equal, weigh nothing.
+    return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
 }
 
 }  // namespace
@@ -177,7 +183,9 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (!between(config.sigmaPerKernelSize, 0.01, 4.0)) return "sigma must be 0.01 to 4 kernel sizes";
     if (!between(config.kernelCut, 0.5, 10.0)) return "the kernels must be cut at 0.5 to 10 sigma";
     if (!between(config.significance, 0.0, 1.0)) return "the significance must be 0 to 1";
+    if (!between(config.floorQuantile, 0.0, 1.0)) return "the floor quantile must be 0 to 1";
     if (!between(config.slopeHalfStep, 1, 1000)) return "the slope's half step must be 1 to 1000 units";
+    if (!between(config.leastEdgeToNoise, 0.0, 1e6)) return "the least edge to noise must be 0 to 1000000";
     if (!between(config.strength, 0.0, 1e12)) return "the strength must be 0 to 1e12";
     return {};
 }
@@ -198,7 +206,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, 
     result.tubesMeetingVolume = static_cast<int>(std::count_if(
         result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
     if (result.tubesMeetingVolume > 0) result.dMax = config.strength / result.tubesMeetingVolume;
-    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax);
+    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, config.leastEdgeToNoise);
     result.tubesWithSurface = static_cast<int>(
         std::count_if(result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.d > 0.0; }));
     result.times.weights = stage.lap();

@@ -29,9 +29,11 @@ struct AdaptiveOtfConfig {
     double sigmaPerKernelSize = 0.25;  ///< standard deviation = this times 2^n units
     double kernelCut = 3.0;       ///< kernels end at this many standard deviations, renormalised
     double significance = 0.4;    ///< a local maximum counts from this share of the largest value in its range
-    bool significanceAboveSmallest = true;  ///< at the scales in between, that share is measured from the smallest value in
-                                            ///< the range; false: from zero at all scales, as method.md's table has it
+    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1]; 0:
+                                  ///< nothing, as in method.md's table
     int slopeHalfStep = 5;        ///< slope: central difference of cell means over +- this many units
+    double leastEdgeToNoise = 4.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that ranks
+                                    ///< cannot be; 0: no test, as in method.md's table
     double strength = 6.75;       ///< T * d_max: one rule for any number of tube cores, >= 0
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
@@ -60,14 +62,18 @@ struct TubeCore {
     std::optional<double> highIntensity;    ///< I_H: mean of the surface cell
     std::optional<double> lowIntensityMax;  ///< largest mean of a prior cell (eq. 8)
     std::optional<double> slope;            ///< S: per unit; may be negative
+    std::optional<double> edgeToNoise;      ///< rise from the median prior cell mean to the mean slopeHalfStep behind the
+                                            ///< surface, over the scatter of the prior cell means; none: too few of them
     double intensityWeight = 0.0;  ///< w_I, eq. 9
     double slopeWeight = 0.0;      ///< w_S, eq. 10
-    double extraWeight = 1.0;      ///< 0 where I_H <= I_L (eq. 6 has no meaning there), else 1
+    double extraWeight = 1.0;      ///< 0 where I_H <= I_L (eq. 6 has no meaning there) or the edge drowns in the noise
+                                   ///< (leastEdgeToNoise), else 1
     double d = 0.0;                ///< d_t = d_max w_I w_S extraWeight, eq. 11
 
     std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
     std::vector<float> interfaceFunction;  ///< variance of normalised intensity of cell i: the interface indicating function
-    std::vector<int> trackedCells;         ///< detected cell at each scale, coarsest first, unsmoothed last; for Fig. 4
+    std::vector<int> trackedCells;         ///< detected cell at each scale, for Fig. 4: from the coarsest that has a
+                                           ///< maximum to the finest, the unsmoothed function last
 };
 
 /// Where the time went, in ms of wall time. The tubes' stages run mixed on all threads; their wall time is shared out by

@@ -35,6 +35,12 @@ void MethodOptions::addTo(CLI::App& command) {
     command.add_option("--significance", config.significance, "A maximum counts from this share of the largest value")
         ->type_name("SHARE")
         ->capture_default_str();
+    command.add_option("--floor-quantile", config.floorQuantile, "Taken off the interface function before tracking; 0: nothing")
+        ->type_name("SHARE")
+        ->capture_default_str();
+    command.add_option("--least-edge-to-noise", config.leastEdgeToNoise, "Weaker surfaces weigh nothing; 0: no test")
+        ->type_name("RATIO")
+        ->capture_default_str();
     command.add_option("--slope-half-step", config.slopeHalfStep, "Slope: central difference over +- this many units")
         ->type_name("UNITS")
         ->capture_default_str();

@@ -66,6 +66,8 @@ Json parameters(const AdaptiveOtf& otf, const std::string& initialName) {
             {"sigma_per_kernel_size", config.sigmaPerKernelSize},
             {"kernel_cut", config.kernelCut},
             {"significance", config.significance},
+            {"floor_quantile", config.floorQuantile},
+            {"least_edge_to_noise", config.leastEdgeToNoise},
             {"slope_half_step", config.slopeHalfStep},
             {"strength", config.strength},
             {"d_max", otf.dMax},
@@ -82,6 +84,7 @@ Json tubeObject(const TubeCore& tube) {
             {"i_high", maybe(tube.highIntensity)},
             {"i_low_max", maybe(tube.lowIntensityMax)},
             {"slope", maybe(tube.slope)},
+            {"edge_to_noise", maybe(tube.edgeToNoise)},
             {"w_intensity", tube.intensityWeight},
             {"w_slope", tube.slopeWeight},
             {"w_extra", tube.extraWeight},
@@ -145,13 +148,13 @@ std::string curveTable(const AdaptiveOtf& otf) {
 
 std::string tubeTable(const AdaptiveOtf& otf) {
     std::string table =
-        "u,v,status,entry_x,entry_y,entry_z,surface_x,surface_y,surface_z,i_low,i_high,i_low_max,slope,w_intensity,"
-        "w_slope,w_extra,d\n";
+        "u,v,status,entry_x,entry_y,entry_z,surface_x,surface_y,surface_z,i_low,i_high,i_low_max,slope,edge_to_noise,"
+        "w_intensity,w_slope,w_extra,d\n";
     for (const TubeCore& tube : otf.tubes)
-        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, nameOf(tube.status),
+        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, nameOf(tube.status),
                              cells(tube.entryVoxel), cells(tube.surfaceVoxel), cell(tube.lowIntensity),
                              cell(tube.highIntensity), cell(tube.lowIntensityMax), cell(tube.slope),
-                             tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
+                             cell(tube.edgeToNoise), tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
     return table;
 }
 

@@ -26,15 +26,12 @@ bool standsOut(std::span<const double> function, const IndexRange& plateau) {
 
 }  // namespace
 
-std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range, double significance,
-                                           SignificanceFrom from) {
+std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range, double significance) {
     range.first = std::max(range.first, 0);
     range.last = std::min(range.last, static_cast<int>(function.size()) - 1);
     if (range.last < range.first) return std::nullopt;
-    const auto [smallest, largest] =
-        std::minmax_element(function.begin() + range.first, function.begin() + range.last + 1);
-    const double origin = from == SignificanceFrom::smallestInRange ? *smallest : 0.0;
-    const double threshold = origin + significance * (*largest - origin);
+    const double threshold =
+        significance * *std::max_element(function.begin() + range.first, function.begin() + range.last + 1);
     for (int i = range.first; i <= range.last;) {
         const IndexRange plateau = plateauAround(function, i);
         const int middle = (plateau.first + plateau.last) / 2;
@@ -54,22 +51,31 @@ IndexRange valleyToValley(std::span<const double> function, int position) {
     return range;
 }
 
+void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result) {
+    result.assign(function.begin(), function.end());
+    if (result.empty() || quantile == 0.0) return;
+    const auto rank = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(result.size() - 1));
+    std::nth_element(result.begin(), result.begin() + rank, result.end());
+    const double floor = result[static_cast<std::size_t>(rank)];
+    std::transform(function.begin(), function.end(), result.begin(),
+                   [floor](double value) { return std::max(0.0, value - floor); });
+}
+
 std::vector<int> trackSurface(std::span<const double> interfaceFunction, std::span<const GaussianKernel> kernels,
                               const TrackingRule& rule, DetectionScratch& scratch) {
     IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
     if (kernels.empty() || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
+    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
     std::vector<int> tracked;
-    for (std::size_t scale = 0; scale < kernels.size(); ++scale) {
-        kernels[scale].smooth(interfaceFunction, scratch.smoothed, scratch.padded);
-        const bool between = scale > 0 && scale + 1 < kernels.size();
-        const auto maximum = firstSignificantMaximum(
-            scratch.smoothed, range, rule.significance,
-            between && rule.aboveSmallest ? SignificanceFrom::smallestInRange : SignificanceFrom::zero);
-        if (!maximum && tracked.empty()) return {};
+    for (const GaussianKernel& kernel : kernels) {
+        kernel.smooth(scratch.aboveFloor, scratch.smoothed, scratch.padded);
+        const auto maximum = firstSignificantMaximum(scratch.smoothed, range, rule.significance);
+        if (!maximum && tracked.empty()) continue;
         tracked.push_back(maximum ? *maximum : tracked.back());
         if (maximum) range = valleyToValley(scratch.smoothed, *maximum);
     }
-    tracked.push_back(firstSignificantMaximum(interfaceFunction, range, rule.significance).value_or(tracked.back()));
+    if (tracked.empty()) return {};
+    tracked.push_back(firstSignificantMaximum(scratch.aboveFloor, range, rule.significance).value_or(tracked.back()));
     return tracked;
 }
 

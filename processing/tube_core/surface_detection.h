@@ -16,36 +16,35 @@ struct IndexRange {
     int last = -1;
 };
 
-/// From where a share of the largest value is measured.
-enum class SignificanceFrom { zero, smallestInRange };
-
-/// The first local maximum within the range that reaches `significance` of the way from zero, or from the function's
-/// smallest value there, to its largest value there. A plateau counts once, at its middle; the function's first and last
-/// sample are never maxima.
+/// The first local maximum within the range that is at least `significance` times the function's largest value there.
+/// A plateau counts once, at its middle; the function's first and last sample are never maxima.
 [[nodiscard]] std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range,
-                                                         double significance,
-                                                         SignificanceFrom from = SignificanceFrom::zero);
+                                                         double significance);
 
 /// From the valley before `position` to the valley behind it: as far as the function does not rise.
 [[nodiscard]] IndexRange valleyToValley(std::span<const double> function, int position);
 
-/// Scratch of trackSurface(), reused between tubes.
-struct DetectionScratch {
-    std::vector<double> smoothed, padded;
-};
+/// What exceeds the function's floor: its quantile (share of values below, [0,1]) is taken off, and what lies below counts
+/// 0. Where speckle lifts the whole function (log-compressed data above all), a share of the largest value alone holds
+/// nothing back, and the zero behind the far end is a fall. A quantile of 0 takes nothing off.
+void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result);
 
 /// Which maximum is tracked.
 struct TrackingRule {
-    double significance = 0.4;
-    /// Between the coarsest scale and the last two steps, significance is measured from the smallest value in the range:
-    /// where speckle lifts the whole function, a share of the largest value alone holds nothing back. Not at the coarsest,
-    /// where the zero behind the far end would be the smallest value, nor where the surface is only located.
-    bool aboveSmallest = true;
+    double significance = 0.4;     ///< see firstSignificantMaximum()
+    double floorQuantile = 0.1;    ///< see takeOffFloor()
 };
 
-/// Where the maximum was at each scale: coarsest first, the unsmoothed function last. Empty: there is no surface, because
-/// the coarsest scale has no significant maximum, or the function itself none at all (a constant, a ramp, a step: there
-/// the coarse maximum is only the border's). A scale without a maximum in the range keeps position and range.
+/// Scratch of trackSurface(), reused between tubes.
+struct DetectionScratch {
+    std::vector<double> aboveFloor, smoothed, padded;
+};
+
+/// Where the maximum was at each scale, coarsest first, the unsmoothed function last. It begins at the coarsest scale that
+/// has a significant maximum: a peak nearer to the front than sigma and its mirror image are one hill at the border, and a
+/// short tube has no room for the coarsest kernels. A later scale without a maximum in the range keeps position and range.
+/// Empty: there is no surface, because no scale has a maximum, or the function itself has none (a constant, a ramp, a step:
+/// there the coarse maximum is only the border's).
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction,
                                             std::span<const GaussianKernel> kernels, const TrackingRule& rule,
                                             DetectionScratch& scratch);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace echolucent {
 namespace {
@@ -19,9 +20,9 @@ std::vector<double> stairs(std::initializer_list<std::pair<int, double>> steps) 
     return function;
 }
 
-std::vector<int> track(const std::vector<double>& function, double significance = 0.4) {
+std::vector<int> track(const std::vector<double>& function, TrackingRule rule = {}) {
     DetectionScratch scratch;
-    return trackSurface(function, scaleSpaceKernels(7, 3, 0.25, 3.0), {significance, true}, scratch);
+    return trackSurface(function, scaleSpaceKernels(7, 3, 0.25, 3.0), rule, scratch);
 }
 
 TEST(FirstSignificantMaximum, TakesTheFirstThatIsLargeEnough) {
@@ -31,12 +32,6 @@ TEST(FirstSignificantMaximum, TakesTheFirstThatIsLargeEnough) {
     EXPECT_EQ(firstSignificantMaximum(function, {0, 6}, 0.0), 1);
     EXPECT_EQ(firstSignificantMaximum(function, {0, 2}, 1.0), 1) << "significance is relative to the range";
     EXPECT_EQ(firstSignificantMaximum(function, {4, 6}, 0.4), 5);
-}
-
-TEST(FirstSignificantMaximum, CanMeasureFromTheSmallestValueInTheRange) {
-    const std::vector<double> lifted{10, 11, 10, 15, 12, 20, 13};
-    EXPECT_EQ(firstSignificantMaximum(lifted, {0, 6}, 0.4), 1) << "11 is more than 0.4 * 20";
-    EXPECT_EQ(firstSignificantMaximum(lifted, {0, 6}, 0.4, SignificanceFrom::smallestInRange), 3);
 }
 
 TEST(FirstSignificantMaximum, CountsAPlateauOnceAtItsMiddle) {
@@ -83,15 +78,47 @@ TEST(TrackSurface, FollowsAPeakThroughAllScales) {
     EXPECT_NEAR(tracked[4], 120, 1);
 }
 
-TEST(TrackSurface, APeakIsFoundAtAnyDepthBehindTheCoarsestSigma) {
-    // Also where a cut kernel's end, or its mirror image's, passes over the peak.
-    for (int position = 36; position < 190; ++position) {
+TEST(TrackSurface, APeakIsFoundAtAnyDepth) {
+    // Also where a cut kernel's end, or its mirror image's, passes over the peak; and where mirror image and peak are one
+    // at the coarse scales.
+    for (int position = 3; position < 190; ++position) {
         std::vector<double> function(195, 1e-4);
         function[static_cast<std::size_t>(position)] = 1.0;
         const auto tracked = track(function);
         ASSERT_FALSE(tracked.empty()) << position;
         EXPECT_EQ(tracked.back(), position);
     }
+}
+
+TEST(TakeOffFloor, LeavesWhatExceedsTheQuantile) {
+    std::vector<double> result;
+    takeOffFloor(std::vector<double>{5, 3, 4, 9, 6}, 0.25, result);
+    EXPECT_EQ(result, (std::vector<double>{1, 0, 0, 5, 2}));
+    takeOffFloor(std::vector<double>{5, 3, 4}, 0.0, result);
+    EXPECT_EQ(result, (std::vector<double>{5, 3, 4}));
+    takeOffFloor({}, 0.25, result);
+    EXPECT_TRUE(result.empty());
+}
+
+TEST(TrackSurface, APeakOnAHighFloorOfNoiseIsFoundOnlyWithoutTheFloor) {
+    // Log-compressed speckle: the same variance everywhere, and a peak twice as high.
+    std::vector<double> function;
+    std::uint32_t state = 77;
+    for (int i = 0; i < 195; ++i)
+        function.push_back(1.0 + 0.4 * (((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0) +
+                           1.2 * std::exp(-0.5 * std::pow((i - 130) / 3.0, 2)));
+    EXPECT_NEAR(track(function, {.floorQuantile = 0.25}).back(), 130, 3);
+    const auto asSettled = track(function, {.floorQuantile = 0.0});
+    EXPECT_TRUE(asSettled.empty() || std::abs(asSettled.back() - 130) > 30);
+}
+
+TEST(TrackSurface, ShortTubesBeginAtTheScaleThatHasRoom) {
+    std::vector<double> function(40, 0.01);
+    for (int i = 0; i < 40; ++i) function[static_cast<std::size_t>(i)] += std::exp(-0.5 * std::pow((i - 22) / 2.0, 2));
+    const auto tracked = track(function);
+    ASSERT_FALSE(tracked.empty());
+    EXPECT_LE(tracked.size(), 6u);
+    EXPECT_EQ(tracked.back(), 22);
 }
 
 TEST(TrackSurface, PrefersTheFirstOfTwoEqualPeaksApart) {
@@ -105,7 +132,7 @@ TEST(TrackSurface, PassesOverABumpBelowTheThreshold) {
     for (int i = 0; i < 300; ++i) function[static_cast<std::size_t>(i)] += 0.05 * std::exp(-0.5 * std::pow((i - 60) / 4.0, 2)) +
                                                                              std::exp(-0.5 * std::pow((i - 220) / 4.0, 2));
     EXPECT_EQ(track(function).back(), 220);
-    EXPECT_EQ(track(function, 0.0).back(), 60);
+    EXPECT_EQ(track(function, {.significance = 0.0}).back(), 60);
 }
 
 }  // namespace
