@@ -75,7 +75,7 @@ private slots:
     void init() {
         QFile::remove(settingsFile());
         m_window = std::make_unique<MainWindow>(settingsFile());
-        m_window->resize(1200, 800);
+        m_window->resize(1000, 700);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         // A virtual display has no window manager that would make the window the active one.
@@ -241,7 +241,11 @@ private slots:
         const QImage saved(path);
         const QImage screen = m_window->volumeView().screenImage();
         QCOMPARE(saved.size(), screen.size());
-        QVERIFY(saved.convertToFormat(QImage::Format_RGB888) == screen.convertToFormat(QImage::Format_RGB888));
+        int different = 0;
+        for (int y = 0; y < saved.height(); ++y)
+            for (int x = 0; x < saved.width(); ++x)
+                different += saved.pixelColor(x, y) != screen.pixelColor(x, y) ? 1 : 0;
+        QCOMPARE(different, 0);
         int bright = 0;
         for (int y = 0; y < saved.height(); ++y)
             for (int x = 0; x < saved.width(); ++x) bright += qGray(saved.pixel(x, y)) > 60 ? 1 : 0;
