@@ -67,7 +67,8 @@ bool looksLikeDicom(std::string_view beginning) {
 Result<Study> readDicom(const std::string& path, const ReadOptions& options, const Progress& progress) {
     Result<Study> study = fail(FailureKind::unreadable, path, "", "was not read");
     runWithLargeStack([&] {
-        if (std::filesystem::is_directory(path)) {
+        std::error_code error;
+        if (std::filesystem::is_directory(path, error)) {
             study = readSeriesFolder(path, options, progress);
             return;
         }

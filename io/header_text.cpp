@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace echolucent {
 
@@ -57,6 +58,10 @@ std::vector<std::string> wordsOf(std::string_view text) {
 
 std::optional<std::int64_t> wholeNumber(std::string_view word) { return numberFrom<std::int64_t>(word); }
 std::optional<double> realNumber(std::string_view word) { return numberFrom<double>(word); }
+std::optional<double> positiveNumber(std::string_view word) {
+    const auto value = realNumber(word);
+    return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
+}
 std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text) { return numbersFrom<std::int64_t>(text); }
 std::optional<std::vector<double>> realNumbers(std::string_view text) { return numbersFrom<double>(text); }
 

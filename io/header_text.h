@@ -21,6 +21,8 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 [[nodiscard]] std::optional<std::int64_t> wholeNumber(std::string_view word);
 /// A decimal number, "nan" or "inf", and nothing else.
 [[nodiscard]] std::optional<double> realNumber(std::string_view word);
+/// A finite number above 0 and nothing else.
+[[nodiscard]] std::optional<double> positiveNumber(std::string_view word);
 /// All words as numbers, or none where one is not.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text);
 [[nodiscard]] std::optional<std::vector<double>> realNumbers(std::string_view text);

@@ -287,10 +287,8 @@ Result<void> MetaImageHeader::readByteOrder() {
 Result<void> MetaImageHeader::readWhiteLevel() {
     const auto* text = find("WhiteLevel");
     if (text == nullptr) return {};
-    const auto level = realNumber(*text);
-    if (!level || !std::isfinite(*level) || *level <= 0.0)
-        return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(*text));
-    m_stored.whiteLevel = level;
+    m_stored.whiteLevel = positiveNumber(*text);
+    if (!m_stored.whiteLevel) return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(*text));
     m_stored.whiteLevelSource = "WhiteLevel";
     return {};
 }

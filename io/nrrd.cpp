@@ -188,9 +188,7 @@ Result<void> NrrdHeader::placeAxes() {
 }
 
 double NrrdHeader::mmOfAxis(std::size_t axis, const char* field) {
-    const auto* text = find(field);
-    if (text == nullptr) return 1.0;
-    const auto units = nrrdQuotedWords(*text);
+    const auto units = find(field) != nullptr ? nrrdQuotedWords(*find(field)) : std::vector<std::string>{};
     if (axis >= units.size()) return 1.0;
     if (const auto mm = mmOfUnit(units[axis])) return *mm;
     m_stored.warnings.push_back(
@@ -307,10 +305,8 @@ Result<void> NrrdHeader::readPhaseTime() {
 Result<void> NrrdHeader::readWhiteLevel() {
     const auto found = m_fields.keys.find("WhiteLevel");
     if (found == m_fields.keys.end()) return {};
-    const auto level = realNumber(found->second);
-    if (!level || !std::isfinite(*level) || *level <= 0.0)
-        return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(found->second));
-    m_stored.whiteLevel = level;
+    m_stored.whiteLevel = positiveNumber(found->second);
+    if (!m_stored.whiteLevel) return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(found->second));
     m_stored.whiteLevelSource = "WhiteLevel";
     return {};
 }

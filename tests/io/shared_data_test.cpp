@@ -65,6 +65,23 @@ TEST(SharedVolumesAll, NoFileIsLeftOut) {
         EXPECT_TRUE(readStudy(entry.path().string(), withoutGuess())) << entry.path();
 }
 
+TEST(SharedVolumesAll, OutsideTheScanConeIsNoDataUnlessTheGuessIsOff) {
+    SKIP_WITHOUT_DATA();
+    const auto guessed = readStudy(data + "/volumes/adult_heart_256.nrrd");
+    ASSERT_TRUE(guessed);
+    const Volume& volume = *guessed->phases[0];
+    EXPECT_FALSE(volume.hasData(0));
+    std::int64_t zerosWithData = 0;
+    std::int64_t echoesWithoutData = 0;
+    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i) {
+        zerosWithData += volume.hasData(i) && volume.storedValue(i) == 0 ? 1 : 0;
+        echoesWithoutData += !volume.hasData(i) && volume.storedValue(i) != 0 ? 1 : 0;
+    }
+    EXPECT_GT(zerosWithData, 0) << "fluid inside the cone must stay data";
+    EXPECT_LT(echoesWithoutData, volume.geometry().voxelCount() / 1000) << "only single noisy voxels outside the cone";
+    EXPECT_TRUE(readStudy(data + "/volumes/adult_heart_256.nrrd", withoutGuess())->phases[0]->dataMask().empty());
+}
+
 TEST(SharedVolumesAll, NaNVoxelsAreNoData) {
     SKIP_WITHOUT_DATA();
     const auto study = readStudy(data + "/volumes/odd_nan.mha", withoutGuess());
