@@ -65,7 +65,8 @@ TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
 TEST(AdaptiveOtf, FindsAPlaneAlongEveryBeamAxisAndObliquely) {
     for (int beam = 0; beam < 6; ++beam)
         for (const double angle : {0.0, 25.0}) {
-            const View view{.beamAxis = static_cast<BeamAxis>(beam), .azimuthDegrees = angle, .elevationDegrees = -angle / 2};
+            const View view{
+                .beamAxis = static_cast<BeamAxis>(beam), .azimuthDegrees = angle, .elevationDegrees = -angle / 2};
             PlaneVolume plane;
             plane.normal = frameOf(View{.beamAxis = view.beamAxis}).forward;
             plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
@@ -100,7 +101,8 @@ TEST(AdaptiveOtf, ScalingTheStoredValuesChangesNothingButTheirScale) {
     const PlaneVolume plane;
     const AdaptiveOtf bytes = adapted(plane.make());
     std::vector<std::uint16_t> sixteenfold;
-    for (const std::uint8_t value : plane.voxels<std::uint8_t>()) sixteenfold.push_back(static_cast<std::uint16_t>(16 * value));
+    for (const std::uint8_t value : plane.voxels<std::uint8_t>())
+        sixteenfold.push_back(static_cast<std::uint16_t>(16 * value));
     const AdaptiveOtf words = adapted(Volume(plane.geometry(), std::move(sixteenfold), 255 * 16.0));
     const AdaptiveOtf floats = adapted(Volume(plane.geometry(), plane.voxels<float>(0.5), 255 * 0.5));
     for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(words.curve.opacities[i], bytes.curve.opacities[i], 1e-9);
@@ -147,13 +149,15 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
             if (!(tube.d > 0)) continue;
             const long double low = *tube.lowIntensity, high = *tube.highIntensity;
             const long double b = 2 / ((high - low) * (high - low)), c = 1 / std::sqrt(2 * b) + low;
-            const long double g = std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
+            const long double g =
+                std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
             sum += std::log1p(static_cast<long double>(tube.d)) * g;
             size += std::abs(std::log1p(static_cast<long double>(tube.d)) * g);
         }
         EXPECT_NEAR(result.logOpacity[static_cast<std::size_t>(i)], static_cast<double>(sum),
                     1e-12 * std::max(1.0, static_cast<double>(size)));
-        EXPECT_NEAR(result.curve.opacities[static_cast<std::size_t>(i)], std::min(1.0, static_cast<double>(std::exp(sum))), 1e-12);
+        EXPECT_NEAR(result.curve.opacities[static_cast<std::size_t>(i)],
+                    std::min(1.0, static_cast<double>(std::exp(sum))), 1e-12);
     }
 }
 
@@ -273,15 +277,15 @@ TEST(AdaptiveOtf, RefusesAConfigOutOfRange) {
         return config;
     };
     const double nan = std::nan("");
-    for (const auto& config : {
-             wrong([](auto& c) { c.tubeColumns = 0; }), wrong([](auto& c) { c.tubeRows = -1; }),
-             wrong([](auto& c) { c.tubeSpacing = -1; }), wrong([&](auto& c) { c.tubeSpacing = nan; }),
-             wrong([](auto& c) { c.cellSize = 1; }), wrong([](auto& c) { c.cellSize = 33; }),
-             wrong([](auto& c) { c.coarsestScale = 2; }), wrong([](auto& c) { c.finestScale = -1; }),
-             wrong([&](auto& c) { c.sigmaPerKernelSize = nan; }), wrong([](auto& c) { c.kernelCut = 0; }),
-             wrong([](auto& c) { c.significance = 1.1; }), wrong([](auto& c) { c.floorQuantile = -0.1; }),
-             wrong([](auto& c) { c.leastEdgeToNoise = -1; }), wrong([](auto& c) { c.slopeHalfStep = 0; }),
-             wrong([](auto& c) { c.strength = -1; }), wrong([&](auto& c) { c.strength = nan; })}) {
+    for (const auto& config :
+         {wrong([](auto& c) { c.tubeColumns = 0; }), wrong([](auto& c) { c.tubeRows = -1; }),
+          wrong([](auto& c) { c.tubeSpacing = -1; }), wrong([&](auto& c) { c.tubeSpacing = nan; }),
+          wrong([](auto& c) { c.cellSize = 1; }), wrong([](auto& c) { c.cellSize = 33; }),
+          wrong([](auto& c) { c.coarsestScale = 2; }), wrong([](auto& c) { c.finestScale = -1; }),
+          wrong([&](auto& c) { c.sigmaPerKernelSize = nan; }), wrong([](auto& c) { c.kernelCut = 0; }),
+          wrong([](auto& c) { c.significance = 1.1; }), wrong([](auto& c) { c.floorQuantile = -0.1; }),
+          wrong([](auto& c) { c.leastEdgeToNoise = -1; }), wrong([](auto& c) { c.slopeHalfStep = 0; }),
+          wrong([](auto& c) { c.strength = -1; }), wrong([&](auto& c) { c.strength = nan; })}) {
         EXPECT_FALSE(problemOf(config).empty());
         EXPECT_THROW((void)adaptOpacity(volume, {}, config), std::invalid_argument);
     }
@@ -336,7 +340,8 @@ TEST(AdaptiveOtfExtremes, ConstantVolumesHaveNoSurface) {
 TEST(AdaptiveOtfExtremes, SmallVolumes) {
     for (const std::array<std::int64_t, 3>& size : std::initializer_list<std::array<std::int64_t, 3>>{
              {1, 1, 1}, {1, 40, 50}, {40, 1, 50}, {40, 50, 1}, {4, 4, 4}, {5, 5, 5}, {3, 3, 200}, {6, 6, 11}})
-        for (const View& view : {View{}, View{.beamAxis = BeamAxis::minusX}, View{.azimuthDegrees = 45, .elevationDegrees = 30}})
+        for (const View& view :
+             {View{}, View{.beamAxis = BeamAxis::minusX}, View{.azimuthDegrees = 45, .elevationDegrees = 30}})
             expectSound(adapted(constantVolume(size, 9), view));
     EXPECT_FALSE(adapted(constantVolume({1, 1, 1}, 9)).message.empty());
 }
@@ -352,7 +357,8 @@ TEST(AdaptiveOtfExtremes, OneBrightVoxel) {
 TEST(AdaptiveOtfExtremes, NotFiniteVoxels) {
     PlaneVolume plane;
     auto voxels = plane.voxels<float>();
-    for (std::size_t i = 0; i < voxels.size(); i += 97) voxels[i] = i % 2 ? std::nanf("") : -std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < voxels.size(); i += 97)
+        voxels[i] = i % 2 ? std::nanf("") : -std::numeric_limits<float>::infinity();
     const Volume volume(plane.geometry(), voxels, 255.0);
     for (const View& view : {View{}, View{.azimuthDegrees = 12}}) {
         const AdaptiveOtf result = adapted(volume, view);
