@@ -78,6 +78,8 @@ private slots:
         m_window->resize(1200, 800);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        // A virtual display has no window manager that would make the window the active one.
+        QApplication::setActiveWindow(m_window.get());
     }
 
     void cleanup() {
@@ -239,7 +241,7 @@ private slots:
         const QImage saved(path);
         const QImage screen = m_window->volumeView().screenImage();
         QCOMPARE(saved.size(), screen.size());
-        QVERIFY(saved.convertToFormat(QImage::Format_RGB32) == screen.convertToFormat(QImage::Format_RGB32));
+        QVERIFY(saved.convertToFormat(QImage::Format_RGB888) == screen.convertToFormat(QImage::Format_RGB888));
         int bright = 0;
         for (int y = 0; y < saved.height(); ++y)
             for (int x = 0; x < saved.width(); ++x) bright += qGray(saved.pixel(x, y)) > 60 ? 1 : 0;
@@ -250,7 +252,7 @@ private slots:
 
     void whatCannotBeReadIsSaidAndLosesNothing() {
         open(m_shapes);
-        const Picture before = shown();
+        const SampledCurve curve = m_window->session().otf()->curve;
         const QString bad = m_folder.filePath("broken.mha");
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -264,7 +266,7 @@ private slots:
         QVERIFY(message()->isVisible());
         QVERIFY(message()->text().contains("broken.mha"));
         QVERIFY(message()->text().contains("1000"));
-        QVERIFY(difference(shown(), before) < 0.01);
+        QVERIFY(difference(shown(), cast(curve)) < 0.01);
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
     }
 
@@ -324,7 +326,7 @@ private slots:
             const QString parent = control->parentWidget() ? control->parentWidget()->metaObject()->className() : "";
             const bool madeByQt = qobject_cast<QScrollBar*>(control) || parent == "QDockWidget" ||
                                   parent.startsWith("QTab") || parent.startsWith("QTable") || parent == "QMenuBar" ||
-                                  parent == "QHeaderView";
+                                  parent == "QHeaderView" || QString(control->metaObject()->className()) == "QTableCornerButton";
             if (isControl && !madeByQt && control->objectName().isEmpty())
                 nameless << QString("%1 in %2").arg(control->metaObject()->className(), parent);
         }
