@@ -45,7 +45,10 @@ class TubeRow {
 public:
     TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
             std::span<const GaussianKernel> kernels)
-        : m_volume(volume), m_view(view), m_config(config), m_kernels(kernels),
+        : m_volume(volume),
+          m_view(view),
+          m_config(config),
+          m_kernels(kernels),
           m_onVoxels(tubesLieOnVoxels(volume.geometry(), view)) {
         if (m_onVoxels) m_storedLimit = exactStoredLimit(volume);
     }
@@ -92,8 +95,8 @@ private:
         const auto function = std::span<const double>(m_cells.variances)
                                   .subspan(static_cast<std::size_t>(m_cells.firstCell),
                                            static_cast<std::size_t>(m_cells.lastCell - m_cells.firstCell + 1));
-        tube.trackedCells = trackSurface(function, m_kernels, {m_config.significance, m_config.floorQuantile},
-                                         m_scratch);
+        tube.trackedCells =
+            trackSurface(function, m_kernels, {m_config.significance, m_config.floorQuantile}, m_scratch);
         if (tube.trackedCells.empty()) return;
         for (int& cell : tube.trackedCells) cell += m_cells.firstCell;
         int surface = tube.trackedCells.back();
@@ -121,8 +124,8 @@ private:
 bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& progress) {
     StopWatch watch;
     const AdaptiveOtfConfig& config = result.config;
-    const auto kernels = scaleSpaceKernels(config.coarsestScale, config.finestScale, config.sigmaPerKernelSize,
-                                           config.kernelCut);
+    const auto kernels =
+        scaleSpaceKernels(config.coarsestScale, config.finestScale, config.sigmaPerKernelSize, config.kernelCut);
     const std::vector<TubeAxis> axes = tubeAxes(volume.geometry(), result.view, config);
     const auto columns = static_cast<std::size_t>(config.tubeColumns);
     std::vector<RowTimes> rowTimes(static_cast<std::size_t>(config.tubeRows));
@@ -132,7 +135,8 @@ bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& pro
         for (int row = rows.begin(); row < rows.end() && !progress.cancelled(); ++row) {
             const auto first = static_cast<std::size_t>(row) * columns;
             TubeRow stages(volume, result.view, config, kernels);
-            stages.run(std::span(axes).subspan(first, columns), std::span(result.tubes).subspan(first, columns), progress);
+            stages.run(std::span(axes).subspan(first, columns), std::span(result.tubes).subspan(first, columns),
+                       progress);
             rowTimes[static_cast<std::size_t>(row)] = stages.times();
             progress.at(0.95 * ++rowsDone / config.tubeRows);
         }
@@ -175,7 +179,8 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     const auto between = [](auto value, auto low, auto high) { return value >= low && value <= high; };
     if (!between(config.tubeColumns, 1, 4096) || !between(config.tubeRows, 1, 4096))
         return "the tube grid must have 1 to 4096 columns and rows";
-    if (!between(config.tubeSpacing, 0.0, 1e6)) return "the tube spacing must be 0 (automatic) or above, at most 1e6 units";
+    if (!between(config.tubeSpacing, 0.0, 1e6))
+        return "the tube spacing must be 0 (automatic) or above, at most 1e6 units";
     if (!between(config.cellSize, 2, largestCellSize))
         return "the cell size must be 2 to " + std::to_string(largestCellSize);
     if (!between(config.finestScale, 0, 10) || !between(config.coarsestScale, config.finestScale, 10))
@@ -203,8 +208,9 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, 
     if (!analyseTubes(volume, result, progress)) return std::nullopt;
 
     stage.lap();
-    result.tubesMeetingVolume = static_cast<int>(std::count_if(
-        result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
+    result.tubesMeetingVolume =
+        static_cast<int>(std::count_if(result.tubes.begin(), result.tubes.end(),
+                                       [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
     if (result.tubesMeetingVolume > 0) result.dMax = config.strength / result.tubesMeetingVolume;
     weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, config.leastEdgeToNoise);
     result.tubesWithSurface = static_cast<int>(

@@ -21,7 +21,8 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
-        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial)); !done) return done;
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial)); !done)
+            return done;
     if (!options.csv.empty())
         if (auto done = writeFileAtomically(options.csv, curveTable(otf)); !done) return done;
     if (!options.tubesCsv.empty())
@@ -33,7 +34,8 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
 Result<void> computeOtf(const OtfOptions& options) {
     const int toStandardOutput = (options.json == "-") + (options.csv == "-") + (options.tubesCsv == "-");
     if (toStandardOutput > 1)
-        return fail(FailureKind::wrongUsage, "", "", "only one of --json, --csv and --tubes-csv can go to standard output");
+        return fail(FailureKind::wrongUsage, "", "",
+                    "only one of --json, --csv and --tubes-csv can go to standard output");
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
@@ -52,8 +54,10 @@ void addOtfCommand(CLI::App& program, Action& action) {
     options->volume.addTo(command);
     options->view.addTo(command);
     options->method.addTo(command);
-    command.add_option("--json", options->json, "Everything as JSON (docs/cli-otf.md); - is standard output")->type_name("FILE");
-    command.add_option("--csv", options->csv, "The curve: intensity,opacity,log_opacity,initial_opacity")->type_name("FILE");
+    command.add_option("--json", options->json, "Everything as JSON (docs/cli-otf.md); - is standard output")
+        ->type_name("FILE");
+    command.add_option("--csv", options->csv, "The curve: intensity,opacity,log_opacity,initial_opacity")
+        ->type_name("FILE");
     command.add_option("--tubes-csv", options->tubesCsv, "The tube cores, one a row")->type_name("FILE");
     command.footer("Example: echolucent-cli otf chest.mha --beam-axis +y --near 18 --json chest-otf.json");
     command.callback([options, &action] { action = [options] { return computeOtf(*options); }; });

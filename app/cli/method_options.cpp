@@ -9,11 +9,14 @@ void MethodOptions::addTo(CLI::App& command) {
     command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear or manual:FILE")
         ->type_name("NAME")
         ->capture_default_str();
-    command.add_option("--opacity-scale", opacityScale,
-                       "a of the initial function: opacity at full intensity; slope for linear; factor for manual")
+    command
+        .add_option("--opacity-scale", opacityScale,
+                    "a of the initial function: opacity at full intensity; slope for linear; factor for manual")
         ->type_name("A");
-    command.add_option("--tube-grid", tubeGrid, "Tube cores across and down the view (default 15x15)")->type_name("NxM");
-    command.add_option("--tube-spacing", config.tubeSpacing, "Units (smallest spacing) between tube cores; 0: automatic")
+    command.add_option("--tube-grid", tubeGrid, "Tube cores across and down the view (default 15x15)")
+        ->type_name("NxM");
+    command
+        .add_option("--tube-spacing", config.tubeSpacing, "Units (smallest spacing) between tube cores; 0: automatic")
         ->type_name("UNITS")
         ->capture_default_str();
     command.add_option("--cell-size", config.cellSize, "Edge of a cell, units, 2 to 32")
@@ -25,7 +28,9 @@ void MethodOptions::addTo(CLI::App& command) {
     command.add_option("--coarsest-scale", config.coarsestScale, "Gaussian kernels of size 2^n from n = this ...")
         ->type_name("N")
         ->capture_default_str();
-    command.add_option("--finest-scale", config.finestScale, "... down to n = this")->type_name("N")->capture_default_str();
+    command.add_option("--finest-scale", config.finestScale, "... down to n = this")
+        ->type_name("N")
+        ->capture_default_str();
     command.add_option("--sigma", config.sigmaPerKernelSize, "Standard deviation of a kernel, in kernel sizes")
         ->type_name("SHARE")
         ->capture_default_str();
@@ -35,7 +40,9 @@ void MethodOptions::addTo(CLI::App& command) {
     command.add_option("--significance", config.significance, "A maximum counts from this share of the largest value")
         ->type_name("SHARE")
         ->capture_default_str();
-    command.add_option("--floor-quantile", config.floorQuantile, "Taken off the interface function before tracking; 0: nothing")
+    command
+        .add_option("--floor-quantile", config.floorQuantile,
+                    "Taken off the interface function before tracking; 0: nothing")
         ->type_name("SHARE")
         ->capture_default_str();
     command.add_option("--least-edge-to-noise", config.leastEdgeToNoise, "Weaker surfaces weigh nothing; 0: no test")

@@ -130,12 +130,13 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::
                       {"elevation", otf.view.elevationDegrees},
                       {"near_mm", otf.view.nearCutMm}};
     report["parameters"] = parameters(otf, initialName);
-    report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells},   {"detection", times.detection},
+    report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
     report["tubes"] = Json::array();
     for (const TubeCore& tube : otf.tubes) report["tubes"].push_back(tubeObject(tube));
     report["otf"] = curveObject(otf);
-    return report.dump(1) + "\n";
+    // A file name in another encoding must not end the program.
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string curveTable(const AdaptiveOtf& otf) {
@@ -164,8 +165,8 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                                      [](const TubeCore& tube) { return tube.status == TubeStatus::surface; });
     double sum = 0.0;
     for (const TubeCore& tube : otf.tubes) sum += tube.d;
-    std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, near cut {} mm\n", size[0], size[1],
-                                   size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
+    std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, near cut {} mm\n", size[0],
+                                   size[1], size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
                                    otf.view.azimuthDegrees, otf.view.elevationDegrees, otf.view.nearCutMm);
     text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
                         otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithSurface);

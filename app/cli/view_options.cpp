@@ -5,7 +5,9 @@
 namespace echolucent::cli {
 
 void ViewOptions::addTo(CLI::App& command) {
-    command.add_option("--beam-axis", beamAxis, "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z")
+    command
+        .add_option("--beam-axis", beamAxis,
+                    "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z")
         ->type_name("AXIS")
         ->capture_default_str();
     command.add_option("--view-azimuth", view.azimuthDegrees, "Turn of the view about the grid's y axis, degrees")
@@ -23,9 +25,11 @@ Result<View> ViewOptions::get() const {
     const bool signMissing = beamAxis.size() == 1;
     const auto axis = beamAxisFromName(signMissing ? "+" + beamAxis : beamAxis);
     if (!axis)
-        return fail(FailureKind::wrongUsage, "", "--beam-axis", "is \"" + beamAxis + "\"", "Use +x, -x, +y, -y, +z or -z.");
+        return fail(FailureKind::wrongUsage, "", "--beam-axis", "is \"" + beamAxis + "\"",
+                    "Use +x, -x, +y, -y, +z or -z.");
     if (!std::isfinite(view.azimuthDegrees) || !std::isfinite(view.elevationDegrees))
-        return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation", "must be finite angles in degrees");
+        return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation",
+                    "must be finite angles in degrees");
     if (!std::isfinite(view.nearCutMm) || view.nearCutMm < 0.0)
         return fail(FailureKind::wrongUsage, "", "--near", "must be 0 mm or more");
     View chosen = view;

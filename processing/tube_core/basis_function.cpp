@@ -37,7 +37,8 @@ std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<con
             CompensatedSum sum;
             if (std::isfinite(initialLog)) {
                 sum.add(initialLog);
-                for (const Factor& factor : factors) sum.add(factor.logRange * basisFunction(x, factor.low, factor.high));
+                for (const Factor& factor : factors)
+                    sum.add(factor.logRange * basisFunction(x, factor.low, factor.high));
             }
             logOpacity[static_cast<std::size_t>(i)] = std::isfinite(initialLog) ? sum.value() : initialLog;
         }

@@ -20,13 +20,14 @@ struct CellStatistics {
                                          ///< indicating function
     std::vector<std::uint8_t> complete;  ///< 1: at least half of the samples are data; 0: the values are held from the
                                          ///< cell before
-    int firstCell = 0;  ///< the first slab of which at least half is data
-    int lastCell = -1;  ///< the last cell that ends at such a slab; below firstCell: there is no cell
+    int firstCell = 0;                   ///< the first slab of which at least half is data
+    int lastCell = -1;                   ///< the last cell that ends at such a slab; below firstCell: there is no cell
     bool anyData = false;
 };
 
 /// n^2 times the variance of n stored values: n sum(x^2) - sum(x)^2, without rounding.
-[[nodiscard]] constexpr std::uint64_t scaledVariance(std::uint64_t count, std::uint64_t sum, std::uint64_t sumOfSquares) {
+[[nodiscard]] constexpr std::uint64_t scaledVariance(std::uint64_t count, std::uint64_t sum,
+                                                     std::uint64_t sumOfSquares) {
     return count * sumOfSquares - sum * sum;
 }
 

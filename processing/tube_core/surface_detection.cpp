@@ -19,8 +19,7 @@ IndexRange plateauAround(std::span<const double> function, int i) {
 
 bool standsOut(std::span<const double> function, const IndexRange& plateau) {
     const int last = static_cast<int>(function.size()) - 1;
-    return plateau.first > 0 && plateau.last < last &&
-           at(function, plateau.first - 1) < at(function, plateau.first) &&
+    return plateau.first > 0 && plateau.last < last && at(function, plateau.first - 1) < at(function, plateau.first) &&
            at(function, plateau.last + 1) < at(function, plateau.last);
 }
 

@@ -24,15 +24,15 @@ struct IndexRange {
 /// From the valley before `position` to the valley behind it: as far as the function does not rise.
 [[nodiscard]] IndexRange valleyToValley(std::span<const double> function, int position);
 
-/// What exceeds the function's floor: its quantile (share of values below, [0,1]) is taken off, and what lies below counts
-/// 0. Where speckle lifts the whole function (log-compressed data above all), a share of the largest value alone holds
-/// nothing back, and the zero behind the far end is a fall. A quantile of 0 takes nothing off.
+/// What exceeds the function's floor: its quantile (share of values below, [0,1]) is taken off, and what lies below
+/// counts 0. Where speckle lifts the whole function (log-compressed data above all), a share of the largest value alone
+/// holds nothing back, and the zero behind the far end is a fall. A quantile of 0 takes nothing off.
 void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result);
 
 /// Which maximum is tracked.
 struct TrackingRule {
-    double significance = 0.4;     ///< see firstSignificantMaximum()
-    double floorQuantile = 0.1;    ///< see takeOffFloor()
+    double significance = 0.4;   ///< see firstSignificantMaximum()
+    double floorQuantile = 0.1;  ///< see takeOffFloor()
 };
 
 /// Scratch of trackSurface(), reused between tubes.
@@ -40,11 +40,11 @@ struct DetectionScratch {
     std::vector<double> aboveFloor, smoothed, padded;
 };
 
-/// Where the maximum was at each scale, coarsest first, the unsmoothed function last. It begins at the coarsest scale that
-/// has a significant maximum: a peak nearer to the front than sigma and its mirror image are one hill at the border, and a
-/// short tube has no room for the coarsest kernels. A later scale without a maximum in the range keeps position and range.
-/// Empty: there is no surface, because no scale has a maximum, or the function itself has none (a constant, a ramp, a step:
-/// there the coarse maximum is only the border's).
+/// Where the maximum was at each scale, coarsest first, the unsmoothed function last. It begins at the coarsest scale
+/// that has a significant maximum: a peak nearer to the front than sigma and its mirror image are one hill at the
+/// border, and a short tube has no room for the coarsest kernels. A later scale without a maximum in the range keeps
+/// position and range. Empty: there is no surface, because no scale has a maximum, or the function itself has none (a
+/// constant, a ramp, a step: there the coarse maximum is only the border's).
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction,
                                             std::span<const GaussianKernel> kernels, const TrackingRule& rule,
                                             DetectionScratch& scratch);

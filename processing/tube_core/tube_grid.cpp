@@ -29,7 +29,8 @@ struct Chord {
 };
 
 /// The part of a line inside the volume's box and behind the near cut; none: nothing of it.
-std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction, double nearDepth) {
+std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
+                             double nearDepth) {
     Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
     const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
     for (int axis = 0; axis < 3; ++axis) {

@@ -14,12 +14,12 @@ namespace echolucent {
 
 /// The axis of one tube core.
 struct TubeAxis {
-    int column = 0;                   ///< u: index along the view's right axis
-    int row = 0;                      ///< v: index along the view's down axis
-    Vec3 pointMm{0, 0, 0};            ///< a point of the axis, grid mm: in the plane across the view through the centre
-    Vec3 directionMm{0, 0, 1};        ///< unit, grid mm: the view's forward
-    std::optional<Vec3> entryVoxel;   ///< where the picture begins on it: entry into the volume's box or, if later, the
-                                      ///< near cut, voxel index space; none: the axis misses what the picture shows
+    int column = 0;                  ///< u: index along the view's right axis
+    int row = 0;                     ///< v: index along the view's down axis
+    Vec3 pointMm{0, 0, 0};           ///< a point of the axis, grid mm: in the plane across the view through the centre
+    Vec3 directionMm{0, 0, 1};       ///< unit, grid mm: the view's forward
+    std::optional<Vec3> entryVoxel;  ///< where the picture begins on it: entry into the volume's box or, if later, the
+                                     ///< near cut, voxel index space; none: the axis misses what the picture shows
     std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; none with entryVoxel
 };
 

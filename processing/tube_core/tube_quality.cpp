@@ -28,7 +28,8 @@ std::optional<double> scatterOf(std::span<const double> cellMeans, int cellSize)
     const auto step = static_cast<std::size_t>(cellSize);
     if (cellMeans.size() < 2 * step) return std::nullopt;
     std::vector<double> differences;
-    for (std::size_t i = step; i < cellMeans.size(); ++i) differences.push_back(std::abs(cellMeans[i] - cellMeans[i - step]));
+    for (std::size_t i = step; i < cellMeans.size(); ++i)
+        differences.push_back(std::abs(cellMeans[i] - cellMeans[i - step]));
     // The median of |a - b| is 0.6745 sqrt(2) standard deviations of a in normal noise.
     return medianOf(differences) / 0.9539;
 }

@@ -59,7 +59,7 @@ namespace {
 
 /// A tube on voxels as memory sees it: strides of the voxel array, lateral samples clipped to the volume.
 struct VoxelTube {
-    std::int64_t base = 0;  ///< offset of the first sample inside the volume, slab 0
+    std::int64_t base = 0;                        ///< offset of the first sample inside the volume, slab 0
     std::int64_t along = 0, right = 0, down = 0;  ///< strides
     int columns = 0, rows = 0;                    ///< samples inside, across and down
 };
@@ -79,7 +79,8 @@ VoxelTube voxelTube(const VolumeGeometry& geometry, const TubeSamples& tube) {
             const std::int64_t size = geometry.size[axis], at = start[axis];
             const std::int64_t skip = std::max<std::int64_t>(0, step > 0 ? -at : at - (size - 1));
             const std::int64_t room = step > 0 ? size - at : at + 1;
-            count = static_cast<int>(std::clamp<std::int64_t>(room, 0, tube.cellSize) - std::min<std::int64_t>(skip, tube.cellSize));
+            count = static_cast<int>(std::clamp<std::int64_t>(room, 0, tube.cellSize) -
+                                     std::min<std::int64_t>(skip, tube.cellSize));
             count = std::max(count, 0);
             start[axis] += step * skip;
         }
@@ -155,8 +156,10 @@ template <typename Stored>
 class Sampler {
 public:
     Sampler(const Volume& volume, const Stored* voxels)
-        : m_size(volume.geometry().size), m_voxels(voxels),
-          m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()), m_white(volume.whiteLevel()) {}
+        : m_size(volume.geometry().size),
+          m_voxels(voxels),
+          m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()),
+          m_white(volume.whiteLevel()) {}
 
     [[nodiscard]] double at(const Vec3& voxel) const {
         std::array<std::int64_t, 3> low{}, high{};
@@ -190,8 +193,8 @@ private:
     [[nodiscard]] bool touchesNoData(const std::array<std::int64_t, 8>& offsets,
                                      const std::array<double, 3>& share) const {
         for (int corner = 0; corner < 8; ++corner) {
-            const bool contributes = (!(corner & 1) || share[0] > 0) && (!(corner & 2) || share[1] > 0) &&
-                                     (!(corner & 4) || share[2] > 0);
+            const bool contributes =
+                (!(corner & 1) || share[0] > 0) && (!(corner & 2) || share[1] > 0) && (!(corner & 4) || share[2] > 0);
             if (contributes && m_mask[offsets[corner]] == 0) return true;
         }
         return false;
@@ -237,7 +240,8 @@ void sampleSlabs(const Volume& volume, const TubeSamples& tube, std::vector<Slab
                 std::size_t next = 0;
                 for (int b = 0; b < tube.cellSize; ++b)
                     for (int a = 0; a < tube.cellSize; ++a)
-                        values[next++] = sampler.at(tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half));
+                        values[next++] =
+                            sampler.at(tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half));
                 slabs[static_cast<std::size_t>(k)] = momentsOf(values);
             }
         },

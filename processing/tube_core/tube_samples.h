@@ -1,4 +1,5 @@
-// The voxels of a tube core, gathered slab by slab: a slab is one unit of the tube's length, cellSize x cellSize samples.
+// The voxels of a tube core, gathered slab by slab: a slab is one unit of the tube's length, cellSize x cellSize
+// samples.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace echolucent {
 /// Where the samples of a tube core lie, voxel index space. Sample (a, b) of slab k, 0 <= a, b < cellSize, lies at
 /// first + k * along + (a - (cellSize - 1) / 2) * right + (b - (cellSize - 1) / 2) * down.
 struct TubeSamples {
-    Vec3 first{0, 0, 0};  ///< on the axis
+    Vec3 first{0, 0, 0};                                 ///< on the axis
     Vec3 along{0, 0, 1}, right{1, 0, 0}, down{0, 1, 0};  ///< one unit along the view's axes
     int slabs = 0;
     int cellSize = 5;
@@ -25,8 +26,8 @@ struct TubeSamples {
 
 /// The samples of a tube core's axis; no slab where the axis misses the picture. Slabs lie half a unit behind the entry
 /// and then one unit apart; on voxels, at the voxel centres from the entry on.
-[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view, int cellSize,
-                                    bool onVoxels);
+[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view,
+                                    int cellSize, bool onVoxels);
 
 /// Sums over the data voxels of a slab, in stored values: exact.
 struct SlabSums {
@@ -46,8 +47,8 @@ struct SlabMoments {
 /// or its white level is not one where it matters, so that sums of stored values would not be exact.
 [[nodiscard]] std::optional<std::uint32_t> exactStoredLimit(const Volume& volume);
 
-/// Sums of tubes that lie on voxels, side by side in one row of the grid, so that memory is walked once for all of them.
-/// slabs[t] is filled with tubes[t].slabs entries. Voxels outside the volume or without data are left out.
+/// Sums of tubes that lie on voxels, side by side in one row of the grid, so that memory is walked once for all of
+/// them. slabs[t] is filled with tubes[t].slabs entries. Voxels outside the volume or without data are left out.
 void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
               std::span<std::vector<SlabSums>> slabs);
 

@@ -9,45 +9,11 @@
 #include <limits>
 #include <numbers>
 
-#include "plane_volume.h"
+#include "plane_detection.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
 namespace {
-
-AdaptiveOtf adapted(const Volume& volume, const View& view = {}, const AdaptiveOtfConfig& config = {}) {
-    return adaptOpacity(volume, view, config).value();
-}
-
-/// How many tubes found the plane within `tolerance` units, of those whose axis crosses it at least 20 units behind the
-/// entry, 15 before the exit and 4 from any face
-/// (a cell that hangs over the border is not centred on the axis).
-struct Found {
-    int right = 0, of = 0;
-};
-Found tubesOnPlane(const AdaptiveOtf& result, const PlaneVolume& plane, double tolerance) {
-    Found found;
-    const VolumeGeometry geometry = plane.geometry();
-    const auto axes = tubeAxes(geometry, result.view, result.config);
-    for (std::size_t t = 0; t < axes.size(); ++t) {
-        if (!axes[t].entryVoxel) continue;
-        const Vec3 entryMm = geometry.gridMmFromVoxel(*axes[t].entryVoxel);
-        const double expected = plane.toPlane(entryMm, axes[t].directionMm) / geometry.unit();
-        if (expected < 20 || expected > *axes[t].lengthUnits - 15) continue;
-        const Vec3 crossing = entryMm + axes[t].directionMm * (expected * geometry.unit());
-        bool inside = true;
-        for (int i = 0; i < 3; ++i)
-            inside = inside && std::min(crossing[i] - geometry.boxMinMm()[i], geometry.boxMaxMm()[i] - crossing[i]) >
-                                   4 * geometry.unit();
-        if (!inside) continue;
-        ++found.of;
-        const auto& surface = result.tubes[t].surfaceVoxel;
-        if (!surface) continue;
-        const double seen = (geometry.gridMmFromVoxel(*surface) - entryMm).dot(axes[t].directionMm) / geometry.unit();
-        if (std::abs(seen - expected) <= tolerance) ++found.right;
-    }
-    return found;
-}
 
 TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
     PlaneVolume plane;
@@ -65,7 +31,8 @@ TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
 TEST(AdaptiveOtf, FindsAPlaneAlongEveryBeamAxisAndObliquely) {
     for (int beam = 0; beam < 6; ++beam)
         for (const double angle : {0.0, 25.0}) {
-            const View view{.beamAxis = static_cast<BeamAxis>(beam), .azimuthDegrees = angle, .elevationDegrees = -angle / 2};
+            const View view{
+                .beamAxis = static_cast<BeamAxis>(beam), .azimuthDegrees = angle, .elevationDegrees = -angle / 2};
             PlaneVolume plane;
             plane.normal = frameOf(View{.beamAxis = view.beamAxis}).forward;
             plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
@@ -100,7 +67,8 @@ TEST(AdaptiveOtf, ScalingTheStoredValuesChangesNothingButTheirScale) {
     const PlaneVolume plane;
     const AdaptiveOtf bytes = adapted(plane.make());
     std::vector<std::uint16_t> sixteenfold;
-    for (const std::uint8_t value : plane.voxels<std::uint8_t>()) sixteenfold.push_back(static_cast<std::uint16_t>(16 * value));
+    for (const std::uint8_t value : plane.voxels<std::uint8_t>())
+        sixteenfold.push_back(static_cast<std::uint16_t>(16 * value));
     const AdaptiveOtf words = adapted(Volume(plane.geometry(), std::move(sixteenfold), 255 * 16.0));
     const AdaptiveOtf floats = adapted(Volume(plane.geometry(), plane.voxels<float>(0.5), 255 * 0.5));
     for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(words.curve.opacities[i], bytes.curve.opacities[i], 1e-9);
@@ -147,13 +115,15 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
             if (!(tube.d > 0)) continue;
             const long double low = *tube.lowIntensity, high = *tube.highIntensity;
             const long double b = 2 / ((high - low) * (high - low)), c = 1 / std::sqrt(2 * b) + low;
-            const long double g = std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
+            const long double g =
+                std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
             sum += std::log1p(static_cast<long double>(tube.d)) * g;
             size += std::abs(std::log1p(static_cast<long double>(tube.d)) * g);
         }
         EXPECT_NEAR(result.logOpacity[static_cast<std::size_t>(i)], static_cast<double>(sum),
                     1e-12 * std::max(1.0, static_cast<double>(size)));
-        EXPECT_NEAR(result.curve.opacities[static_cast<std::size_t>(i)], std::min(1.0, static_cast<double>(std::exp(sum))), 1e-12);
+        EXPECT_NEAR(result.curve.opacities[static_cast<std::size_t>(i)],
+                    std::min(1.0, static_cast<double>(std::exp(sum))), 1e-12);
     }
 }
 
@@ -273,141 +243,19 @@ TEST(AdaptiveOtf, RefusesAConfigOutOfRange) {
         return config;
     };
     const double nan = std::nan("");
-    for (const auto& config : {
-             wrong([](auto& c) { c.tubeColumns = 0; }), wrong([](auto& c) { c.tubeRows = -1; }),
-             wrong([](auto& c) { c.tubeSpacing = -1; }), wrong([&](auto& c) { c.tubeSpacing = nan; }),
-             wrong([](auto& c) { c.cellSize = 1; }), wrong([](auto& c) { c.cellSize = 33; }),
-             wrong([](auto& c) { c.coarsestScale = 2; }), wrong([](auto& c) { c.finestScale = -1; }),
-             wrong([&](auto& c) { c.sigmaPerKernelSize = nan; }), wrong([](auto& c) { c.kernelCut = 0; }),
-             wrong([](auto& c) { c.significance = 1.1; }), wrong([](auto& c) { c.floorQuantile = -0.1; }),
-             wrong([](auto& c) { c.leastEdgeToNoise = -1; }), wrong([](auto& c) { c.slopeHalfStep = 0; }),
-             wrong([](auto& c) { c.strength = -1; }), wrong([&](auto& c) { c.strength = nan; })}) {
+    for (const auto& config :
+         {wrong([](auto& c) { c.tubeColumns = 0; }), wrong([](auto& c) { c.tubeRows = -1; }),
+          wrong([](auto& c) { c.tubeSpacing = -1; }), wrong([&](auto& c) { c.tubeSpacing = nan; }),
+          wrong([](auto& c) { c.cellSize = 1; }), wrong([](auto& c) { c.cellSize = 33; }),
+          wrong([](auto& c) { c.coarsestScale = 2; }), wrong([](auto& c) { c.finestScale = -1; }),
+          wrong([&](auto& c) { c.sigmaPerKernelSize = nan; }), wrong([](auto& c) { c.kernelCut = 0; }),
+          wrong([](auto& c) { c.significance = 1.1; }), wrong([](auto& c) { c.floorQuantile = -0.1; }),
+          wrong([](auto& c) { c.leastEdgeToNoise = -1; }), wrong([](auto& c) { c.slopeHalfStep = 0; }),
+          wrong([](auto& c) { c.strength = -1; }), wrong([&](auto& c) { c.strength = nan; })}) {
         EXPECT_FALSE(problemOf(config).empty());
         EXPECT_THROW((void)adaptOpacity(volume, {}, config), std::invalid_argument);
     }
     EXPECT_TRUE(problemOf({}).empty());
-}
-
-/// Every extreme ends in a curve or a sentence: no NaN anywhere.
-void expectSound(const AdaptiveOtf& result) {
-    ASSERT_EQ(result.logOpacity.size(), 256u);
-    ASSERT_EQ(result.curve.opacities.size(), 256u);
-    for (std::size_t i = 0; i < 256; ++i) {
-        EXPECT_FALSE(std::isnan(result.logOpacity[i]));
-        EXPECT_GE(result.curve.opacities[i], 0.0);
-        EXPECT_LE(result.curve.opacities[i], 1.0);
-    }
-    for (const TubeCore& tube : result.tubes) {
-        EXPECT_TRUE(std::isfinite(tube.d));
-        EXPECT_GE(tube.d, 0.0);
-        EXPECT_GE(tube.intensityWeight, 0.0);
-        for (const auto& value : {tube.lowIntensity, tube.highIntensity, tube.lowIntensityMax, tube.slope}) {
-            EXPECT_EQ(value.has_value(), tube.status == TubeStatus::surface);
-            EXPECT_TRUE(!value || std::isfinite(*value));
-        }
-        for (const float value : tube.interfaceFunction) EXPECT_TRUE(std::isfinite(value));
-    }
-    EXPECT_EQ(result.message.empty(), result.tubesWithSurface > 0);
-    if (result.tubesWithSurface == 0) {
-        EXPECT_NE(result.message.find("the initial function is used."), std::string::npos);
-        const auto initial = sampledOpacities(result.config.initial, 256);
-        for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(result.curve.opacities[i], initial[i], 1e-15);
-    }
-}
-
-Volume constantVolume(std::array<std::int64_t, 3> size, std::uint8_t value) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    return Volume(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), value));
-}
-
-TEST(AdaptiveOtfExtremes, ConstantVolumesHaveNoSurface) {
-    for (const int value : {0, 77, 255})
-        for (const View& view : {View{}, View{.azimuthDegrees = 31, .elevationDegrees = 12}}) {
-            const AdaptiveOtf result = adapted(constantVolume({60, 50, 70}, static_cast<std::uint8_t>(value)), view);
-            expectSound(result);
-            if (view == View{}) {
-                EXPECT_EQ(result.message, "No surface found: the initial function is used.");
-            }
-            EXPECT_EQ(result.tubesWithSurface, 0);
-        }
-}
-
-TEST(AdaptiveOtfExtremes, SmallVolumes) {
-    for (const std::array<std::int64_t, 3>& size : std::initializer_list<std::array<std::int64_t, 3>>{
-             {1, 1, 1}, {1, 40, 50}, {40, 1, 50}, {40, 50, 1}, {4, 4, 4}, {5, 5, 5}, {3, 3, 200}, {6, 6, 11}})
-        for (const View& view : {View{}, View{.beamAxis = BeamAxis::minusX}, View{.azimuthDegrees = 45, .elevationDegrees = 30}})
-            expectSound(adapted(constantVolume(size, 9), view));
-    EXPECT_FALSE(adapted(constantVolume({1, 1, 1}, 9)).message.empty());
-}
-
-TEST(AdaptiveOtfExtremes, OneBrightVoxel) {
-    VolumeGeometry geometry;
-    geometry.size = {60, 60, 60};
-    std::vector<std::uint8_t> voxels(60 * 60 * 60, 0);
-    voxels[static_cast<std::size_t>(geometry.offset(30, 30, 30))] = 255;
-    expectSound(adapted(Volume(geometry, voxels)));
-}
-
-TEST(AdaptiveOtfExtremes, NotFiniteVoxels) {
-    PlaneVolume plane;
-    auto voxels = plane.voxels<float>();
-    for (std::size_t i = 0; i < voxels.size(); i += 97) voxels[i] = i % 2 ? std::nanf("") : -std::numeric_limits<float>::infinity();
-    const Volume volume(plane.geometry(), voxels, 255.0);
-    for (const View& view : {View{}, View{.azimuthDegrees = 12}}) {
-        const AdaptiveOtf result = adapted(volume, view);
-        expectSound(result);
-        const Found found = tubesOnPlane(result, plane, 3.0);
-        EXPECT_EQ(found.right, found.of);
-    }
-    expectSound(adapted(Volume(plane.geometry(), std::vector<float>(voxels.size(), std::nanf("")))));
-}
-
-TEST(AdaptiveOtfExtremes, OneTubeOrAllTubesEqualSayThatNoneStandsOut) {
-    PlaneVolume plane;
-    plane.noise = 0;
-    AdaptiveOtfConfig one;
-    one.tubeColumns = one.tubeRows = 1;
-    for (const AdaptiveOtf& result : {adapted(plane.make(), {}, one), adapted(plane.make())}) {
-        expectSound(result);
-        EXPECT_EQ(result.tubes[0].status, TubeStatus::surface);
-        EXPECT_EQ(result.tubesWithSurface, 0) << "inclusive ranks: the largest prior maximum weighs 0";
-        EXPECT_NE(result.message.find("do not differ enough to weigh them"), std::string::npos);
-    }
-}
-
-TEST(AdaptiveOtfExtremes, FallingInterfacesWeighNothing) {
-    PlaneVolume plane;
-    plane.fluid = 150;
-    plane.tissue = 20;
-    const AdaptiveOtf result = adapted(plane.make());
-    expectSound(result);
-    for (const TubeCore& tube : result.tubes) EXPECT_EQ(tube.d, 0.0);
-}
-
-TEST(AdaptiveOtfExtremes, StrengthsFromNothingToHuge) {
-    const PlaneVolume plane;
-    AdaptiveOtfConfig config;
-    config.strength = 0;
-    const AdaptiveOtf none = adapted(plane.make(), {}, config);
-    expectSound(none);
-    EXPECT_EQ(none.message, "The strength is 0: the initial function is used.");
-    config.strength = 225e6;
-    const AdaptiveOtf huge = adapted(plane.make(), {}, config);
-    expectSound(huge);
-    EXPECT_DOUBLE_EQ(huge.dMax, 1e6);
-}
-
-TEST(AdaptiveOtfExtremes, SpacingOfOneToFifty) {
-    PlaneVolume plane;
-    plane.size = {60, 50, 12};
-    plane.spacing = {0.1, 0.1, 5.0};
-    plane.distanceMm = 30;
-    plane.rampMm = 2;
-    AdaptiveOtfConfig config;
-    config.tubeColumns = config.tubeRows = 4;
-    expectSound(adapted(plane.make(), {}, config));
-    expectSound(adapted(plane.make(), View{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 3}, config));
 }
 
 }  // namespace

@@ -102,7 +102,8 @@ TEST(CellStatistics, BeginsAtTheFirstSlabAndEndsAtTheLastThatIsHalfData) {
     cellsFrom(slabs, 5, 255, cells);
     EXPECT_EQ(cells.firstCell, 4);
     EXPECT_EQ(cells.lastCell, 12);
-    for (int i = cells.firstCell; i <= cells.lastCell; ++i) EXPECT_EQ(cells.variances[static_cast<std::size_t>(i)], 0.0);
+    for (int i = cells.firstCell; i <= cells.lastCell; ++i)
+        EXPECT_EQ(cells.variances[static_cast<std::size_t>(i)], 0.0);
 }
 
 TEST(CellStatistics, HoldsItsValuesAcrossAHole) {

@@ -36,11 +36,12 @@ Shares measure(const std::vector<NamedPhantom>& conditions, const View& oblique)
         for (const View& view : {View{}, oblique}) {
             const AdaptiveOtf otf = *adaptOpacity(volume, view, {});
             const DetectionQuality quality = detectionQuality(otf, truth, volume.geometry());
-            std::printf("%-6s seed %llu %-20s %3.0f/%3.0f deg: right %.3f, on tubes with none %.3f, found %.3f of %d tubes\n",
-                        std::string(nameOf(condition.config.scene)).c_str(),
-                        static_cast<unsigned long long>(condition.config.seed), condition.name.c_str(),
-                        view.azimuthDegrees, view.elevationDegrees, quality.rightShare(), quality.emptyShare(),
-                        quality.foundShare(), quality.tubesWithInterface);
+            std::printf(
+                "%-6s seed %llu %-20s %3.0f/%3.0f deg: right %.3f, on tubes with none %.3f, found %.3f of %d tubes\n",
+                std::string(nameOf(condition.config.scene)).c_str(),
+                static_cast<unsigned long long>(condition.config.seed), condition.name.c_str(), view.azimuthDegrees,
+                view.elevationDegrees, quality.rightShare(), quality.emptyShare(), quality.foundShare(),
+                quality.tubesWithInterface);
             shares.add(quality);
         }
     }

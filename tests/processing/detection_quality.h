@@ -34,8 +34,8 @@ struct DetectionQuality {
 };
 
 /// Distance in mm along the view, from the grid's origin, of the first interface on a ray parallel to the axis.
-inline std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
-                                              const TubeAxis& axis, const Vec3& offsetMm) {
+inline std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry,
+                                              const View& view, const TubeAxis& axis, const Vec3& offsetMm) {
     const double nearDepth = nearPlaneDepthMm(view, geometry);
     const Vec3 point = axis.pointMm + offsetMm;
     const auto units = truth.firstInterface(point, axis.directionMm, nearDepth);
@@ -51,14 +51,15 @@ inline std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const V
 }
 
 /// Whether the four corners of the tube core see the interface at depths no more than 10 units apart, or none of them.
-inline bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view, const TubeAxis& axis,
-                         int cellSize) {
+inline bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
+                         const TubeAxis& axis, int cellSize) {
     const ViewFrame frame = frameOf(view);
     const double half = (cellSize - 1) / 2.0 * geometry.unit();
     double least = 1e300, most = -1e300;
     int without = 0;
     for (const auto& [right, down] : std::array<std::pair<int, int>, 4>{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}}) {
-        const auto depth = interfaceDepthMm(truth, geometry, view, axis, frame.right * (right * half) + frame.down * (down * half));
+        const auto depth =
+            interfaceDepthMm(truth, geometry, view, axis, frame.right * (right * half) + frame.down * (down * half));
         if (!depth) {
             ++without;
             continue;

@@ -14,11 +14,11 @@ namespace echolucent {
 struct PlaneVolume {
     std::array<std::int64_t, 3> size{100, 100, 100};
     Vec3 spacing{1, 1, 1};
-    Vec3 normal{0, 0, 1};     ///< unit, grid mm, from fluid to tissue
-    double distanceMm = 50;   ///< plane: normal . x = distanceMm
+    Vec3 normal{0, 0, 1};    ///< unit, grid mm, from fluid to tissue
+    double distanceMm = 50;  ///< plane: normal . x = distanceMm
     double fluid = 14, tissue = 120;
     double rampMm = 3;
-    double noise = 2;         ///< standard deviation
+    double noise = 2;  ///< standard deviation
     std::uint32_t seed = 5;
 
     [[nodiscard]] VolumeGeometry geometry() const {
@@ -40,7 +40,8 @@ struct PlaneVolume {
         for (std::int64_t z = 0; z < size[2]; ++z)
             for (std::int64_t y = 0; y < size[1]; ++y)
                 for (std::int64_t x = 0; x < size[0]; ++x) {
-                    const Vec3 mm = Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)).mul(spacing);
+                    const Vec3 mm =
+                        Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)).mul(spacing);
                     const double share = std::clamp((normal.dot(mm) - distanceMm) / rampMm + 0.5, 0.0, 1.0);
                     const double echo = fluid + share * (tissue - fluid) + noise * disturbance(random);
                     made.push_back(static_cast<Stored>(std::round(std::clamp(echo, 0.0, 255.0) * scale)));

@@ -29,7 +29,8 @@ TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) 
             sum += 2 * kernel.weight(i);
             secondMoment += 2.0 * i * i * kernel.weight(i);
             const double end = std::exp(-0.5 * std::pow((kernel.radius() + 1) / sigma, 2));
-            EXPECT_NEAR(kernel.weight(i) / kernel.weight(0), (std::exp(-i * i / (2 * sigma * sigma)) - end) / (1 - end), 1e-14);
+            EXPECT_NEAR(kernel.weight(i) / kernel.weight(0), (std::exp(-i * i / (2 * sigma * sigma)) - end) / (1 - end),
+                        1e-14);
         }
         EXPECT_NEAR(sum, 1.0, 1e-14);
         // Lowered to reach zero behind 3 sigma, it keeps most of a Gaussian's variance.
@@ -50,7 +51,8 @@ TEST(ScaleSpace, EqualsTheConvolutionWrittenOut) {
                 int at = i + j;
                 if (at < 0) at = -1 - at;  // mirrored in front
                 if (at >= 37) continue;    // zero behind
-                expected += static_cast<long double>(kernel.weight(std::abs(j))) * function[static_cast<std::size_t>(at)];
+                expected +=
+                    static_cast<long double>(kernel.weight(std::abs(j))) * function[static_cast<std::size_t>(at)];
             }
             EXPECT_NEAR(result[static_cast<std::size_t>(i)], static_cast<double>(expected), 1e-15);
         }

@@ -79,8 +79,8 @@ TEST(TrackSurface, FollowsAPeakThroughAllScales) {
 }
 
 TEST(TrackSurface, APeakIsFoundAtAnyDepth) {
-    // Also where a cut kernel's end, or its mirror image's, passes over the peak; and where mirror image and peak are one
-    // at the coarse scales.
+    // Also where a cut kernel's end, or its mirror image's, passes over the peak; and where mirror image and peak are
+    // one at the coarse scales.
     for (int position = 3; position < 190; ++position) {
         std::vector<double> function(195, 1e-4);
         function[static_cast<std::size_t>(position)] = 1.0;
@@ -129,8 +129,9 @@ TEST(TrackSurface, PrefersTheFirstOfTwoEqualPeaksApart) {
 
 TEST(TrackSurface, PassesOverABumpBelowTheThreshold) {
     std::vector<double> function(300, 0.001);
-    for (int i = 0; i < 300; ++i) function[static_cast<std::size_t>(i)] += 0.05 * std::exp(-0.5 * std::pow((i - 60) / 4.0, 2)) +
-                                                                             std::exp(-0.5 * std::pow((i - 220) / 4.0, 2));
+    for (int i = 0; i < 300; ++i)
+        function[static_cast<std::size_t>(i)] +=
+            0.05 * std::exp(-0.5 * std::pow((i - 60) / 4.0, 2)) + std::exp(-0.5 * std::pow((i - 220) / 4.0, 2));
     EXPECT_EQ(track(function).back(), 220);
     EXPECT_EQ(track(function, {.significance = 0.0}).back(), 60);
 }

@@ -73,7 +73,8 @@ TubeCore tubeWith(double lowMax, double slope) {
 }
 
 TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
-    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.2, 0.01), tubeWith(0.2, 0.02), tubeWith(0.4, -0.05), {}, {}};
+    std::vector<TubeCore> tubes{
+        tubeWith(0.1, 0.03), tubeWith(0.2, 0.01), tubeWith(0.2, 0.02), tubeWith(0.4, -0.05), {}, {}};
     tubes[4].status = TubeStatus::none;
     weighTubes(tubes, 5, 0.03, 6.0);
     EXPECT_DOUBLE_EQ(tubes[0].intensityWeight, 1 - 1 / 5.0);

@@ -24,7 +24,8 @@ Volume noise(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
 std::vector<TubeSamples> samplesFor(const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
     std::vector<TubeSamples> samples;
     for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
-        samples.push_back(samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
+        samples.push_back(
+            samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
     return samples;
 }
 
@@ -53,7 +54,8 @@ TEST(TubeSamples, SumsOnVoxelsEqualThePointByPointSampling) {
                         for (std::size_t k = 0; k < moments.size(); ++k) {
                             ASSERT_EQ(moments[k].count, sums[t][k].count);
                             if (moments[k].count == 0) continue;
-                            EXPECT_NEAR(moments[k].mean * 255, static_cast<double>(sums[t][k].sum) / sums[t][k].count, 1e-10);
+                            EXPECT_NEAR(moments[k].mean * 255, static_cast<double>(sums[t][k].sum) / sums[t][k].count,
+                                        1e-10);
                         }
                     }
                 }
@@ -62,7 +64,8 @@ TEST(TubeSamples, SumsOnVoxelsEqualThePointByPointSampling) {
 TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
     const Volume volume = noise({40, 40, 40});
     AdaptiveOtfConfig config;
-    for (const auto& [cut, first, count] : {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {
+    for (const auto& [cut, first, count] :
+         {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {
         const View view{.nearCutMm = cut};
         const TubeSamples samples = samplesFor(volume, view, config)[112];
         EXPECT_EQ(samples.slabs, count) << cut;
@@ -87,7 +90,8 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     const auto field = [&](const Vec3& mm) { return 0.4 + gradient.dot(mm); };
     for (int z = 0; z < 25; ++z)
         for (int y = 0; y < 30; ++y)
-            for (int x = 0; x < 40; ++x) voxels.push_back(static_cast<float>(field(geometry.gridMmFromVoxel(Vec3(x, y, z)))));
+            for (int x = 0; x < 40; ++x)
+                voxels.push_back(static_cast<float>(field(geometry.gridMmFromVoxel(Vec3(x, y, z)))));
     const Volume volume(geometry, voxels, 1.0);
     const View view{.azimuthDegrees = 33, .elevationDegrees = -21, .rollDegrees = 12};
     AdaptiveOtfConfig config;
