@@ -1,143 +1,132 @@
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <vector>
+// The outside of the scanned sector, told from true fluid.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "processing/bit_grid.h"
 #include "processing/volume.h"
 
 namespace echolucent {
 
 namespace {
 
-using Mask = std::vector<std::uint8_t>;
-
-/// Least share of the grid that the outside of a sector takes; less is not worth a guess.
+/// Below this share of the volume a region is not worth the risk of taking fluid for no data.
 constexpr double smallestShare = 0.02;
-/// Least share of the outside that lies two voxels or deeper inside it: a sector's outside is thick, speckle's zeros are not.
-constexpr double smallestThickShare = 0.4;
+/// The outside of a sector is solid: that share of the zeros that reach the border survives thinning by thinnest voxels
+/// and growing back. Fluid that is partly clipped to zero is riddled with echoes and does not survive.
+constexpr double solidShare = 0.7;
+constexpr int thinnest = 2;
 
-class SectorGuess {
-public:
-    explicit SectorGuess(const Volume& volume) : m_size(volume.geometry().size) {
-        const auto count = static_cast<std::size_t>(volume.geometry().voxelCount());
-        m_zero.resize(count);
-        std::visit(
-            [&](const auto& values) {
-                std::transform(values.begin(), values.end(), m_zero.begin(),
-                               [](auto value) { return static_cast<std::uint8_t>(value == 0 ? 1 : 0); });
-            },
-            volume.voxels());
-        for (std::size_t i = 0; i < count && !volume.dataMask().empty(); ++i)
-            if (volume.dataMask()[i] == 0) m_zero[i] = 1;
-        m_outside.assign(count, 0);
+template <typename Voxel>
+bool isBlank(Voxel value) {
+    if constexpr (std::is_floating_point_v<Voxel>)
+        return value == Voxel{0} || !std::isfinite(value);
+    else
+        return value == Voxel{0};
+}
+
+template <typename Voxel>
+std::uint64_t blankBits(const Voxel* voxels, const std::uint8_t* mask, std::int64_t count) {
+    std::uint64_t bits = 0;
+    for (std::int64_t x = 0; x < count; ++x)
+        if (isBlank(voxels[x]) || (mask != nullptr && mask[x] == 0)) bits |= std::uint64_t{1} << x;
+    return bits;
+}
+
+/// 64 bytes at once: which of them are zero.
+std::uint64_t zeroBytes(const std::uint8_t* voxels) {
+    constexpr std::uint64_t low7 = 0x7F7F7F7F7F7F7F7FULL;
+    std::uint64_t bits = 0;
+    for (int group = 0; group < 8; ++group) {
+        std::uint64_t bytes;
+        std::memcpy(&bytes, voxels + 8 * group, 8);
+        const std::uint64_t zero = ~(((bytes & low7) + low7) | bytes | low7);  // the top bit of each zero byte
+        bits |= ((zero >> 7) * 0x0102040810204080ULL >> 56) << (8 * group);
     }
+    return bits;
+}
 
-    /// Zeros connected to a corner of the grid: a sector always leaves corners free, a pool of fluid at the probe does not.
-    void fillFromCorners() {
-        for (int corner = 0; corner < 8; ++corner)
-            fillFrom(corner & 1 ? m_size[0] - 1 : 0, corner & 2 ? m_size[1] - 1 : 0, corner & 4 ? m_size[2] - 1 : 0);
-    }
+/// Voxels that are exactly 0 or carry no data already.
+BitGrid blankVoxels(const Volume& volume) {
+    const VolumeGeometry& geometry = volume.geometry();
+    BitGrid blank(geometry.size);
+    const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
+    std::visit(
+        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+            tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64),
+                              [&](const auto& rows) {
+                for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
+                    for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
+                        const std::int64_t offset = row * geometry.size[0] + x;
+                        const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
+                        std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
+                        if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
+                            word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
+                        else
+                            word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
+                    }
+            });
+        },
+        volume.voxels());
+    return blank;
+}
 
-    /// Single voxels with a value in the midst of the outside are noise of compression or of painting over.
-    void takeInSpecks() {
-        Mask grown = m_outside;
-        forEachVoxel([&](std::int64_t x, std::int64_t y, std::int64_t z, std::size_t at) {
-            if (m_outside[at] == 0 && neighboursOutside(x, y, z, 1) >= 5) grown[at] = 1;
-        });
-        m_outside = std::move(grown);
-    }
+/// A sector does not reach all corners of the box around it.
+bool holdsCorner(const BitGrid& region) {
+    const auto& size = region.size();
+    for (int corner = 0; corner < 8; ++corner)
+        if (region.at(corner & 1 ? size[0] - 1 : 0, corner & 2 ? size[1] - 1 : 0, corner & 4 ? size[2] - 1 : 0))
+            return true;
+    return false;
+}
 
-    [[nodiscard]] bool isPlausible() const {
-        std::size_t outside = 0, thick = 0;
-        forEachVoxel([&](std::int64_t x, std::int64_t y, std::int64_t z, std::size_t at) {
-            if (m_outside[at] == 0) return;
-            ++outside;
-            if (neighboursOutside(x, y, z, 2) == 6) ++thick;
-        });
-        const auto all = static_cast<double>(m_outside.size());
-        const auto share = static_cast<double>(outside) / all;
-        return share >= smallestShare && outside < m_outside.size() &&
-               static_cast<double>(thick) >= smallestThickShare * static_cast<double>(outside);
-    }
+/// The parts of the blank region that stay when it is thinned and grown back: tongues into dark fluid fall off.
+BitGrid solidPart(const BitGrid& outside) {
+    BitGrid core = outside;
+    for (int i = 0; i < thinnest; ++i) core = core.eroded();
+    core = core.connectedToBorder();
+    for (int i = 0; i < thinnest; ++i) core = core.dilated() & outside;
+    return core;
+}
 
-    /// 1 = data.
-    [[nodiscard]] Mask dataMask(const Volume& volume) const {
-        Mask mask(m_outside.size());
-        for (std::size_t i = 0; i < mask.size(); ++i)
-            mask[i] = m_outside[i] == 0 && volume.hasData(static_cast<std::int64_t>(i)) ? 1 : 0;
-        return mask;
-    }
-
-private:
-    using Point = std::array<std::int64_t, 3>;
-
-    [[nodiscard]] std::size_t at(std::int64_t x, std::int64_t y, std::int64_t z) const {
-        return static_cast<std::size_t>(x + m_size[0] * (y + m_size[1] * z));
-    }
-
-    template <typename Visit>
-    void forEachVoxel(Visit visit) const {
-        std::size_t offset = 0;
-        for (std::int64_t z = 0; z < m_size[2]; ++z)
-            for (std::int64_t y = 0; y < m_size[1]; ++y)
-                for (std::int64_t x = 0; x < m_size[0]; ++x) visit(x, y, z, offset++);
-    }
-
-    /// How many of the six neighbours at a distance lie outside the sector; beyond the grid counts as outside.
-    [[nodiscard]] int neighboursOutside(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t distance) const {
-        int count = 0;
-        for (const std::int64_t step : {-distance, distance}) {
-            count += x + step < 0 || x + step >= m_size[0] || m_outside[at(x + step, y, z)] != 0 ? 1 : 0;
-            count += y + step < 0 || y + step >= m_size[1] || m_outside[at(x, y + step, z)] != 0 ? 1 : 0;
-            count += z + step < 0 || z + step >= m_size[2] || m_outside[at(x, y, z + step)] != 0 ? 1 : 0;
+std::vector<std::uint8_t> maskWithout(const BitGrid& region, const Volume& volume) {
+    const VolumeGeometry& geometry = volume.geometry();
+    std::vector<std::uint8_t> mask = volume.dataMask();
+    if (mask.empty()) mask.assign(static_cast<std::size_t>(geometry.voxelCount()), 1);
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
+        for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
+            const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
+            std::uint8_t* target = mask.data() + row * geometry.size[0];
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                if (x % 64 == 0 && words[x / 64] == 0) {
+                    x += 63;
+                    continue;
+                }
+                if (words[x / 64] >> (x % 64) & 1) target[x] = 0;
+            }
         }
-        return count;
-    }
-
-    /// Scanline flood fill with a stack of its own: whole runs along x, their neighbour rows looked at once each.
-    void fillFrom(std::int64_t x, std::int64_t y, std::int64_t z) {
-        std::vector<Point> seeds{{x, y, z}};
-        while (!seeds.empty()) {
-            const auto [sx, sy, sz] = seeds.back();
-            seeds.pop_back();
-            if (!isOpen(at(sx, sy, sz))) continue;
-            std::int64_t first = sx, last = sx;
-            while (first > 0 && isOpen(at(first - 1, sy, sz))) --first;
-            while (last + 1 < m_size[0] && isOpen(at(last + 1, sy, sz))) ++last;
-            const std::size_t row = at(0, sy, sz);
-            std::fill(m_outside.begin() + static_cast<std::ptrdiff_t>(row) + first,
-                      m_outside.begin() + static_cast<std::ptrdiff_t>(row) + last + 1, std::uint8_t{1});
-            if (sy > 0) seedRuns(first, last, sy - 1, sz, seeds);
-            if (sy + 1 < m_size[1]) seedRuns(first, last, sy + 1, sz, seeds);
-            if (sz > 0) seedRuns(first, last, sy, sz - 1, seeds);
-            if (sz + 1 < m_size[2]) seedRuns(first, last, sy, sz + 1, seeds);
-        }
-    }
-
-    [[nodiscard]] bool isOpen(std::size_t offset) const { return m_zero[offset] != 0 && m_outside[offset] == 0; }
-
-    void seedRuns(std::int64_t first, std::int64_t last, std::int64_t y, std::int64_t z, std::vector<Point>& seeds) const {
-        const std::size_t row = at(0, y, z);
-        bool inRun = false;
-        for (std::int64_t x = first; x <= last; ++x) {
-            const bool open = isOpen(row + static_cast<std::size_t>(x));
-            if (open && !inRun) seeds.push_back({x, y, z});
-            inRun = open;
-        }
-    }
-
-    std::array<std::int64_t, 3> m_size;
-    Mask m_zero;
-    Mask m_outside;
-};
+    });
+    return mask;
+}
 
 }  // namespace
 
 std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
-    SectorGuess guess(volume);
-    guess.fillFromCorners();
-    guess.takeInSpecks();
-    return guess.isPlausible() ? guess.dataMask(volume) : volume.dataMask();
+    const auto voxels = static_cast<double>(volume.geometry().voxelCount());
+    const BitGrid blank = blankVoxels(volume);
+    const BitGrid outside = blank.connectedToBorder();
+    const auto outsideCount = static_cast<double>(outside.count());
+    if (outsideCount < smallestShare * voxels || outsideCount == voxels || !holdsCorner(outside)) return {};
+    const BitGrid solid = solidPart(outside);
+    const auto solidCount = static_cast<double>(solid.count());
+    if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid)) return {};
+    // Lone echoes in the outside (compression noise, graphics painted over) and frayed edges belong to it.
+    const BitGrid closed = solid.dilated().eroded();
+    if (static_cast<double>(closed.count()) == voxels) return {};
+    return maskWithout(closed, volume);
 }
 
 }  // namespace echolucent

@@ -20,7 +20,8 @@ struct Ray {
     std::int64_t innerFirst = 0, innerLast = 0;
 
     [[nodiscard]] Vec3 position(std::int64_t sample) const {
-        return origin + step * (static_cast<double>(sample) + 0.5);
+        const double steps = static_cast<double>(sample) + 0.5;
+        return {origin[0] + step[0] * steps, origin[1] + step[1] * steps, origin[2] + step[2] * steps};
     }
 };
 

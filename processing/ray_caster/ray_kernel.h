@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 
 #include "processing/ray_caster/brick_map.h"
 #include "processing/ray_caster/lighting.h"
 #include "processing/ray_caster/ray_geometry.h"
+#include "processing/ray_caster/sample_run.h"
 #include "processing/ray_caster/transfer_table.h"
 #include "processing/ray_caster/voxel_sampler.h"
 
@@ -25,39 +25,48 @@ public:
           m_toTable(static_cast<float>(TransferTable::intervals / volume.whiteLevel())),
           m_endTransmittance(settings.terminationTransmittance) {
         const auto& size = volume.geometry().size;
-        const double sliceBytes = static_cast<double>(size[0]) * static_cast<double>(size[1]) * sizeof(Voxel);
+        const double sliceBytes = static_cast<double>(size[0] * size[1]) * sizeof(Voxel);
         m_longestExtent = std::min(256.0, 0x1p29 / sliceBytes);
     }
 
     /// Red, green and blue times alpha, then alpha.
     [[nodiscard]] Float4 cast(const Ray& ray) const {
         Pixel pixel;
+        if constexpr (shaded) pixel.light = m_lighting.towards(ray.direction);
         if (carefully(ray, ray.first, ray.innerFirst, pixel) && inside(ray, pixel))
             carefully(ray, ray.innerLast, ray.last, pixel);
         return pixel.colour;
     }
 
 private:
+    using Corner = typename VoxelSampler<Voxel>::Corner;
+
     struct Pixel {
         Float4 colour{0, 0, 0, 0};
         double transmittance = 1.0;  ///< in double: a product of many factors near 1 keeps its digits
+        DirectionalLight light{};    ///< shaded only
     };
 
-    /// Samples first ... last - 1 of a ray, each looking for data. False once the ray ended, like the others below.
+    /// Samples [first, last) of a ray, each looking for data. False once the ray ended, like the others below.
     bool carefully(const Ray& ray, std::int64_t first, std::int64_t last, Pixel& pixel) const {
-        for (std::int64_t sample = first; sample < last; ++sample)
-            if (!carefully(ray, ray.position(sample), pixel)) return false;
+        Batch positions;
+        for (; first < last; first += batchSize) {
+            const auto count = static_cast<int>(std::min<std::int64_t>(batchSize, last - first));
+            for (int i = 0; i < count; ++i)
+                positions[static_cast<std::size_t>(i)] = carefulTablePosition(ray.position(first + i));
+            if (!composite(positions, count, ray, first, false, pixel)) return false;
+        }
         return true;
     }
 
-    bool carefully(const Ray& ray, const Vec3& position, Pixel& pixel) const {
-        std::optional<float> value;
+    /// -1 where there is no data.
+    [[nodiscard]] float carefulTablePosition(const Vec3& position) const {
         bool complete = true;
-        if constexpr (interpolation == Interpolation::nearest)
-            value = m_sampler.nearestCareful(position);
-        else
-            value = m_sampler.trilinearCareful(position, complete);
-        return !value || composite(tablePosition(*value), ray, position, false, pixel);
+        const std::optional<float> value = interpolation == Interpolation::nearest
+                                               ? m_sampler.nearestCareful(position)
+                                               : m_sampler.trilinearCareful(position, complete);
+        if (!value) return -1.0f;
+        return std::min(std::max(*value * m_toTable, 0.0f), static_cast<float>(TransferTable::intervals));
     }
 
     bool inside(const Ray& ray, Pixel& pixel) const {
@@ -104,58 +113,129 @@ private:
         return end;
     }
 
-    bool run(const Ray& ray, std::int64_t first, std::int64_t last, Pixel& outside) const {
+    /// Samples with data all around them, as vectors.
+    bool run(const Ray& ray, std::int64_t first, std::int64_t last, Pixel& pixel) const {
         const Vec3 start = ray.position(first);
-        const auto corner = m_sampler.cornerOf(start, ray.position(last - 1));
+        const Corner corner = m_sampler.cornerOf(start, ray.position(last - 1));
         const Float4 local = corner.local(start), step = float4Of(ray.step);
-        Pixel pixel = outside;  // a local copy stays in registers
-        bool goesOn = true;
-        constexpr int batch = 16;
-        float positions[batch + runPadding];
-        const auto count = static_cast<int>(last - first);
-        for (int done = 0; goesOn && done < count; done += batch) {
-            const int samples = std::min(batch, count - done);
-            tablePositionsAlong(corner.block, interpolation, local + static_cast<float>(done) * step, step, samples,
+        Batch positions;
+        for (std::int64_t done = 0; done < last - first; done += batchSize) {
+            const auto count = static_cast<int>(std::min<std::int64_t>(batchSize, last - first - done));
+            tablePositionsAlong(corner.block, interpolation, {local + static_cast<float>(done) * step, step}, count,
                                 m_toTable, positions);
-            for (int i = 0; goesOn && i < samples; ++i) goesOn = composite(positions[i], ray, first + done + i, pixel);
+            if (!composite(positions, count, ray, first + done, true, pixel)) return false;
         }
-        outside = pixel;
-        return goesOn;
+        return true;
     }
 
-    bool composite(float tablePosition, const Ray& ray, std::int64_t sample, Pixel& pixel) const {
+    /// Blends samples first ... first + count - 1 behind what the pixel holds.
+    bool composite(Batch& positions, int count, const Ray& ray, std::int64_t first, bool plain, Pixel& pixel) const {
         if constexpr (std::is_same_v<Voxel, float>)
-            if (tablePosition < 0.0f) return carefully(ray, ray.position(sample), pixel);
+            for (int i = 0; plain && i < count; ++i)
+                if (float& position = positions[static_cast<std::size_t>(i)]; position < 0.0f)
+                    position = carefulTablePosition(ray.position(first + i));
         if constexpr (shaded)
-            return composite(tablePosition, ray, ray.position(sample), true, pixel);
+            return compositeShaded(positions, count, ray, first, plain, pixel);
         else
-            return blend(m_table.at(tablePosition), pixel);
+            return compositeUnshaded(positions, count, pixel);
     }
 
-    bool composite(float tablePosition, const Ray& ray, const Vec3& position, bool plain, Pixel& pixel) const {
-        Float4 entry = m_table.at(tablePosition);
-        if constexpr (shaded) {
-            constexpr double worthGradient = 1.0 / 256;
-            if (entry[3] == 0.0f) return true;
-            const Light light = pixel.transmittance * static_cast<double>(entry[3]) < worthGradient
-                                    ? m_lighting.even()
-                                    : m_lighting.at(position, ray.direction, plain);
-            const float alpha = entry[3], highlight = alpha * light.highlight;
-            const Float4 lit = entry * light.factor + highlight;
-            entry = Float4{std::min(alpha, lit[0]), std::min(alpha, lit[1]), std::min(alpha, lit[2]), alpha};
+    bool compositeUnshaded(const Batch& positions, int count, Pixel& pixel) const {
+        Float4 colour = pixel.colour;  // local copies stay in registers
+        double transmittance = pixel.transmittance;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            if (positions[i] < 0.0f) continue;
+            const Float4 entry = m_table.at(positions[i]);
+            colour += static_cast<float>(transmittance) * entry;
+            transmittance *= 1.0 - static_cast<double>(entry[3]);
+            if (transmittance < m_endTransmittance) break;
         }
-        return blend(entry, pixel);
+        pixel.colour = colour;
+        pixel.transmittance = transmittance;
+        return transmittance >= m_endTransmittance;
     }
 
-    /// False where the rest of the ray can no longer be seen.
-    bool blend(Float4 entry, Pixel& pixel) const {
-        pixel.colour += static_cast<float>(pixel.transmittance) * entry;
-        pixel.transmittance *= 1.0 - static_cast<double>(entry[3]);
+    /// Samples that are seen, and which of them well enough to be worth a gradient.
+    struct Visible {
+        std::array<Float4, batchSize> entries;  ///< colour and opacity times the transmittance before
+        int count = 0;
+        std::array<int, batchSize> lit;         ///< indices of those worth a gradient
+        Batch litSamples;                       ///< and which of the run they are
+        int litCount = 0;
+    };
+
+    bool compositeShaded(const Batch& positions, int count, const Ray& ray, std::int64_t first, bool plain,
+                         Pixel& pixel) const {
+        constexpr float worthGradient = 1.0f / 256;
+        Visible visible;
+        for (int i = 0; i < count && pixel.transmittance >= m_endTransmittance; ++i) {
+            const float position = positions[static_cast<std::size_t>(i)];
+            if (position < 0.0f) continue;
+            const Float4 entry = m_table.at(position);
+            const Float4 seen = static_cast<float>(pixel.transmittance) * entry;
+            pixel.transmittance *= 1.0 - static_cast<double>(entry[3]);
+            if (seen[3] >= worthGradient) {
+                visible.lit[static_cast<std::size_t>(visible.litCount)] = visible.count;
+                visible.litSamples[static_cast<std::size_t>(visible.litCount++)] = static_cast<float>(i);
+            }
+            visible.entries[static_cast<std::size_t>(visible.count++)] = seen;
+        }
+        blend(visible, ray, first, plain, pixel);
         return pixel.transmittance >= m_endTransmittance;
     }
 
-    [[nodiscard]] float tablePosition(float value) const {
-        return std::min(std::max(value * m_toTable, 0.0f), static_cast<float>(TransferTable::intervals));
+    void blend(const Visible& visible, const Ray& ray, std::int64_t first, bool plain, Pixel& pixel) const {
+        Batch factors, highlights;
+        if (visible.litCount > 0) {
+            Gradients gradients;
+            findGradients(visible, ray, first, plain, gradients);
+            lightOf(pixel.light, gradients, visible.litCount, factors, highlights);
+        }
+        Float4 colour = pixel.colour;
+        const float even = m_lighting.even();
+        for (int i = 0, lit = 0; i < visible.count; ++i) {
+            const Float4 entry = visible.entries[static_cast<std::size_t>(i)];
+            float factor = even, highlight = 0.0f;
+            if (lit < visible.litCount && visible.lit[static_cast<std::size_t>(lit)] == i) {
+                factor = factors[static_cast<std::size_t>(lit)];
+                highlight = highlights[static_cast<std::size_t>(lit++)] * entry[3];
+            }
+            const Float4 bright = entry * factor + highlight;
+            const Float4 white = Float4{0, 0, 0, 0} + entry[3];
+            // Nothing is brighter than white; alpha stays what it is.
+            Float4 shown = bright < white ? bright : white;
+            shown[3] = entry[3];
+            colour += shown;
+        }
+        pixel.colour = colour;
+    }
+
+    void findGradients(const Visible& visible, const Ray& ray, std::int64_t first, bool plain,
+                       Gradients& gradients) const {
+        const auto count = static_cast<std::size_t>(visible.litCount);
+        const auto position = [&](std::size_t i) {
+            return ray.position(first + static_cast<std::int64_t>(visible.litSamples[i]));
+        };
+        // The box in which gradients need no care is convex: the samples inside follow each other.
+        std::size_t begin = 0, end = plain ? count : 0;
+        while (begin < end && !m_lighting.isInside(position(begin))) ++begin;
+        while (begin < end && !m_lighting.isInside(position(end - 1))) --end;
+        if (begin < end) {
+            const Corner corner = m_lighting.cornerOf(position(begin), position(end - 1));
+            // Whole vectors are read: the others repeat a sample inside.
+            Batch samples;
+            for (std::size_t i = 0; i < samples.size(); ++i)
+                samples[i] = visible.litSamples[std::clamp(i, begin, end - 1)];
+            gradientsAlong(corner.block, {corner.local(ray.position(first)), float4Of(ray.step)}, samples,
+                           visible.litCount, m_lighting.reach(), m_lighting.scale(), gradients);
+        }
+        for (std::size_t i = 0; i < gradients.x.size(); ++i) {
+            if (i >= begin && i < end) continue;
+            const Vec3 gradient = i < count ? m_lighting.gradientCareful(position(i)) : Vec3(0, 0, 0);
+            gradients.x[i] = static_cast<float>(gradient[0]);
+            gradients.y[i] = static_cast<float>(gradient[1]);
+            gradients.z[i] = static_cast<float>(gradient[2]);
+        }
     }
 
     VoxelSampler<Voxel> m_sampler;

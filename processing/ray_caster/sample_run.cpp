@@ -1,92 +1,20 @@
 #include "processing/ray_caster/sample_run.h"
 
-#include <limits>
-#include <type_traits>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "processing/ray_caster/sample_run.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "processing/ray_caster/sample_run-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Eight lanes at most: runs are short, and wider ones would mostly idle. No fused multiply-add: the same bits anywhere.
-using Floats = hn::CappedTag<float, 8>;
-using Ints = hn::RebindToSigned<Floats>;
-using FloatVector = hn::Vec<Floats>;
-using IntVector = hn::Vec<Ints>;
-
-HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector share) {
-    return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
-}
-
-/// The voxel at each byte offset.
-template <typename Voxel>
-HWY_INLINE FloatVector voxelAt(const Voxel* first, IntVector offset) {
-    if constexpr (std::is_same_v<Voxel, float>) {
-        return hn::GatherOffset(Floats(), first, offset);
-    } else {
-        const Ints ints;
-        const auto word = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), offset);
-        return hn::ConvertTo(Floats(), hn::And(word, hn::Set(ints, sizeof(Voxel) == 1 ? 0xFF : 0xFFFF)));
-    }
-}
-
-/// The mean of the voxel at each byte offset and the next along x.
-template <typename Voxel>
-HWY_INLINE FloatVector pairAt(const Voxel* first, IntVector offset, FloatVector share) {
-    const Floats floats;
-    if constexpr (std::is_same_v<Voxel, float>) {
-        return between(hn::GatherOffset(floats, first, offset), hn::GatherOffset(floats, first + 1, offset), share);
-    } else {
-        constexpr int bits = 8 * sizeof(Voxel);
-        const Ints ints;
-        const auto mask = hn::Set(ints, sizeof(Voxel) == 1 ? 0xFF : 0xFFFF);
-        const auto word = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), offset);
-        return between(hn::ConvertTo(floats, hn::And(word, mask)),
-                       hn::ConvertTo(floats, hn::And(hn::ShiftRight<bits>(word), mask)), share);
-    }
-}
-
-template <typename Voxel>
-HWY_INLINE IntVector byteOffset(const VoxelBlock<Voxel>& block, IntVector x, IntVector y, IntVector z) {
-    const Ints ints;
-    const auto rows = hn::Add(hn::Mul(y, hn::Set(ints, block.rowStride)), hn::Mul(z, hn::Set(ints, block.sliceStride)));
-    return hn::Mul(hn::Add(x, rows), hn::Set(ints, static_cast<std::int32_t>(sizeof(Voxel))));
-}
-
-template <typename Voxel>
-HWY_INLINE FloatVector trilinear(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
-    const Floats floats;
-    const Ints ints;
-    const auto cellX = hn::ConvertTo(ints, x), cellY = hn::ConvertTo(ints, y), cellZ = hn::ConvertTo(ints, z);
-    const auto shareX = hn::Sub(x, hn::ConvertTo(floats, cellX)), shareY = hn::Sub(y, hn::ConvertTo(floats, cellY));
-    const auto shareZ = hn::Sub(z, hn::ConvertTo(floats, cellZ));
-    const auto offset = byteOffset(block, cellX, cellY, cellZ);
-    const Voxel* near = block.first;
-    const Voxel* far = near + block.sliceStride;
-    const auto nearValue = between(pairAt(near, offset, shareX), pairAt(near + block.rowStride, offset, shareX), shareY);
-    const auto farValue = between(pairAt(far, offset, shareX), pairAt(far + block.rowStride, offset, shareX), shareY);
-    return between(nearValue, farValue, shareZ);
-}
-
-template <typename Voxel>
-HWY_INLINE FloatVector nearest(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
-    const Ints ints;
-    const auto half = hn::Set(Floats(), 0.5f);
-    return voxelAt(block.first, byteOffset(block, hn::ConvertTo(ints, hn::Add(x, half)),
-                                           hn::ConvertTo(ints, hn::Add(y, half)), hn::ConvertTo(ints, hn::Add(z, half))));
-}
 
 template <typename Voxel>
 HWY_INLINE FloatVector tablePosition(FloatVector value, float toTable) {
     const Floats floats;
     const auto scaled = hn::Mul(value, hn::Set(floats, toTable));
-    const auto position = hn::Min(hn::Max(scaled, hn::Zero(floats)),
-                                  hn::Set(floats, static_cast<float>(TransferTable::intervals)));
+    const auto position =
+        hn::Min(hn::Max(scaled, hn::Zero(floats)), hn::Set(floats, static_cast<float>(TransferTable::intervals)));
     if constexpr (std::is_same_v<Voxel, float>) {
         const auto finite = hn::Le(hn::Abs(value), hn::Set(floats, std::numeric_limits<float>::max()));
         return hn::IfThenElse(finite, position, hn::Set(floats, -1.0f));
@@ -96,42 +24,91 @@ HWY_INLINE FloatVector tablePosition(FloatVector value, float toTable) {
 }
 
 template <typename Voxel, bool isNearest>
-HWY_INLINE void along(const VoxelBlock<Voxel>& block, const float* start, const float* step, int count, float toTable,
-                      float* positions) {
+HWY_INLINE void positionsAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,
+                               float* positions) {
     const Floats floats;
     const auto last = hn::Set(floats, static_cast<float>(count - 1));
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
         // Lanes beyond the last sample repeat it: they must read nothing else.
         const auto index = hn::Min(hn::Iota(floats, static_cast<float>(i)), last);
-        const auto x = hn::Add(hn::Set(floats, start[0]), hn::Mul(index, hn::Set(floats, step[0])));
-        const auto y = hn::Add(hn::Set(floats, start[1]), hn::Mul(index, hn::Set(floats, step[1])));
-        const auto z = hn::Add(hn::Set(floats, start[2]), hn::Mul(index, hn::Set(floats, step[2])));
+        const auto x = coordinate(run.start[0], run.step[0], index), y = coordinate(run.start[1], run.step[1], index);
+        const auto z = coordinate(run.start[2], run.step[2], index);
         const auto value = isNearest ? nearest(block, x, y, z) : trilinear(block, x, y, z);
         hn::StoreU(tablePosition<Voxel>(value, toTable), floats, positions + i);
     }
 }
 
 template <typename Voxel>
-HWY_INLINE void eight(const VoxelBlock<Voxel>& block, const float* x, const float* y, const float* z, float* values) {
+HWY_INLINE void differencesAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, const float* samples, int count,
+                                 const Float4& reach, float scale, Gradients& gradients) {
     const Floats floats;
-    for (std::size_t i = 0; i < 8; i += hn::Lanes(floats))
-        hn::StoreU(trilinear(block, hn::LoadU(floats, x + i), hn::LoadU(floats, y + i), hn::LoadU(floats, z + i)),
-                   floats, values + i);
+    const auto factor = hn::Set(floats, scale);
+    const auto reachX = hn::Set(floats, reach[0]), reachY = hn::Set(floats, reach[1]), reachZ = hn::Set(floats, reach[2]);
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
+        const auto index = hn::LoadU(floats, samples + i);
+        const auto x = coordinate(run.start[0], run.step[0], index), y = coordinate(run.start[1], run.step[1], index);
+        const auto z = coordinate(run.start[2], run.step[2], index);
+        const auto alongX = hn::Sub(trilinear(block, hn::Add(x, reachX), y, z), trilinear(block, hn::Sub(x, reachX), y, z));
+        const auto alongY = hn::Sub(trilinear(block, x, hn::Add(y, reachY), z), trilinear(block, x, hn::Sub(y, reachY), z));
+        const auto alongZ = hn::Sub(trilinear(block, x, y, hn::Add(z, reachZ)), trilinear(block, x, y, hn::Sub(z, reachZ)));
+        hn::StoreU(hn::Mul(alongX, factor), floats, gradients.x.data() + i);
+        hn::StoreU(hn::Mul(alongY, factor), floats, gradients.y.data() + i);
+        hn::StoreU(hn::Mul(alongZ, factor), floats, gradients.z.data() + i);
+    }
+}
+
+HWY_INLINE FloatVector dot(FloatVector x, FloatVector y, FloatVector z, const Float4& v) {
+    const Floats floats;
+    return hn::Add(hn::Add(hn::Mul(x, hn::Set(floats, v[0])), hn::Mul(y, hn::Set(floats, v[1]))),
+                   hn::Mul(z, hn::Set(floats, v[2])));
+}
+
+HWY_INLINE FloatVector highlightAt(const DirectionalLight& light, FloatVector cosine) {
+    const Floats floats;
+    const Ints ints;
+    const auto position = hn::Mul(hn::Min(hn::Max(cosine, hn::Zero(floats)), hn::Set(floats, 1.0f)),
+                                  hn::Set(floats, static_cast<float>(DirectionalLight::highlightIntervals)));
+    const auto left = hn::ConvertTo(ints, position);
+    return between(hn::GatherIndex(floats, light.highlight, left), hn::GatherIndex(floats, light.highlight + 1, left),
+                   hn::Sub(position, hn::ConvertTo(floats, left)));
+}
+
+void light(const DirectionalLight& source, const Gradients& gradients, int count, float* factors, float* highlights) {
+    const Floats floats;
+    const auto one = hn::Set(floats, 1.0f), zero = hn::Zero(floats), wrap = hn::Set(floats, source.wrap);
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
+        const auto x = hn::LoadU(floats, gradients.x.data() + i), y = hn::LoadU(floats, gradients.y.data() + i);
+        const auto z = hn::LoadU(floats, gradients.z.data() + i);
+        const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+        const auto hasGradient = hn::Gt(square, zero);
+        const auto safeSquare = hn::IfThenElse(hasGradient, square, one);
+        // The normal points against the gradient, to the darker side.
+        const auto perLength = hn::Neg(hn::Div(one, hn::Sqrt(safeSquare)));
+        const auto share = hn::IfThenElseZero(
+            hasGradient, hn::Div(safeSquare, hn::Add(safeSquare, hn::Set(floats, source.floorSquare))));
+        const auto towards = hn::Mul(dot(x, y, z, source.towardsLight), perLength);
+        const auto facing = hn::Max(zero, hn::Div(hn::Add(towards, wrap), hn::Add(one, wrap)));
+        const auto diffuse = hn::Add(hn::Mul(share, facing), hn::Mul(hn::Sub(one, share), hn::Set(floats, source.evenLight)));
+        const auto factor = hn::Add(hn::Set(floats, source.ambient), hn::Mul(hn::Set(floats, source.diffuse), diffuse));
+        const auto bright = hn::Mul(share, highlightAt(source, hn::Mul(dot(x, y, z, source.half), perLength)));
+        hn::StoreU(factor, floats, factors + i);
+        hn::StoreU(bright, floats, highlights + i);
+    }
 }
 
 // Highway's dispatch tables need plain functions.
 #define ECHOLUCENT_SAMPLERS(Voxel, Name)                                                                             \
-    void trilinear##Name(const VoxelBlock<Voxel>& block, const float* start, const float* step, int count,           \
-                         float toTable, float* positions) {                                                          \
-        along<Voxel, false>(block, start, step, count, toTable, positions);                                          \
+    void trilinear##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,             \
+                         float* positions) {                                                                         \
+        positionsAlong<Voxel, false>(block, run, count, toTable, positions);                                         \
     }                                                                                                                \
-    void nearest##Name(const VoxelBlock<Voxel>& block, const float* start, const float* step, int count,             \
-                       float toTable, float* positions) {                                                            \
-        along<Voxel, true>(block, start, step, count, toTable, positions);                                           \
+    void nearest##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,               \
+                       float* positions) {                                                                           \
+        positionsAlong<Voxel, true>(block, run, count, toTable, positions);                                          \
     }                                                                                                                \
-    void eight##Name(const VoxelBlock<Voxel>& block, const float* x, const float* y, const float* z,                 \
-                     float* values) {                                                                                \
-        eight<Voxel>(block, x, y, z, values);                                                                        \
+    void gradients##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, const float* samples, int count,      \
+                         const Float4& reach, float scale, Gradients& gradients) {                                   \
+        differencesAlong<Voxel>(block, run, samples, count, reach, scale, gradients);                                \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)
 ECHOLUCENT_SAMPLERS(std::uint16_t, Words)
@@ -147,25 +124,29 @@ namespace echolucent::ray_casting {
 #define ECHOLUCENT_SAMPLERS(Voxel, Name)                                                                             \
     HWY_EXPORT(trilinear##Name);                                                                                     \
     HWY_EXPORT(nearest##Name);                                                                                       \
-    HWY_EXPORT(eight##Name);                                                                                         \
+    HWY_EXPORT(gradients##Name);                                                                                     \
     template <>                                                                                                      \
-    void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, Float4 start, Float4 step, \
-                             int count, float toTable, float* positions) {                                           \
-        const float starts[3] = {start[0], start[1], start[2]}, steps[3] = {step[0], step[1], step[2]};              \
+    void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, const SampleRun& run,      \
+                             int count, float toTable, Batch& positions) {                                           \
         if (interpolation == Interpolation::nearest)                                                                 \
-            HWY_DYNAMIC_DISPATCH(nearest##Name)(block, starts, steps, count, toTable, positions);                    \
+            HWY_DYNAMIC_DISPATCH(nearest##Name)(block, run, count, toTable, positions.data());                       \
         else                                                                                                         \
-            HWY_DYNAMIC_DISPATCH(trilinear##Name)(block, starts, steps, count, toTable, positions);                  \
+            HWY_DYNAMIC_DISPATCH(trilinear##Name)(block, run, count, toTable, positions.data());                     \
     }                                                                                                                \
     template <>                                                                                                      \
-    void trilinearAtEight(const VoxelBlock<Voxel>& block, const float* x, const float* y, const float* z,            \
-                          float* values) {                                                                           \
-        HWY_DYNAMIC_DISPATCH(eight##Name)(block, x, y, z, values);                                                   \
+    void gradientsAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, const Batch& samples, int count,       \
+                        Float4 reach, float scale, Gradients& gradients) {                                           \
+        HWY_DYNAMIC_DISPATCH(gradients##Name)(block, run, samples.data(), count, reach, scale, gradients);           \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)
 ECHOLUCENT_SAMPLERS(std::uint16_t, Words)
 ECHOLUCENT_SAMPLERS(float, Floating)
 #undef ECHOLUCENT_SAMPLERS
+
+HWY_EXPORT(light);
+void lightOf(const DirectionalLight& source, const Gradients& gradients, int count, Batch& factors, Batch& highlights) {
+    HWY_DYNAMIC_DISPATCH(light)(source, gradients, count, factors.data(), highlights.data());
+}
 
 }  // namespace echolucent::ray_casting
 #endif

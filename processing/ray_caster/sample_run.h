@@ -1,6 +1,7 @@
 // Many samples of one ray at once, with the widest vectors of the machine at hand.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,17 +21,42 @@ struct VoxelBlock {
 template <typename Voxel>
 inline constexpr int readAhead = sizeof(Voxel) == 1 ? 3 : sizeof(Voxel) == 2 ? 1 : 0;
 
-/// Results are written in whole vectors: arrays for n results need room for n + runPadding.
-inline constexpr int runPadding = 8;
+/// Samples at most in one call of the functions below.
+inline constexpr int batchSize = 16;
+/// One value a sample. Results are written in whole vectors of up to eight.
+using Batch = std::array<float, batchSize + 8>;
 
-/// Table positions (TransferTable::at) of the samples start + i * step, i = 0 ... count - 1; `toTable` is stored value
-/// to table position. -1 where the value is not finite. The same bits on every instruction set.
-template <typename Voxel>
-void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, Float4 start, Float4 step,
-                         int count, float toTable, float* positions);
+/// A straight run of samples: sample i lies at start + i * step in the block.
+struct SampleRun {
+    Float4 start, step;
+};
 
-/// Trilinear samples of stored values at eight positions.
+/// Table positions (TransferTable::at) of samples 0 ... count - 1; `toTable` is stored value to table position. -1
+/// where the value is not finite. The same bits on every instruction set, as for all here.
 template <typename Voxel>
-void trilinearAtEight(const VoxelBlock<Voxel>& block, const float* x, const float* y, const float* z, float* values);
+void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, const SampleRun& run, int count,
+                         float toTable, Batch& positions);
+
+/// The components of vectors.
+struct Gradients {
+    Batch x, y, z;
+};
+
+/// Central differences of trilinear samples, `reach` (voxels) before and after on each axis, times `scale`, at samples
+/// `samples[0 ... count - 1]` of the run.
+template <typename Voxel>
+void gradientsAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, const Batch& samples, int count, Float4 reach,
+                    float scale, Gradients& gradients);
+
+/// One directional light as Shading says it, for one ray.
+struct DirectionalLight {
+    static constexpr int highlightIntervals = 1024;
+    Float4 towardsLight, half;  ///< unit vectors; half way between light and eye (zero: no highlight)
+    float ambient, diffuse, evenLight, wrap, floorSquare;
+    const float* highlight;     ///< over the cosine between normal and half, linear between; intervals + 2 values
+};
+
+/// What light does to a sample: `factors` multiply its colour, `highlights` add white.
+void lightOf(const DirectionalLight& light, const Gradients& gradients, int count, Batch& factors, Batch& highlights);
 
 }  // namespace echolucent::ray_casting

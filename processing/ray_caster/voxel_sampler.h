@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "processing/ray_caster/sample_run.h"
 #include "processing/ray_caster/transfer_table.h"
@@ -54,7 +55,7 @@ public:
     /// Mean of the voxels with data around a position by their trilinear weights; none where they weigh less than half.
     /// `complete` becomes false where any voxel with a weight has no data.
     [[nodiscard]] std::optional<float> trilinearCareful(const Vec3& position, bool& complete) const {
-        std::array<std::ptrdiff_t, 3> low, high;
+        Indices low, high;
         std::array<double, 3> share;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double last = static_cast<double>(m_size[axis] - 1);
@@ -63,6 +64,8 @@ public:
             high[axis] = std::min<std::ptrdiff_t>(low[axis] + 1, static_cast<std::ptrdiff_t>(m_size[axis] - 1));
             share[axis] = inside - static_cast<double>(low[axis]);
         }
+        if constexpr (std::is_integral_v<Voxel>)
+            if (m_mask == nullptr) return static_cast<float>(completeMean(low, high, share));
         double sum = 0.0, weights = 0.0;
         for (int corner = 0; corner < 8; ++corner) {
             const bool right = corner & 1, down = corner & 2, behind = corner & 4;
@@ -94,6 +97,22 @@ public:
     [[nodiscard]] const std::array<std::int64_t, 3>& size() const { return m_size; }
 
 private:
+    using Indices = std::array<std::ptrdiff_t, 3>;
+
+    /// Trilinear interpolation where every voxel carries data.
+    [[nodiscard]] double completeMean(const Indices& low, const Indices& high, const std::array<double, 3>& share) const {
+        const auto alongX = [&](std::ptrdiff_t row) {
+            const double left = static_cast<double>(m_voxels[row + low[0]]);
+            return left + share[0] * (static_cast<double>(m_voxels[row + high[0]]) - left);
+        };
+        const auto alongXY = [&](std::ptrdiff_t slice) {
+            const double above = alongX(slice + m_rowStride * low[1]);
+            return above + share[1] * (alongX(slice + m_rowStride * high[1]) - above);
+        };
+        const double before = alongXY(m_sliceStride * low[2]);
+        return before + share[2] * (alongXY(m_sliceStride * high[2]) - before);
+    }
+
     [[nodiscard]] bool hasData(std::ptrdiff_t offset) const {
         return (m_mask == nullptr || m_mask[offset] != 0) && std::isfinite(static_cast<float>(m_voxels[offset]));
     }
