@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include <QAbstractButton>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -9,6 +10,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -111,6 +113,7 @@ void MainWindow::connectPicture() {
     connect(m_volumeView, &VolumeViewWidget::filesDropped, this, [this](const QStringList& files) { open(files.first()); });
     connect(m_volumeView, &VolumeViewWidget::pictureDelivered, this, [this](bool, double milliseconds) {
         m_runStatus->setRenderer(m_volumeView->rendererName(), milliseconds);
+        showFrameRate();
         // With an OTF of its own for each view, a frame is whole once both its curve and its picture are there.
         if (!m_session.computingOtf()) m_motionPlayer.frameShown();
         updateIdle();
@@ -162,6 +165,9 @@ void MainWindow::connectMotion() {
     });
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_motionPanel->setPlaying(playing);
+        m_frameClock.invalidate();
+        m_frameSeconds = 0;
+        if (!playing) m_motionPanel->setFrameRate(std::nullopt);
         updateIdle();
     });
     connect(&m_motionPlayer, &MotionPlayer::angleChanged, this, &MainWindow::showMotionFrame);
@@ -180,6 +186,8 @@ void MainWindow::restoreSettings() {
     look.interpolation = m_viewPanel->interpolation();
     look.projection = m_viewPanel->projection();
     m_volumeView->setLook(look);
+    if (auto* logarithmic = m_otfEditor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
+        logarithmic->setChecked(m_settings.histogramLogarithmic());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
     if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state);
 }
@@ -190,6 +198,17 @@ void MainWindow::keepSettings() {
     m_settings.setProjection(m_viewPanel->projection());
     m_settings.setShaded(m_viewPanel->shaded());
     m_settings.setMotionPingPong(m_motionPanel->pingPong());
+    m_settings.setHistogramLogarithmic(m_otfEditor->canvas().histogramScale() == HistogramScale::logarithmic);
+}
+
+void MainWindow::showFrameRate() {
+    if (!m_motionPlayer.isPlaying()) return;
+    const double seconds = static_cast<double>(m_frameClock.isValid() ? m_frameClock.restart() : 0) * 1e-3;
+    if (!m_frameClock.isValid()) m_frameClock.start();
+    if (!(seconds > 0)) return;
+    // A running mean over about ten frames, so that the number can be read.
+    m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
+    m_motionPanel->setFrameRate(1.0 / m_frameSeconds);
 }
 
 bool MainWindow::idle() const {

@@ -1,6 +1,7 @@
 // The workstation's one window: puts the picture, the OTF editor, the method, the motion and the study together.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
 #include <optional>
@@ -75,6 +76,7 @@ private:
     void restoreSettings();
     void keepSettings();
     void updateIdle();
+    void showFrameRate();
 
     // main_window_study.cpp: what follows when something was opened, computed or turned
     void studyOpened();
@@ -129,6 +131,8 @@ private:
     View m_motionStart;        ///< the view at angle 0 of the motion
     bool m_newStudy = false;   ///< the next OTF is the first of a study: the camera is set with it
     const Study* m_shownStudy = nullptr;  ///< told apart by address only
+    QElapsedTimer m_frameClock;  ///< since the frame of the motion shown last
+    double m_frameSeconds = 0;   ///< running mean; 0: none yet
     bool m_idle = true;
     bool m_shown = false;
 };

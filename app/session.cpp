@@ -11,8 +11,8 @@ namespace {
 
 Result<Study> simulatedScan(const Progress& progress) {
     PhantomConfig config = defaultPhantom(PhantomScene::fetus);
-    config.size = {160, 160, 160};
-    config.spacing = Vec3(0.6, 0.6, 0.6);
+    config.size = {192, 192, 192};
+    config.spacing = Vec3(0.5, 0.5, 0.5);
     auto volume = makePhantom(config, progress);
     if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
     Study study;
