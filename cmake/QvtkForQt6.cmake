@@ -14,9 +14,13 @@ endif()
 file(WRITE ${PROJECT_BINARY_DIR}/qvtk/vtkGUISupportQtModule.h
     "#pragma once\n#define VTKGUISUPPORTQT_EXPORT\n#define VTKGUISUPPORTQT_NO_EXPORT\n")
 file(GLOB qvtk_files ${qvtk_sources}/*.cxx ${qvtk_sources}/*.h)
+# Only the headers become visible to others: the folder also holds a file named "version", which would be taken for
+# C++'s <version>.
+file(GLOB qvtk_headers ${qvtk_sources}/*.h)
+file(COPY ${qvtk_headers} DESTINATION ${PROJECT_BINARY_DIR}/qvtk)
 add_library(echolucent_qvtk STATIC ${qvtk_files})
 set_target_properties(echolucent_qvtk PROPERTIES AUTOMOC ON)
-target_include_directories(echolucent_qvtk SYSTEM PUBLIC ${qvtk_sources} ${PROJECT_BINARY_DIR}/qvtk)
+target_include_directories(echolucent_qvtk SYSTEM PUBLIC ${PROJECT_BINARY_DIR}/qvtk)
 target_compile_options(echolucent_qvtk PRIVATE -w)
 target_link_libraries(echolucent_qvtk PUBLIC Qt6::Widgets Qt6::OpenGL Qt6::OpenGLWidgets
     VTK::InteractionWidgets VTK::RenderingOpenGL2 VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle

@@ -45,7 +45,8 @@ Result<std::string> readWholeFile(const std::string& path, std::size_t limit) {
     if (!std::filesystem::is_regular_file(path, error))
         return fail(FailureKind::unreadable, path, "", "is not a file that can be read", "Check the name.");
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno));
+    if (!stream)
+        return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno));
     const auto size = std::filesystem::file_size(path, error);
     if (error || size > limit)
         return fail(FailureKind::unreadable, path, "", "is larger than a file of this kind can be");

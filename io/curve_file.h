@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// {"format": "echolucent-opacity-curve", "version": 1, "nodes": [{"intensity": 0.1, "opacity": 0.0}, ...]}: intensities
-/// ascending in [0,1], opacities in [0,1], at least one node; unknown keys are ignored.
+/// {"format": "echolucent-opacity-curve", "version": 1, "nodes": [{"intensity": 0.1, "opacity": 0.0}, ...]}:
+/// intensities ascending in [0,1], opacities in [0,1], at least one node; unknown keys are ignored.
 [[nodiscard]] Result<ManualCurve> readCurve(const std::string& path);
 [[nodiscard]] Result<void> writeCurve(const std::string& path, const ManualCurve& curve);
 

@@ -41,14 +41,19 @@ struct RawLayout {
     bool spacingKnown = false;
 };
 
+/// Writes FILE.echolucent.json beside a headerless raw file, so that readStudy() opens it without a layout next time.
+[[nodiscard]] Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout);
+/// The layout remembered for a file; no value where there is none. Fails where the side-car is there but wrong.
+[[nodiscard]] Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path);
+
 struct ReadOptions {
-    std::optional<RawLayout> raw;   ///< for files that are neither MetaImage, NRRD nor DICOM
-    bool framesAsSlices = false;    ///< take the frames of a multi-frame file without volume geometry as slices
-    bool guessNoData = true;        ///< mark the outside of the scanned sector as no data (guessDataMask)
+    std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
+    bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
+    bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
 };
 
-/// Reads a volume from a file or a DICOM folder; picks the format by content, then by name. Every size is checked against
-/// the file before memory is taken. progress is polled for cancel at least every few MB.
+/// Reads a volume from a file or a DICOM folder; picks the format by content, then by name. Every size is checked
+/// against the file before memory is taken. progress is polled for cancel at least every few MB.
 [[nodiscard]] Result<Study> readStudy(const std::string& path, const ReadOptions& options = {},
                                       const Progress& progress = {});
 

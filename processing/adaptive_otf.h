@@ -14,23 +14,34 @@
 
 namespace echolucent {
 
+/// a of the initial function where nobody asks for another: opacity at full intensity, before the clamp. Chosen by
+/// looking.
+inline constexpr double defaultOpacityScale = 1.0;
+
 /// How the method is run. Lengths are in units (the volume's smallest spacing) along and across the tube cores.
 struct AdaptiveOtfConfig {
-    int tubeColumns = 15;         ///< tube cores across the view's right axis, >= 1 (Petersch 2005, 6.1)
-    int tubeRows = 15;            ///< tube cores across the view's down axis, >= 1
-    double tubeSpacing = 0.0;     ///< units between tube cores; 0: automatic, so that the grid covers the volume (13 in
-                                  ///< the paper's 199x197x199)
-    int cellSize = 5;             ///< edge of a cell, units, >= 2; cells slide by one unit
-    int coarsestScale = 7;        ///< Gaussian kernels of size 2^n, n from here ...
-    int finestScale = 3;          ///< ... down to here
+    int tubeColumns = 15;      ///< tube cores across the view's right axis, >= 1 (Petersch 2005, 6.1)
+    int tubeRows = 15;         ///< tube cores across the view's down axis, >= 1
+    double tubeSpacing = 0.0;  ///< units between tube cores; 0: automatic, so that the grid covers the volume (13 in
+                               ///< the paper's 199x197x199)
+    int cellSize = 5;          ///< edge of a cell, units, 2 to 32; cells slide by one unit
+    int coarsestScale = 7;     ///< Gaussian kernels of size 2^n, n from here ...
+    int finestScale = 3;       ///< ... down to here
     double sigmaPerKernelSize = 0.25;  ///< standard deviation = this times 2^n units
-    double kernelCut = 3.0;       ///< kernels end at this many standard deviations, renormalised
-    double significance = 0.4;    ///< a local maximum counts from this share of the largest value in its range
-    int slopeHalfStep = 5;        ///< slope: central difference of cell means over +- this many units
-    double strength = 6.75;       ///< T * d_max: one rule for any number of tube cores, >= 0
-    OpacityCurve initial = PowerCurve{2, 1.0};  ///< the initial function; its scale is a
+    double kernelCut = 3.0;            ///< kernels end at this many standard deviations, renormalised
+    double significance = 0.4;         ///< a local maximum counts from this share of the largest value in its range
+    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1];
+                                 ///< 0: nothing, as in method.md's table
+    int slopeHalfStep = 5;          ///< slope: central difference of cell means over +- this many units
+    double leastEdgeToNoise = 4.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that
+                                    ///< ranks cannot be; 0: no test, as in method.md's table
+    double strength = 6.75;  ///< T * d_max: one rule for any number of tube cores, >= 0
+    OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
 };
+
+/// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing.
+[[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);
 
 enum class TubeStatus {
     surface,  ///< an interface was detected with at least one cell before it
@@ -43,40 +54,47 @@ struct TubeCore {
     int column = 0;  ///< u: index along the view's right axis
     int row = 0;     ///< v: index along the view's down axis
     TubeStatus status = TubeStatus::outside;
-    std::optional<Vec3> entryVoxel;    ///< where its axis enters the volume (the picture's near cut included)
-    std::optional<Vec3> surfaceVoxel;  ///< centre of the detected cell on the axis
-    Vec3 firstSampleVoxel{0, 0, 0};    ///< axis position of sample 0
-    int firstCell = 0;                 ///< cells before this one hold no data
-    int surfaceCell = -1;              ///< s_t, index into the arrays below; -1: none
+    std::optional<Vec3> entryVoxel;         ///< where its axis enters the volume (the picture's near cut included)
+    std::optional<Vec3> surfaceVoxel;       ///< centre of the detected cell on the axis
+    Vec3 firstSampleVoxel{0, 0, 0};         ///< axis position of sample 0
+    int firstCell = 0;                      ///< cells before this one hold too little data: here the tube begins
+    int surfaceCell = -1;                   ///< s_t, index into the arrays below; -1: none
     std::optional<double> lowIntensity;     ///< I_L: mean over the cells prior to the surface (i <= s - cellSize)
     std::optional<double> highIntensity;    ///< I_H: mean of the surface cell
     std::optional<double> lowIntensityMax;  ///< largest mean of a prior cell (eq. 8)
     std::optional<double> slope;            ///< S: per unit; may be negative
-    double intensityWeight = 0.0;  ///< w_I, eq. 9
-    double slopeWeight = 0.0;      ///< w_S, eq. 10
-    double extraWeight = 1.0;      ///< 0 where I_H <= I_L (eq. 6 has no meaning there), else 1
-    double d = 0.0;                ///< d_t = d_max w_I w_S extraWeight, eq. 11
+    std::optional<double> edgeToNoise;  ///< rise from the median prior cell mean to the mean slopeHalfStep behind the
+                                        ///< surface, over the scatter of the prior cell means; none: too few of them
+    double intensityWeight = 0.0;       ///< w_I, eq. 9
+    double slopeWeight = 0.0;           ///< w_S, eq. 10
+    double extraWeight = 1.0;  ///< 0 where I_H <= I_L (eq. 6 has no meaning there) or the edge drowns in the noise
+                               ///< (leastEdgeToNoise), else 1
+    double d = 0.0;            ///< d_t = d_max w_I w_S extraWeight, eq. 11
 
-    std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
-    std::vector<float> interfaceFunction;  ///< variance of normalised intensity of cell i: the interface indicating function
-    std::vector<int> trackedCells;         ///< detected cell at each scale, coarsest first, unsmoothed last; for Fig. 4
+    std::vector<float> cellMeans;  ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
+    std::vector<float>
+        interfaceFunction;          ///< variance of normalised intensity of cell i: the interface indicating function
+    std::vector<int> trackedCells;  ///< detected cell at each scale, for Fig. 4: from the coarsest that has a
+                                    ///< maximum to the finest, the unsmoothed function last
 };
 
-/// Where the time went, in ms of wall time.
+/// Where the time went, in ms of wall time. The tubes' stages run mixed on all threads; their wall time is shared out
+/// by the time the threads spent in each.
 struct StageTimes {
     double sampling = 0.0, cells = 0.0, detection = 0.0, weights = 0.0, curve = 0.0, total = 0.0;
 };
 
 struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
-    AdaptiveOtfConfig config;      ///< as used, automatic values filled in
+    AdaptiveOtfConfig config;                      ///< as asked for
+    std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, along the view's right and down axes
     View view;
-    Vec3 directionVoxel{0, 0, 1};  ///< unit, voxel index space
-    double tubeLengthUnit = 1.0;   ///< mm per unit
-    int tubesMeetingVolume = 0;    ///< T and N
-    int tubesWithSurface = 0;      ///< status surface and d > 0
-    double dMax = 0.0;             ///< strength / T
-    std::vector<TubeCore> tubes;   ///< row-major: index = row * tubeColumns + column
+    Vec3 directionVoxel{0, 0, 1};    ///< unit, voxel index space
+    double tubeLengthUnit = 1.0;     ///< mm per unit
+    int tubesMeetingVolume = 0;      ///< T and N
+    int tubesWithSurface = 0;        ///< status surface and d > 0
+    double dMax = 0.0;               ///< strength / T
+    std::vector<TubeCore> tubes;     ///< row-major: index = row * tubeColumns + column
     std::vector<double> logOpacity;  ///< sampleCount values: ln initial(x) + sum ln(1+d) g(x), before any clamp
     SampledCurve curve;              ///< min(1, exp(logOpacity))
     std::string message;  ///< a sentence where something could not be done ("no surface found: ..."); else empty
@@ -84,6 +102,7 @@ struct AdaptiveOtf {
 };
 
 /// Runs the method. Empty only where progress.cancel was raised. The same bits for any number of threads.
+/// Throws std::invalid_argument where problemOf(config) is not empty.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {});
 

@@ -25,8 +25,10 @@ struct Failure {
     /// "FILE: ELEMENT problem. Remedy" as one line for a person.
     [[nodiscard]] std::string sentence() const;
 
-    /// Not empty where the failure is 2D data without volume geometry that the person may accept as slices.
+    /// True where the file holds 2D frames without volume geometry that the person may accept as slices.
     bool framesCouldBeSlices = false;
+    /// True where the file has no header that is known, so that the person may say how it is laid out.
+    bool layoutUnknown = false;
 };
 
 template <typename T>

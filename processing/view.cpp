@@ -62,15 +62,34 @@ Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
 }
 
-double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry) {
+namespace {
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+};
+
+/// Where the box begins and ends along the view, mm from the grid origin.
+Range boxAlongView(const View& view, const VolumeGeometry& geometry) {
     const Vec3 forward = frameOf(view).forward;
-    double foremost = std::numeric_limits<double>::infinity();
+    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
+    Range range;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
         const Vec3 point{corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]};
-        foremost = std::min(foremost, forward.dot(point));
+        const double depth = forward.dot(point);
+        range.low = std::min(range.low, depth);
+        range.high = std::max(range.high, depth);
     }
-    return foremost + std::max(0.0, view.nearCutMm);
+    return range;
+}
+}  // namespace
+
+double depthAlongViewMm(const View& view, const VolumeGeometry& geometry) {
+    const Range range = boxAlongView(view, geometry);
+    return range.high - range.low;
+}
+
+double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry) {
+    return boxAlongView(view, geometry).low + std::max(0.0, view.nearCutMm);
 }
 
 }  // namespace echolucent

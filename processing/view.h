@@ -44,6 +44,9 @@ struct ViewFrame {
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
 [[nodiscard]] Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry);
 
+/// How deep the volume's box is along the view, mm: the near cut that leaves nothing.
+[[nodiscard]] double depthAlongViewMm(const View& view, const VolumeGeometry& geometry);
+
 /// Distance along `forward` (mm, measured from the grid origin) of the near cut plane: the foremost corner of the box
 /// plus nearCutMm.
 [[nodiscard]] double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry);

@@ -78,10 +78,10 @@ private:
     std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
 };
 
-/// Guess of the voxels outside the scanned sector: exactly 0, connected (6-neighbourhood) to the border of the grid
-/// through such voxels. Returns one byte a voxel (1 = data) joined with the volume's own mask, or an empty vector where
-/// the guess finds none: regions too small or too noisy-edged to be a sector's outside are true fluid (method.md:
-/// "exactly 0, connected to the border, without a single noisy voxel, shaped like a sector").
+/// Guess of the voxels outside the scanned sector: exactly 0 and connected (6-neighbourhood) through such voxels to a corner
+/// of the grid, which a sector always leaves free and a pool of fluid at the probe does not; at least 2 % of the grid, and
+/// thick (speckle's zeros are not). Single noisy voxels in the midst of it belong to it. Returns one byte a voxel
+/// (1 = data), joined with the volume's own mask; where there is no such region, the volume's own mask.
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
 
 }  // namespace echolucent

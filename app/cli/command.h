@@ -25,7 +25,7 @@ void addOtfCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 
-/// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --keep-zero-as-data.
+/// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --all-voxels.
 struct VolumeOptions {
     std::string path;
     int phase = 0;

@@ -1,11 +1,31 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "app/cli/command.h"
+
+namespace {
+
+/// "--beam-axis -y" as "--beam-axis=-y": else the axis would be taken for an option of its own. Reversed, as CLI11 wants it.
+std::vector<std::string> joinedArguments(int count, char** arguments) {
+    std::vector<std::string> joined;
+    for (int i = 1; i < count; ++i) {
+        if (!joined.empty() && joined.back() == "--beam-axis")
+            joined.back() += std::string("=") + arguments[i];
+        else
+            joined.emplace_back(arguments[i]);
+    }
+    std::reverse(joined.begin(), joined.end());
+    return joined;
+}
+
+}  // namespace
 
 int main(int count, char** arguments) {
     using namespace echolucent::cli;
@@ -22,7 +42,7 @@ int main(int count, char** arguments) {
     addRenderCommand(program, action);
     addPhantomCommand(program, action);
     try {
-        program.parse(count, arguments);
+        program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : 2;
     }

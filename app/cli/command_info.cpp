@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "app/cli/command.h"
+#include "io/atomic_file.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InfoOptions {
+    VolumeOptions volume;
+    bool json = false;
+};
+
+/// Smallest and largest stored value of the voxels that are data; no value where none is.
+struct StoredRange {
+    double low = 0.0;
+    double high = 0.0;
+    std::int64_t dataVoxels = 0;
+};
+
+StoredRange storedRangeOf(const Volume& volume) {
+    StoredRange range;
+    for (std::int64_t offset = 0; offset < volume.geometry().voxelCount(); ++offset) {
+        if (!volume.hasData(offset)) continue;
+        const double value = volume.storedValue(offset);
+        range.low = range.dataVoxels == 0 ? value : std::min(range.low, value);
+        range.high = range.dataVoxels == 0 ? value : std::max(range.high, value);
+        ++range.dataVoxels;
+    }
+    return range;
+}
+
+ordered_json vectorJson(const Vec3& vector) { return {vector[0], vector[1], vector[2]}; }
+
+ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
+    const VolumeGeometry& geometry = volume.geometry();
+    const StoredRange range = storedRangeOf(volume);
+    ordered_json object;
+    ordered_json& entry = object["volume"];
+    entry["name"] = study.name;
+    entry["size"] = geometry.size;
+    entry["spacing_mm"] = vectorJson(geometry.spacing);
+    entry["spacing_known"] = geometry.spacingKnown;
+    entry["origin_mm"] = vectorJson(geometry.origin);
+    entry["direction"] = ordered_json::array();
+    for (int axis = 0; axis < 3; ++axis)
+        entry["direction"].push_back(
+            {geometry.direction(0, axis), geometry.direction(1, axis), geometry.direction(2, axis)});
+    entry["type"] = volume.typeName();
+    entry["white_level"] = volume.whiteLevel();
+    entry["phases"] = study.phases.size();
+    entry["phase"] = phase;
+    entry["phase_seconds"] = study.phaseSeconds ? ordered_json(*study.phaseSeconds) : ordered_json();
+    entry["stored_range"] = range.dataVoxels > 0 ? ordered_json{range.low, range.high} : ordered_json();
+    entry["no_data_share"] = 1.0 - static_cast<double>(range.dataVoxels) / static_cast<double>(geometry.voxelCount());
+    entry["lossy_compressed"] = study.lossyCompressed;
+    object["view"] = {{"beam_axis", "+z"}};
+    object["facts"] = ordered_json::array();
+    for (const ImportFact& fact : study.facts)
+        object["facts"].push_back({{"name", fact.name}, {"value", fact.value}, {"source", fact.source}});
+    object["warnings"] = study.warnings;
+    return object;
+}
+
+std::string infoText(const Study& study, const Volume& volume, int phase) {
+    const StoredRange range = storedRangeOf(volume);
+    std::string text = study.name + "\n";
+    const auto line = [&](const std::string& name, const std::string& value, const std::string& source) {
+        text += fmt::format("  {:<28} {}{}\n", name, value, source.empty() ? "" : "  [" + source + "]");
+    };
+    for (const ImportFact& fact : study.facts) line(fact.name, fact.value, fact.source);
+    if (study.phases.size() > 1) line("phase shown below", std::to_string(phase), "--phase");
+    line("stored values", range.dataVoxels > 0 ? fmt::format("{} to {}", range.low, range.high) : "none",
+         "data voxels");
+    line("default view direction", "+z of the voxel grid", "--beam-axis changes it");
+    for (const std::string& warning : study.warnings) text += "  Note: " + warning + "\n";
+    for (char& character : text)
+        if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';
+    return text;
+}
+
+Result<void> runInfo(const InfoOptions& options) {
+    const auto study = options.volume.readAll();
+    if (!study) return tl::unexpected(study.error());
+    const Volume& volume = *study->phases[static_cast<std::size_t>(options.volume.phase)];
+    // Text in files may be in any encoding; JSON must be UTF-8.
+    const std::string output = options.json ? infoJson(*study, volume, options.volume.phase)
+                                                      .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+                                                  "\n"
+                                            : infoText(*study, volume, options.volume.phase);
+    return writeFileAtomically("-", output);
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand("info", "Say what a volume file holds and how it was read");
+    options->volume.addTo(*command);
+    command->add_flag("--json", options->json, "Write one JSON object (docs/cli-info.md) instead of text");
+    command->footer("Example:\n  echolucent-cli info heart.nrrd --phase 2 --json");
+    command->callback([options, &action] { action = [options] { return runInfo(*options); }; });
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,66 @@
+#include <array>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/otf_report.h"
+#include "io/atomic_file.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct OtfOptions {
+    VolumeOptions volume;
+    ViewOptions view;
+    MethodOptions method;
+    std::string json, csv, tubesCsv;
+};
+
+Result<void> write(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf) {
+    if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
+        return writeFileAtomically("-", summary(volume, otf));
+    if (!options.json.empty())
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial)); !done)
+            return done;
+    if (!options.csv.empty())
+        if (auto done = writeFileAtomically(options.csv, curveTable(otf)); !done) return done;
+    if (!options.tubesCsv.empty())
+        if (auto done = writeFileAtomically(options.tubesCsv, tubeTable(otf)); !done) return done;
+    if (!otf.message.empty()) std::fprintf(stderr, "%s\n", otf.message.c_str());
+    return {};
+}
+
+Result<void> computeOtf(const OtfOptions& options) {
+    const int toStandardOutput = (options.json == "-") + (options.csv == "-") + (options.tubesCsv == "-");
+    if (toStandardOutput > 1)
+        return fail(FailureKind::wrongUsage, "", "",
+                    "only one of --json, --csv and --tubes-csv can go to standard output");
+    const auto view = options.view.get();
+    if (!view) return tl::unexpected<Failure>(view.error());
+    const auto config = options.method.get();
+    if (!config) return tl::unexpected<Failure>(config.error());
+    const auto volume = options.volume.readPhase();
+    if (!volume) return tl::unexpected<Failure>(volume.error());
+    const auto otf = adaptOpacity(**volume, *view, *config);
+    return write(options, **volume, *otf);
+}
+
+}  // namespace
+
+void addOtfCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<OtfOptions>();
+    CLI::App& command = *program.add_subcommand("otf", "Computes the adaptive opacity transfer function of a volume");
+    options->volume.addTo(command);
+    options->view.addTo(command);
+    options->method.addTo(command);
+    command.add_option("--json", options->json, "Everything as JSON (docs/cli-otf.md); - is standard output")
+        ->type_name("FILE");
+    command.add_option("--csv", options->csv, "The curve: intensity,opacity,log_opacity,initial_opacity")
+        ->type_name("FILE");
+    command.add_option("--tubes-csv", options->tubesCsv, "The tube cores, one a row")->type_name("FILE");
+    command.footer("Example: echolucent-cli otf chest.mha --beam-axis +y --near 18 --json chest-otf.json");
+    command.callback([options, &action] { action = [options] { return computeOtf(*options); }; });
+}
+
+}  // namespace echolucent::cli

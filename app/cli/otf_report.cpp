@@ -1,0 +1,181 @@
+#include "app/cli/otf_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace echolucent::cli {
+
+namespace {
+
+// Keys in the order they are written; doubles are written with as many digits as they need to come back the same.
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json maybe(const std::optional<double>& value) { return value ? finite(*value) : Json(nullptr); }
+Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
+Json maybe(const std::optional<Vec3>& value) { return value ? triple(*value) : Json(nullptr); }
+
+std::string_view nameOf(TubeStatus status) {
+    switch (status) {
+        case TubeStatus::surface: return "surface";
+        case TubeStatus::none: return "none";
+        case TubeStatus::outside: return "outside";
+    }
+    return "";
+}
+
+/// a of the initial function, as --opacity-scale sets it; a manual curve carries it in its opacities.
+double opacityScaleOf(const OpacityCurve& curve) {
+    if (const auto* power = std::get_if<PowerCurve>(&curve)) return power->scale;
+    if (const auto* linear = std::get_if<LinearCurve>(&curve)) return linear->slope;
+    return 1.0;
+}
+
+Json initialFunction(const OpacityCurve& curve) {
+    Json made;
+    if (const auto* power = std::get_if<PowerCurve>(&curve)) {
+        made["exponent"] = power->exponent;
+        made["scale"] = power->scale;
+    } else if (const auto* linear = std::get_if<LinearCurve>(&curve)) {
+        made["lower"] = linear->lower;
+        made["slope"] = linear->slope;
+        made["upper"] = linear->upper;
+    } else if (const auto* manual = std::get_if<ManualCurve>(&curve)) {
+        made["nodes"] = Json::array();
+        for (const CurveNode& node : manual->nodes)
+            made["nodes"].push_back({{"intensity", node.intensity}, {"opacity", node.opacity}});
+    }
+    return made;
+}
+
+Json parameters(const AdaptiveOtf& otf, const std::string& initialName) {
+    const AdaptiveOtfConfig& config = otf.config;
+    return {{"initial", initialName},
+            {"initial_function", initialFunction(config.initial)},
+            {"opacity_scale", opacityScaleOf(config.initial)},
+            {"tube_grid", Json::array({config.tubeColumns, config.tubeRows})},
+            {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
+            {"unit_mm", otf.tubeLengthUnit},
+            {"cell_size", config.cellSize},
+            {"coarsest_scale", config.coarsestScale},
+            {"finest_scale", config.finestScale},
+            {"sigma_per_kernel_size", config.sigmaPerKernelSize},
+            {"kernel_cut", config.kernelCut},
+            {"significance", config.significance},
+            {"floor_quantile", config.floorQuantile},
+            {"least_edge_to_noise", config.leastEdgeToNoise},
+            {"slope_half_step", config.slopeHalfStep},
+            {"strength", config.strength},
+            {"d_max", otf.dMax},
+            {"tubes_meeting_volume", otf.tubesMeetingVolume}};
+}
+
+Json tubeObject(const TubeCore& tube) {
+    return {{"u", tube.column},
+            {"v", tube.row},
+            {"status", nameOf(tube.status)},
+            {"entry_voxel", maybe(tube.entryVoxel)},
+            {"surface_voxel", maybe(tube.surfaceVoxel)},
+            {"i_low", maybe(tube.lowIntensity)},
+            {"i_high", maybe(tube.highIntensity)},
+            {"i_low_max", maybe(tube.lowIntensityMax)},
+            {"slope", maybe(tube.slope)},
+            {"edge_to_noise", maybe(tube.edgeToNoise)},
+            {"w_intensity", tube.intensityWeight},
+            {"w_slope", tube.slopeWeight},
+            {"w_extra", tube.extraWeight},
+            {"d", tube.d}};
+}
+
+double intensityOf(std::size_t sample) { return static_cast<double>(sample) / (AdaptiveOtf::sampleCount - 1); }
+
+Json curveObject(const AdaptiveOtf& otf) {
+    Json intensities = Json::array(), logOpacities = Json::array(), opacities = Json::array();
+    for (std::size_t i = 0; i < otf.logOpacity.size(); ++i) {
+        intensities.push_back(intensityOf(i));
+        logOpacities.push_back(finite(otf.logOpacity[i]));
+        opacities.push_back(otf.curve.opacities[i]);
+    }
+    return {{"intensity", intensities}, {"log_opacity", logOpacities}, {"opacity", opacities}};
+}
+
+/// Shortest text that reads back as the same double; empty where there is no number.
+std::string cell(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+}
+
+std::string cells(const std::optional<Vec3>& value) {
+    return value ? fmt::format("{},{},{}", (*value)[0], (*value)[1], (*value)[2]) : std::string(",,");
+}
+
+}  // namespace
+
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName) {
+    const VolumeGeometry& geometry = volume.geometry();
+    const StageTimes& times = otf.times;
+    Json report;
+    report["message"] = otf.message;
+    report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
+                        {"spacing_mm", triple(geometry.spacing)},
+                        {"spacing_known", geometry.spacingKnown},
+                        {"type", volume.typeName()},
+                        {"white_level", volume.whiteLevel()}};
+    report["view"] = {{"direction_voxel", triple(otf.directionVoxel)},
+                      {"beam_axis", echolucent::nameOf(otf.view.beamAxis)},
+                      {"azimuth", otf.view.azimuthDegrees},
+                      {"elevation", otf.view.elevationDegrees},
+                      {"near_mm", otf.view.nearCutMm}};
+    report["parameters"] = parameters(otf, initialName);
+    report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
+                          {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
+    report["tubes"] = Json::array();
+    for (const TubeCore& tube : otf.tubes) report["tubes"].push_back(tubeObject(tube));
+    report["otf"] = curveObject(otf);
+    // A file name in another encoding must not end the program.
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string curveTable(const AdaptiveOtf& otf) {
+    std::string table = "intensity,opacity,log_opacity,initial_opacity\n";
+    for (std::size_t i = 0; i < otf.logOpacity.size(); ++i)
+        table += fmt::format("{},{},{},{}\n", intensityOf(i), otf.curve.opacities[i], cell(otf.logOpacity[i]),
+                             opacityAt(otf.config.initial, intensityOf(i)));
+    return table;
+}
+
+std::string tubeTable(const AdaptiveOtf& otf) {
+    std::string table =
+        "u,v,status,entry_x,entry_y,entry_z,surface_x,surface_y,surface_z,i_low,i_high,i_low_max,slope,edge_to_noise,"
+        "w_intensity,w_slope,w_extra,d\n";
+    for (const TubeCore& tube : otf.tubes)
+        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, nameOf(tube.status),
+                             cells(tube.entryVoxel), cells(tube.surfaceVoxel), cell(tube.lowIntensity),
+                             cell(tube.highIntensity), cell(tube.lowIntensityMax), cell(tube.slope),
+                             cell(tube.edgeToNoise), tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
+    return table;
+}
+
+std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
+    const auto& size = volume.geometry().size;
+    const auto found = std::count_if(otf.tubes.begin(), otf.tubes.end(),
+                                     [](const TubeCore& tube) { return tube.status == TubeStatus::surface; });
+    double sum = 0.0;
+    for (const TubeCore& tube : otf.tubes) sum += tube.d;
+    std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, near cut {} mm\n", size[0],
+                                   size[1], size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
+                                   otf.view.azimuthDegrees, otf.view.elevationDegrees, otf.view.nearCutMm);
+    text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
+                        otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithSurface);
+    text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
+    text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
+                        otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,
+                        otf.times.curve);
+    if (!otf.message.empty()) text += otf.message + "\n";
+    return text;
+}
+
+}  // namespace echolucent::cli

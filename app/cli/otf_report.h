@@ -1,0 +1,20 @@
+// An adaptive OTF as text: JSON, CSV and a summary for a person. docs/cli-otf.md describes each field and column.
+#pragma once
+
+#include <string>
+
+#include "app/cli/command.h"
+#include "processing/adaptive_otf.h"
+#include "processing/volume.h"
+
+namespace echolucent::cli {
+
+/// One JSON object, numbers round-trip, ends with a newline.
+[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName);
+/// intensity, opacity, log_opacity, initial_opacity: 256 rows and a header.
+[[nodiscard]] std::string curveTable(const AdaptiveOtf& otf);
+/// One row a tube core and a header, columns as in the JSON.
+[[nodiscard]] std::string tubeTable(const AdaptiveOtf& otf);
+[[nodiscard]] std::string summary(const Volume& volume, const AdaptiveOtf& otf);
+
+}  // namespace echolucent::cli

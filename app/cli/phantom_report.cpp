@@ -1,0 +1,121 @@
+#include "app/cli/phantom_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "processing/tube_core/tube_grid.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
+
+VolumeGeometry geometryOf(const PhantomConfig& config) {
+    VolumeGeometry geometry;
+    geometry.size = config.size;
+    geometry.spacing = config.spacing;
+    return geometry;
+}
+
+Json configJson(const PhantomConfig& config) {
+    return {{"scene", nameOf(config.scene)},
+            {"size", config.size},
+            {"spacing_mm", triple(config.spacing)},
+            {"fluid", config.fluid},
+            {"tissue", config.tissue},
+            {"object", config.object},
+            {"ramp_units", config.ramp},
+            {"gain_variation", config.gainVariation},
+            {"speckle", config.speckle},
+            {"speckle_size_voxels", config.speckleSize},
+            {"attenuation_per_unit", config.attenuation},
+            {"shadow_per_unit", config.shadow},
+            {"specular", config.specular},
+            {"log_compress_db", config.logCompressDecibel},
+            {"front_wall", config.frontWall},
+            {"bits", config.bits},
+            {"seed", config.seed}};
+}
+
+Json primitivesJson(const PhantomTruth& truth) {
+    Json all = Json::array();
+    for (const PhantomPrimitive& primitive : truth.primitives())
+        all.push_back({{"name", primitive.name},
+                       {"kind", primitive.kind},
+                       {"material", primitive.material},
+                       {"carves", primitive.carves},
+                       {"seam_mm", primitive.seamMm},
+                       {"echo", primitive.echo},
+                       {"parameters_mm", primitive.parameters}});
+    return all;
+}
+
+/// The truth along one tube core: depths in units from where the tube core's axis enters the picture.
+Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view, const TubeAxis& axis,
+              int cellSize) {
+    Json tube{{"u", axis.column},         {"v", axis.row},
+              {"entry_voxel", nullptr},   {"depth_units", nullptr},
+              {"surface_voxel", nullptr}, {"corner_depths_units", Json::array({nullptr, nullptr, nullptr, nullptr})}};
+    if (!axis.entryVoxel) return tube;
+    tube["entry_voxel"] = triple(*axis.entryVoxel);
+    const Vec3 entry = geometry.gridMmFromVoxel(*axis.entryVoxel);
+    const double nearPlane = nearPlaneDepthMm(view, geometry);
+    const auto depthOf = [&](const Vec3& surface) { return axis.directionMm.dot(surface - entry) / geometry.unit(); };
+    if (const auto surface = truth.firstInterfacePoint(entry, axis.directionMm, nearPlane)) {
+        tube["depth_units"] = depthOf(*surface);
+        tube["surface_voxel"] = triple(geometry.voxelFromGridMm(*surface));
+    }
+    const ViewFrame frame = frameOf(view);
+    const double half = 0.5 * (cellSize - 1) * geometry.unit();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const Vec3 origin =
+            entry + frame.right * (corner & 1 ? half : -half) + frame.down * (corner & 2 ? half : -half);
+        if (const auto surface = truth.firstInterfacePoint(origin, axis.directionMm, nearPlane))
+            tube["corner_depths_units"][corner] = depthOf(*surface);
+    }
+    return tube;
+}
+
+Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const View& view,
+               const AdaptiveOtfConfig& tubes) {
+    const VolumeGeometry geometry = geometryOf(config);
+    Json all = Json::array();
+    for (const TubeAxis& axis : tubeAxes(geometry, view, tubes))
+        all.push_back(tubeJson(truth, geometry, view, axis, tubes.cellSize));
+    return all;
+}
+
+}  // namespace
+
+std::string truthReport(const std::vector<PhantomConfig>& phases, const View& view, const AdaptiveOtfConfig& tubes) {
+    const PhantomConfig& first = phases.front();
+    Json report;
+    report["config"] = configJson(first);
+    report["view"] = {{"beam_axis", nameOf(view.beamAxis)},
+                      {"azimuth_degrees", view.azimuthDegrees},
+                      {"elevation_degrees", view.elevationDegrees},
+                      {"near_mm", view.nearCutMm},
+                      {"direction_mm", triple(frameOf(view).forward)}};
+    const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes);
+    report["tube_grid"] = {{"columns", tubes.tubeColumns},
+                           {"rows", tubes.tubeRows},
+                           {"spacing_units", spacing},
+                           {"cell_size_units", tubes.cellSize}};
+    const auto add = [&](Json& to, const PhantomConfig& config) {
+        const PhantomTruth truth(config);
+        to["primitives"] = primitivesJson(truth);
+        to["tubes"] = tubesJson(truth, config, view, tubes);
+    };
+    add(report, first);
+    if (phases.size() > 1)
+        for (const PhantomConfig& config : phases) {
+            Json phase{{"phase", config.phase}};
+            add(phase, config);
+            report["phases"].push_back(std::move(phase));
+        }
+    return report.dump(1) + "\n";
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,18 @@
+// What is true of a simulated scan, as JSON. docs/cli-phantom.md describes each field.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+#include "processing/phantom.h"
+#include "processing/view.h"
+
+namespace echolucent::cli {
+
+/// One JSON object, numbers round-trip, ends with a newline. `phases`: the config of each phase written, at least one.
+/// Of `tubes` only grid, spacing and cell size matter.
+[[nodiscard]] std::string truthReport(const std::vector<PhantomConfig>& phases, const View& view,
+                                      const AdaptiveOtfConfig& tubes);
+
+}  // namespace echolucent::cli

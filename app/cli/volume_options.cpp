@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/cli/command.h"
+#include "io/header_text.h"
+#include "io/voxel_types.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+tl::unexpected<Failure> wrongOption(const std::string& option, const std::string& problem, const std::string& remedy) {
+    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
+}
+
+Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
+    const bool any = !options.rawSpacing.empty() || !options.rawType.empty() || !options.rawByteOrder.empty() ||
+                     options.rawHeaderBytes != 0;
+    if (options.rawSize.empty()) {
+        if (any) return wrongOption("--raw-size", "is missing beside other --raw options", "Give it as XxYxZ.");
+        return std::optional<RawLayout>();
+    }
+    RawLayout layout;
+    const auto size = parseNumbers(options.rawSize, 3, "--raw-size");
+    if (!size) return tl::unexpected(size.error());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double value = (*size)[axis];
+        if (value < 1 || value > 1e15 || value != std::floor(value))
+            return wrongOption("--raw-size", "must be three whole numbers above 0, not " + quotedText(options.rawSize),
+                               "Give it as XxYxZ.");
+        layout.size[axis] = static_cast<std::int64_t>(value);
+    }
+    if (!options.rawType.empty()) layout.type = options.rawType;
+    layout.bigEndian = options.rawByteOrder == "big";
+    layout.headerBytes = options.rawHeaderBytes;
+    if (!options.rawSpacing.empty()) {
+        const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing");
+        if (!spacing) return tl::unexpected(spacing.error());
+        for (int axis = 0; axis < 3; ++axis) {
+            layout.spacing[axis] = (*spacing)[static_cast<std::size_t>(axis)];
+            if (!std::isfinite(layout.spacing[axis]) || !(layout.spacing[axis] > 0))
+                return wrongOption("--raw-spacing",
+                                   "must be three numbers above 0, not " + quotedText(options.rawSpacing),
+                                   "Give it in mm as XxYxZ.");
+        }
+        layout.spacingKnown = true;
+    }
+    return std::optional(layout);
+}
+
+}  // namespace
+
+int exitStatus(const Failure& failure) {
+    switch (failure.kind) {
+        case FailureKind::wrongUsage: return 2;
+        case FailureKind::unwritable: return 4;
+        case FailureKind::unreadable:
+        case FailureKind::cancelled: break;
+    }
+    return 3;
+}
+
+Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option) {
+    std::string spaced = text;
+    for (char& character : spaced)
+        if (character == 'x' || character == 'X' || character == ',') character = ' ';
+    const auto values = realNumbers(spaced);
+    // Counting separators too: "3xx4" is a slip, not two numbers.
+    const auto separators = static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X' || c == ','; }));
+    if (!values || values->size() != count || separators + 1 != count)
+        return wrongOption(option,
+                           fmt::format("must be {} numbers with x between them, not {}", count, quotedText(text)),
+                           count == 2 ? "Give it as AxB." : "Give it as AxBxC.");
+    return *values;
+}
+
+void VolumeOptions::addTo(CLI::App& command) {
+    command
+        .add_option("VOLUME", path,
+                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), DICOM file or folder, or raw with --raw-size")
+        ->required();
+    command.add_option("--phase", phase, "Phase of a 4D volume, from 0")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");
+    command.add_option("--raw-type", rawType, "Voxel type of a raw file; uint8 where not given")
+        ->check(CLI::IsMember({"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"}));
+    command.add_option("--raw-byte-order", rawByteOrder, "Byte order of a raw file; little where not given")
+        ->check(CLI::IsMember({"little", "big"}));
+    command.add_option("--raw-header-bytes", rawHeaderBytes, "Bytes before the voxels of a raw file")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--raw-spacing", rawSpacing, "Spacing of a raw file in mm, XxYxZ; unknown where not given");
+    command.add_flag("--frames-as-slices", read.framesAsSlices,
+                     "Take the frames of a 2D cine as slices; the spacing stays unknown");
+    command.add_flag(
+        "--all-voxels", [this](std::int64_t) { read.guessNoData = false; },
+        "Take every voxel as data: do not guess what lies outside the scanned sector");
+}
+
+Result<Study> VolumeOptions::readAll() const {
+    ReadOptions options = read;
+    const auto layout = layoutFrom(*this);
+    if (!layout) return tl::unexpected(layout.error());
+    options.raw = *layout;
+    auto study = readStudy(path, options);
+    if (!study) return study;
+    if (phase < 0 || static_cast<std::size_t>(phase) >= study->phases.size())
+        return fail(FailureKind::wrongUsage, path, "--phase",
+                    fmt::format("is {}, but the volume has {} phase(s)", phase, study->phases.size()),
+                    fmt::format("Choose 0 to {}.", study->phases.size() - 1));
+    return study;
+}
+
+Result<std::shared_ptr<const Volume>> VolumeOptions::readPhase() const {
+    const auto study = readAll();
+    if (!study) return tl::unexpected(study.error());
+    return study->phases[static_cast<std::size_t>(phase)];
+}
+
+}  // namespace echolucent::cli

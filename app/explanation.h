@@ -1,0 +1,26 @@
+// Why the picture on the screen looks as it does, in words.
+#pragma once
+
+#include <QString>
+
+#include "io/study.h"
+#include "processing/adaptive_otf.h"
+#include "widgets/otf_editor/otf_editor.h"
+
+namespace echolucent {
+
+/// What the picture is made of.
+struct PictureFacts {
+    const Study& study;
+    const Volume& volume;
+    const AdaptiveOtf* otf;  ///< null: not computed yet
+    View view;
+    CurveKind active;
+    bool shaded;
+    bool simulated;
+};
+
+/// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found, what is assumed.
+[[nodiscard]] QString explainPicture(const PictureFacts& facts);
+
+}  // namespace echolucent

@@ -1,0 +1,43 @@
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFile>
+#include <QTextStream>
+
+#include "app/main_window.h"
+#include "app/start_timer.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+int main(int count, char** arguments) {
+    using namespace echolucent;
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setApplicationName(QStringLiteral("Echolucent"));
+    QApplication::setOrganizationName(QStringLiteral("Echolucent"));
+    QApplication::setApplicationVersion(QStringLiteral(ECHOLUCENT_VERSION));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("3D ultrasound workstation. Not a medical device."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QStringLiteral("A volume, or a folder of DICOM slices; none: a simulated scan."),
+                                 QStringLiteral("[FILE]"));
+    QCommandLineOption firstPicture(QStringLiteral("first-picture"),
+                                    QStringLiteral("Print the milliseconds to the first picture, then quit."));
+    firstPicture.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOption(firstPicture);
+    parser.process(application);
+
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QFile theme(QStringLiteral(":/dark.qss"));
+    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+
+    MainWindow window;
+    if (parser.isSet(firstPicture)) printStartTimes(window);
+    window.show();
+    if (const QStringList files = parser.positionalArguments(); !files.isEmpty())
+        window.open(files.first());
+    else
+        window.openSimulatedScan();
+    return QApplication::exec();
+}

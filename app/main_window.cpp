@@ -1,0 +1,249 @@
+#include "app/main_window.h"
+
+#include <QAbstractButton>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/motion_panel.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/view_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+MainWindow::MainWindow(const QString& settingsFile, QWidget* parent) : QMainWindow(parent), m_settings(settingsFile) {
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Echolucent"));
+    setAcceptDrops(true);
+    resize(1440, 920);
+    createParts();
+    createActions();
+    connectSession();
+    connectPicture();
+    connectMethod();
+    connectMotion();
+    restoreSettings();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::createParts() {
+    auto* centre = new QWidget(this);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    // The bar stands above the picture, not on it: a native OpenGL window covers its sibling widgets.
+    m_messageBar = new MessageBar(centre);
+    m_volumeView = new VolumeViewWidget(centre);
+    m_motionPanel = new MotionPanel(centre);
+    column->addWidget(m_messageBar);
+    column->addWidget(m_volumeView, 1);
+    column->addWidget(m_motionPanel);
+    setCentralWidget(centre);
+
+    m_otfEditor = new OtfEditor(this);
+    m_methodPanel = new MethodPanel(this);
+    m_viewPanel = new ViewPanel(this);
+    m_studyPanel = new StudyPanel(this);
+    QDockWidget* otf = addDock(tr("Opacity transfer function"), "dock.otfEditor", m_otfEditor);
+    QDockWidget* picture = addDock(tr("Picture"), "dock.view", m_viewPanel);
+    QDockWidget* method = addDock(tr("Adaptive"), "dock.method", m_methodPanel);
+    QDockWidget* study = addDock(tr("Study"), "dock.study", m_studyPanel);
+    splitDockWidget(otf, picture, Qt::Vertical);
+    tabifyDockWidget(picture, method);
+    tabifyDockWidget(method, study);
+    picture->raise();
+    resizeDocks({otf, picture}, {560, 300}, Qt::Vertical);
+    resizeDocks({otf, picture}, {430, 430}, Qt::Horizontal);
+
+    m_runStatus = new RunStatus(this);
+    statusBar()->addWidget(m_runStatus, 1);
+    statusBar()->setSizeGripEnabled(false);
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    auto* scroll = new QScrollArea(dock);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    // Panels scroll up and down only, so that nothing at their right edge is ever out of sight.
+    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    dock->setWidget(scroll);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    return dock;
+}
+
+void MainWindow::connectSession() {
+    connect(&m_session, &Session::loadingChanged, this, [this](bool loading) {
+        if (loading)
+            m_runStatus->beginProgress(tr("loading"));
+        else
+            m_runStatus->endProgress();
+        updateIdle();
+    });
+    connect(&m_session, &Session::loadingProgressed, m_runStatus, &RunStatus::setProgress);
+    connect(m_runStatus, &RunStatus::cancelRequested, &m_session, &Session::cancelLoading);
+    connect(&m_session, &Session::studyOpened, this, &MainWindow::studyOpened);
+    connect(&m_session, &Session::openFailed, this, &MainWindow::openFailed);
+    connect(&m_session, &Session::volumeChanged, this, &MainWindow::volumeChanged);
+    connect(&m_session, &Session::computingOtfChanged, this, &MainWindow::updateIdle);
+    connect(&m_session, &Session::otfComputed, this, &MainWindow::otfComputed);
+}
+
+void MainWindow::connectPicture() {
+    connect(m_volumeView, &VolumeViewWidget::cameraChanged, this, &MainWindow::cameraMovedByPerson);
+    connect(m_volumeView, &VolumeViewWidget::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_volumeView, &VolumeViewWidget::pointed, this, [this](auto intensity, auto opacity) {
+        m_runStatus->setPointed(intensity, opacity);
+        m_otfEditor->setCursorIntensity(intensity);
+    });
+    connect(m_volumeView, &VolumeViewWidget::filesDropped, this, [this](const QStringList& files) { open(files.first()); });
+    connect(m_volumeView, &VolumeViewWidget::pictureDelivered, this, [this](bool, double milliseconds) {
+        m_runStatus->setRenderer(m_volumeView->rendererName(), milliseconds);
+        showFrameRate();
+        // With an OTF of its own for each view, a frame is whole once both its curve and its picture are there.
+        if (!m_session.computingOtf()) m_motionPlayer.frameShown();
+        updateIdle();
+    });
+
+    connect(m_viewPanel, &ViewPanel::nearCutChanged, this, &MainWindow::setNearCut);
+    connect(m_viewPanel, &ViewPanel::beamAxisChanged, this, &MainWindow::setBeamAxis);
+    connect(m_viewPanel, &ViewPanel::phaseChanged, &m_session, &Session::setPhase);
+    connect(m_viewPanel, &ViewPanel::resetRequested, this, &MainWindow::resetView);
+    connect(m_viewPanel, &ViewPanel::savePictureRequested, this, &MainWindow::chooseAndSavePicture);
+    const auto showLook = [this] {
+        Look look = m_volumeView->look();
+        look.shaded = m_viewPanel->shaded();
+        look.colourMap = m_viewPanel->colourMap();
+        look.interpolation = m_viewPanel->interpolation();
+        look.projection = m_viewPanel->projection();
+        m_volumeView->setLook(look);
+        keepSettings();
+    };
+    connect(m_viewPanel, &ViewPanel::shadedChanged, this, showLook);
+    connect(m_viewPanel, &ViewPanel::colourMapChanged, this, showLook);
+    connect(m_viewPanel, &ViewPanel::interpolationChanged, this, showLook);
+    connect(m_viewPanel, &ViewPanel::projectionChanged, this, showLook);
+}
+
+void MainWindow::connectMethod() {
+    connect(m_otfEditor, &OtfEditor::activeCurveChanged, m_volumeView, &VolumeViewWidget::setCurve);
+    connect(m_otfEditor, &OtfEditor::openCurveRequested, this, &MainWindow::chooseAndOpenCurve);
+    connect(m_otfEditor, &OtfEditor::saveCurveRequested, this, [this] { chooseAndSaveCurve(); });
+    connect(m_methodPanel, &MethodPanel::computeRequested, this, &MainWindow::computeForThisView);
+    connect(m_methodPanel, &MethodPanel::configChanged, this, [this] { computeFor(m_otfView); });
+    connect(&m_otfEditor->model(), &OtfEditorModel::changed, this, [this] {
+        // The tubes multiply the editor's own curve where it was chosen as the initial function.
+        const InitialKind kind = m_methodPanel->initialKind();
+        if (kind != InitialKind::manual && kind != InitialKind::linear) return;
+        if (m_session.otf() && m_session.otf()->config.initial != methodConfig().initial) computeFor(m_otfView);
+    });
+}
+
+void MainWindow::connectMotion() {
+    connect(m_motionPanel, &MotionPanel::playRequested, this,
+            [this](bool play) { play ? m_motionPlayer.play() : m_motionPlayer.pause(); });
+    connect(m_motionPanel, &MotionPanel::angleChanged, &m_motionPlayer, &MotionPlayer::setAngle);
+    connect(m_motionPanel, &MotionPanel::axisChanged, &m_motionPlayer, &MotionPlayer::setAxis);
+    connect(m_motionPanel, &MotionPanel::pingPongChanged, &m_motionPlayer, &MotionPlayer::setPingPong);
+    connect(m_motionPanel, &MotionPanel::otfChanged, this, [this](MotionOtf otf) {
+        // Back to one OTF: the one of the view in which the motion began.
+        computeFor(otf == MotionOtf::eachView ? m_volumeView->view() : m_motionStart);
+    });
+    connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, [this](bool playing) {
+        m_motionPanel->setPlaying(playing);
+        m_frameClock.invalidate();
+        m_frameSeconds = 0;
+        if (!playing) m_motionPanel->setFrameRate(std::nullopt);
+        updateIdle();
+    });
+    connect(&m_motionPlayer, &MotionPlayer::angleChanged, this, &MainWindow::showMotionFrame);
+}
+
+void MainWindow::restoreSettings() {
+    m_viewPanel->setColourMap(m_settings.colourMap());
+    m_viewPanel->setInterpolation(m_settings.interpolation());
+    m_viewPanel->setProjection(m_settings.projection());
+    m_viewPanel->setShaded(m_settings.shaded());
+    m_motionPanel->setPingPong(m_settings.motionPingPong());
+    m_motionPlayer.setPingPong(m_settings.motionPingPong());
+    Look look = m_volumeView->look();
+    look.shaded = m_viewPanel->shaded();
+    look.colourMap = m_viewPanel->colourMap();
+    look.interpolation = m_viewPanel->interpolation();
+    look.projection = m_viewPanel->projection();
+    m_volumeView->setLook(look);
+    if (auto* logarithmic = m_otfEditor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
+        logarithmic->setChecked(m_settings.histogramLogarithmic());
+    if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
+    if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state);
+}
+
+void MainWindow::keepSettings() {
+    m_settings.setColourMap(m_viewPanel->colourMap());
+    m_settings.setInterpolation(m_viewPanel->interpolation());
+    m_settings.setProjection(m_viewPanel->projection());
+    m_settings.setShaded(m_viewPanel->shaded());
+    m_settings.setMotionPingPong(m_motionPanel->pingPong());
+    m_settings.setHistogramLogarithmic(m_otfEditor->canvas().histogramScale() == HistogramScale::logarithmic);
+}
+
+void MainWindow::showFrameRate() {
+    if (!m_motionPlayer.isPlaying()) return;
+    const double seconds = static_cast<double>(m_frameClock.isValid() ? m_frameClock.restart() : 0) * 1e-3;
+    if (!m_frameClock.isValid()) m_frameClock.start();
+    if (!(seconds > 0)) return;
+    // A running mean over about ten frames, so that the number can be read.
+    m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
+    m_motionPanel->setFrameRate(1.0 / m_frameSeconds);
+}
+
+bool MainWindow::idle() const {
+    return !m_session.loading() && !m_session.computingOtf() && !m_volumeView->busy() && !m_motionPlayer.isPlaying();
+}
+
+void MainWindow::updateIdle() {
+    if (idle() == m_idle) return;
+    m_idle = !m_idle;
+    emit idleChanged(m_idle);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_shown, true)) return;
+    QTimer::singleShot(0, this, &MainWindow::shown);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayLoseManualCurve()) {
+        event->ignore();
+        return;
+    }
+    m_motionPlayer.pause();
+    keepSettings();
+    m_settings.setWindowGeometry(saveGeometry());
+    m_settings.setWindowState(saveState());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) { open(event->mimeData()->urls().first().toLocalFile()); }
+
+}  // namespace echolucent

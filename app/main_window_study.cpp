@@ -1,0 +1,170 @@
+#include <algorithm>
+
+#include "app/explanation.h"
+#include "app/main_window.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/motion_panel.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/view_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+void MainWindow::studyOpened() {
+    const Study& study = *m_session.study();
+    const VolumeGeometry& geometry = m_session.volume()->geometry();
+    QStringList title{tr("Echolucent"), QString::fromStdString(study.name),
+                      QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
+    title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
+    setWindowTitle(title.join(QStringLiteral(" · ")));
+
+    QList<StudyFactRow> facts;
+    for (const ImportFact& fact : study.facts)
+        facts << StudyFactRow{QString::fromStdString(fact.name), QString::fromStdString(fact.value),
+                              QString::fromStdString(fact.source)};
+    QStringList warnings;
+    for (const std::string& warning : study.warnings) warnings << QString::fromStdString(warning);
+    m_studyPanel->setStudy(facts, warnings);
+
+    QStringList notes{study.lossyCompressed ? tr("lossy compression") : tr("no lossy compression")};
+    if (!geometry.spacingKnown) notes << tr("spacing unknown");
+    m_runStatus->setNotes(notes);
+
+    if (m_session.isSimulatedScan())
+        m_messageBar->showMessage(MessageKind::info, tr("Open a volume, or drop it here. This is a simulated scan."));
+    else if (!warnings.isEmpty())
+        m_messageBar->showMessage(MessageKind::warning, warnings.join(QStringLiteral(" ")));
+    else
+        m_messageBar->dismiss();
+    if (!m_session.isSimulatedScan()) m_settings.addRecentFile(m_session.path());
+}
+
+void MainWindow::volumeChanged() {
+    // A new study begins with its first phase; another phase keeps camera, cut and beam axis.
+    m_newStudy = m_session.volume() == m_session.study()->phases.front() && m_session.study() != m_shownStudy;
+    m_shownStudy = m_session.study();
+    m_otfEditor->setHistogram(m_session.histogram());
+    m_otfEditor->setWhiteLevel(m_session.volume()->whiteLevel());
+    m_methodPanel->clearResult();
+    m_runStatus->clearOtf();
+    if (m_newStudy) {
+        m_motionPlayer.pause();
+        m_motionPlayer.setAngle(0);
+        m_viewPanel->setPhaseCount(static_cast<int>(m_session.study()->phases.size()));
+        m_viewPanel->setPhase(0);
+        m_otfView = View{};
+        m_viewPanel->setBeamAxis(m_otfView.beamAxis);
+        m_viewPanel->setNearCutMm(0);
+        m_motionStart = m_otfView;
+        showNearCutRange();
+    }
+    computeFor(m_otfView);
+}
+
+void MainWindow::showNearCutRange() {
+    const VolumeGeometry& geometry = m_session.volume()->geometry();
+    m_viewPanel->setNearCutRange(depthAlongViewMm(m_otfView, geometry), geometry.spacingKnown);
+}
+
+AdaptiveOtfConfig MainWindow::methodConfig() const {
+    AdaptiveOtfConfig config = m_methodPanel->config();
+    if (m_methodPanel->initialKind() == InitialKind::manual) config.initial = m_otfEditor->state().manual;
+    if (m_methodPanel->initialKind() == InitialKind::linear) config.initial = m_otfEditor->state().linear;
+    return config;
+}
+
+void MainWindow::computeFor(const View& view) {
+    m_otfView = view;
+    m_session.requestOtf(view, methodConfig());
+}
+
+void MainWindow::computeForThisView() {
+    if (!m_session.volume()) return;
+    computeFor(m_volumeView->view());
+}
+
+void MainWindow::otfComputed() {
+    const AdaptiveOtf& otf = *m_session.otf();
+    // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
+    m_otfEditor->setAdaptiveCurve(otf.curve);
+    m_volumeView->setCurve(m_otfEditor->activeCurve());
+    m_methodPanel->showResult(otf);
+    m_runStatus->setOtf(otf.times.total, otf.tubesWithSurface, otf.tubesMeetingVolume);
+    m_volumeView->setVolume(m_session.volume());
+    if (std::exchange(m_newStudy, false)) {
+        m_volumeView->setBeamAxis(m_otfView.beamAxis);
+        m_volumeView->setNearCut(m_otfView.nearCutMm);
+        m_volumeView->resetView(m_otfView);
+    }
+    if (!m_volumeView->busy()) m_motionPlayer.frameShown();
+    updateIdle();
+}
+
+void MainWindow::setNearCut(double mm) {
+    m_volumeView->setNearCut(mm);
+    m_motionStart.nearCutMm = mm;
+    View view = m_otfView;
+    view.nearCutMm = mm;
+    // The tubes begin where the picture begins.
+    computeFor(view);
+}
+
+void MainWindow::setBeamAxis(BeamAxis axis) {
+    if (!m_session.volume()) return;
+    View view;
+    view.beamAxis = axis;
+    m_otfView = view;
+    m_viewPanel->setNearCutMm(0);
+    showNearCutRange();
+    m_volumeView->setBeamAxis(axis);
+    m_volumeView->setNearCut(0);
+    resetView();
+    computeFor(view);
+}
+
+void MainWindow::resetView() {
+    View view;
+    view.beamAxis = m_viewPanel->beamAxis();
+    view.nearCutMm = m_viewPanel->nearCutMm();
+    m_motionPlayer.pause();
+    m_motionStart = view;
+    m_motionPlayer.setAngle(0);
+    m_volumeView->resetView(view);
+}
+
+void MainWindow::cameraMovedByPerson() {
+    // The motion starts from where the person left the camera.
+    if (m_motionPlayer.isPlaying()) m_motionPlayer.pause();
+    m_motionStart = m_volumeView->view();
+    m_motionPanel->setAngle(0);
+    QSignalBlocker quiet(m_motionPlayer);
+    m_motionPlayer.setAngle(0);
+}
+
+void MainWindow::showMotionFrame(double angle) {
+    m_motionPanel->setAngle(angle);
+    View view = m_motionStart;
+    switch (m_motionPlayer.axis()) {
+        case MotionAxis::x: view.elevationDegrees += angle; break;
+        case MotionAxis::y: view.azimuthDegrees += angle; break;
+        case MotionAxis::z: view.rollDegrees += angle; break;
+    }
+    m_volumeView->setView(view);
+    if (m_motionPanel->otf() == MotionOtf::eachView) computeFor(view);
+    updateIdle();
+}
+
+QString MainWindow::explanation() const {
+    if (!m_session.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    return explainPicture({.study = *m_session.study(),
+                           .volume = *m_session.volume(),
+                           .otf = m_session.otf().get(),
+                           .view = m_volumeView->view(),
+                           .active = m_otfEditor->state().active,
+                           .shaded = m_viewPanel->shaded(),
+                           .simulated = m_session.isSimulatedScan()});
+}
+
+}  // namespace echolucent

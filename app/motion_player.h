@@ -1,0 +1,71 @@
+// Plays the transducer motion: which angle comes next, and when.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "widgets/panels/motion_mode.h"
+
+namespace echolucent {
+
+/// Turns from firstMotionAngle to lastMotionAngle in steps of one degree. A step is taken only when the frame of the
+/// angle before has been shown and the minimum frame interval is over, so playing never outruns the renderer.
+///
+///                 play()                        step: angleChanged(a)
+///   [Paused] ---------------> [Frame shown, interval over] --------> [Waiting for frameShown() and the interval]
+///       ^                                ^                                              |
+///       |  pause() in any state          +----------- both have happened ---------------+
+///
+/// Scrubbing (setAngle, stepBy) is possible in any state; playing goes on from there.
+class MotionPlayer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit MotionPlayer(QObject* parent = nullptr);
+
+    [[nodiscard]] bool isPlaying() const { return m_playing; }
+    /// Whole degrees from the view in which the motion began.
+    [[nodiscard]] double angle() const { return m_angle; }
+    [[nodiscard]] MotionAxis axis() const { return m_axis; }
+    [[nodiscard]] bool pingPong() const { return m_pingPong; }
+    /// Least time between two steps, ms; 0: as fast as frames are shown. Default 33.
+    void setMinimumFrameInterval(int milliseconds);
+
+    /// Takes the next step at once, without waiting for the interval. False (and no step) while paused, or while the
+    /// frame of the present angle has not been shown.
+    bool stepNow();
+
+public slots:
+    void play();
+    void pause();
+    void togglePlaying();
+    /// Rounded to whole degrees and clamped into the range. Emits angleChanged where it differs.
+    void setAngle(double degrees);
+    /// The angle so many degrees on, clamped into the range.
+    void stepBy(int degrees);
+    /// Emits angleChanged(0) where another axis is chosen away from 0: the motion starts from its view again.
+    void setAxis(echolucent::MotionAxis axis);
+    /// True: turns at the ends and shows them once; false: starts from the first angle again.
+    void setPingPong(bool pingPong);
+    /// The frame of the present angle is on the screen. To be called for every frame, played or scrubbed.
+    void frameShown();
+
+signals:
+    void angleChanged(double degrees);
+    void playingChanged(bool playing);
+
+private:
+    void advanceIfReady();
+    void moveTo(int angle);
+    [[nodiscard]] int nextAngle();
+
+    QTimer m_interval;  // runs while the minimum frame interval is not over
+    MotionAxis m_axis = MotionAxis::y;
+    int m_angle = 0;
+    int m_direction = 1;
+    bool m_playing = false;
+    bool m_pingPong = true;
+    bool m_frameShown = true;
+};
+
+}  // namespace echolucent

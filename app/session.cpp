@@ -1,0 +1,103 @@
+#include "app/session.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "processing/phantom.h"
+
+namespace echolucent {
+
+namespace {
+
+Result<Study> simulatedScan(const Progress& progress) {
+    PhantomConfig config = defaultPhantom(PhantomScene::fetus);
+    config.size = {192, 192, 192};
+    config.spacing = Vec3(0.5, 0.5, 0.5);
+    auto volume = makePhantom(config, progress);
+    if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
+    Study study;
+    study.name = "Simulated fetal scan";
+    study.phases.push_back(std::make_shared<const Volume>(std::move(*volume)));
+    study.facts.push_back({"origin", "simulated by the program, no patient", "built in"});
+    return study;
+}
+
+}  // namespace
+
+Session::Session(QObject* parent)
+    : QObject(parent),
+      m_pipeline(&adaptOpacity),
+      m_loader(QStringLiteral("study loader")),
+      m_otfThread(QStringLiteral("adaptive OTF")) {
+    connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
+    connect(&m_loader, &NewestWinsThread::progressed, this, &Session::loadingProgressed);
+    connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &Session::computingOtfChanged);
+}
+
+void Session::open(const QString& path, const ReadOptions& options) {
+    load(path, [file = path.toStdString(), options](const Progress& progress) {
+        return readStudy(file, options, progress);
+    });
+}
+
+void Session::openSimulatedScan() { load({}, &simulatedScan); }
+
+void Session::cancelLoading() { m_loader.cancel(); }
+
+void Session::load(const QString& path, std::function<Result<Study>(const Progress&)> read) {
+    m_loader.submit([this, path, read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
+        Result<Study> study = [&]() -> Result<Study> {
+            try {
+                return read(progress);
+            } catch (const std::bad_alloc&) {
+                return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
+                            "Close other programs, or reduce the volume.");
+            }
+        }();
+        if (!study) {
+            return [this, path, failure = study.error()] {
+                if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
+            };
+        }
+        const IntensityHistogram histogram = intensityHistogram(*study->phases.front());
+        auto shared = std::make_shared<const Study>(std::move(*study));
+        return [this, path, shared, histogram] {
+            m_path = path;
+            m_study = shared;
+            show(0, histogram);
+            emit studyOpened();
+        };
+    });
+}
+
+void Session::setPhase(int phase) {
+    if (!m_study || phase < 0 || phase >= static_cast<int>(m_study->phases.size()))
+        throw std::out_of_range("Session::setPhase: no such phase");
+    if (phase != m_phase) show(phase, intensityHistogram(*m_study->phases[static_cast<std::size_t>(phase)]));
+}
+
+void Session::show(int phase, const IntensityHistogram& histogram) {
+    m_phase = phase;
+    m_volume = m_study->phases[static_cast<std::size_t>(phase)];
+    m_histogram = histogram;
+    m_otf.reset();
+    m_otfThread.cancel();
+    emit volumeChanged();
+}
+
+void Session::requestOtf(const View& view, const AdaptiveOtfConfig& config) {
+    if (!m_volume) return;
+    m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, view,
+                        config](const Progress& progress) -> NewestWinsThread::Deliver {
+        auto result = pipeline(*volume, view, config, progress);
+        if (!result) return {};
+        auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
+        return [this, volume, shared] {
+            if (volume != m_volume) return;
+            m_otf = shared;
+            emit otfComputed();
+        };
+    });
+}
+
+}  // namespace echolucent

@@ -1,0 +1,85 @@
+// What is open and what was computed for it: the model behind the main window. Knows no widget.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "io/study.h"
+#include "processing/adaptive_otf.h"
+#include "processing/histogram.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// Loads studies and runs the adaptive pipeline, each in a QThread of its own. Everything below is to be called, and
+/// every signal is sent, in the thread the session lives in.
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(QObject* parent = nullptr);
+
+    /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
+    void open(const QString& path, const ReadOptions& options = {});
+    /// Makes and opens the simulated scan a newcomer sees first.
+    void openSimulatedScan();
+    void cancelLoading();
+    [[nodiscard]] bool loading() const { return m_loader.busy(); }
+
+    /// Null before the first study is open.
+    [[nodiscard]] const Study* study() const { return m_study.get(); }
+    [[nodiscard]] QString path() const { return m_path; }
+    [[nodiscard]] bool isSimulatedScan() const { return m_path.isEmpty(); }
+    [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
+    [[nodiscard]] const IntensityHistogram& histogram() const { return m_histogram; }
+    [[nodiscard]] int phase() const { return m_phase; }
+    /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
+    void setPhase(int phase);
+
+    /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
+    void requestOtf(const View& view, const AdaptiveOtfConfig& config);
+    [[nodiscard]] bool computingOtf() const { return m_otfThread.busy(); }
+    /// The newest result for the volume shown; null where there is none yet.
+    [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
+
+    /// The pipeline run by requestOtf; tests put one in its place that ends on command.
+    using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const View&, const AdaptiveOtfConfig&,
+                                                              const Progress&)>;
+    void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
+
+signals:
+    void loadingChanged(bool loading);
+    void loadingProgressed(double share);
+    void studyOpened();
+    /// The study could not be read; what was open before is unchanged.
+    void openFailed(const QString& path, const echolucent::Failure& failure);
+    /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed().
+    void volumeChanged();
+    void computingOtfChanged(bool computing);
+    void otfComputed();
+
+private:
+    struct Loaded {
+        Study study;
+        IntensityHistogram histogram;
+    };
+    void load(const QString& path, std::function<Result<Study>(const Progress&)> read);
+    void show(int phase, const IntensityHistogram& histogram);
+
+    Pipeline m_pipeline;
+    QString m_path;
+    std::shared_ptr<const Study> m_study;
+    std::shared_ptr<const Volume> m_volume;
+    IntensityHistogram m_histogram;
+    int m_phase = 0;
+    std::shared_ptr<const AdaptiveOtf> m_otf;
+    // Last, so that both threads have ended before anything above is destroyed.
+    NewestWinsThread m_loader;
+    NewestWinsThread m_otfThread;
+};
+
+}  // namespace echolucent
+
+Q_DECLARE_METATYPE(echolucent::Failure)

@@ -1,0 +1,17 @@
+// Reads volumes from DICOM: a folder of slices or one multi-frame file. docs/formats-read.md says what is understood.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/study.h"
+
+namespace echolucent {
+
+/// Whether the beginning of a file looks like DICOM, with or without preamble and meta header.
+[[nodiscard]] bool looksLikeDicom(std::string_view beginning);
+
+/// Reads a DICOM file or the largest series of a folder. No type of the DICOM library crosses this line.
+[[nodiscard]] Result<Study> readDicom(const std::string& path, const ReadOptions& options, const Progress& progress);
+
+}  // namespace echolucent

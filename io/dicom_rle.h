@@ -1,0 +1,16 @@
+// DICOM's RLE Lossless (PS3.5 annex G): PackBits segments, one for each byte of each sample.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace echolucent {
+
+/// Decodes one frame into planes, sample after sample, each value in little-endian order. Returns an empty string, or
+/// what is wrong with the data. out.size() must be pixels * samples * bytesPerSample.
+[[nodiscard]] std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples,
+                                    int bytesPerSample, std::span<std::uint8_t> out);
+
+}  // namespace echolucent

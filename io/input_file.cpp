@@ -1,0 +1,92 @@
+#include "io/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace echolucent {
+
+std::optional<std::int64_t> checkedProduct(std::int64_t a, std::int64_t b) {
+    std::int64_t product = 0;
+    if (__builtin_mul_overflow(a, b, &product)) return std::nullopt;
+    return product;
+}
+
+std::uint64_t machineMemoryBytes() {
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long pageBytes = sysconf(_SC_PAGESIZE);
+    return pages > 0 && pageBytes > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(pageBytes)
+                                      : std::uint64_t{1} << 40;
+}
+
+Result<void> requireMemory(const std::string& file, const std::string& element, std::uint64_t bytes) {
+    const std::uint64_t available = machineMemoryBytes();
+    if (bytes <= available) return {};
+    return fail(FailureKind::unreadable, file, element,
+                fmt::format("needs {} bytes of memory, this machine has {}", bytes, available),
+                "Open it on a larger machine, or a smaller part of it.");
+}
+
+InputFile::InputFile(std::string path, int descriptor, std::uint64_t size)
+    : m_path(std::move(path)), m_descriptor(descriptor), m_size(size) {}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)), m_size(other.m_size) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+    std::swap(m_path, other.m_path);
+    std::swap(m_descriptor, other.m_descriptor);
+    std::swap(m_size, other.m_size);
+    return *this;
+}
+
+InputFile::~InputFile() {
+    if (m_descriptor >= 0) close(m_descriptor);
+}
+
+Result<InputFile> InputFile::open(const std::string& path) {
+    // Non-blocking, so that a named pipe without a writer does not hold the program; ignored by regular files.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),
+                    "Check the name and the permissions.");
+    InputFile file(path, descriptor, 0);
+    struct stat status {};
+    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        return fail(FailureKind::unreadable, path, "", "is not a file that can be read", "Check the name.");
+    file.m_size = static_cast<std::uint64_t>(status.st_size);
+    return file;
+}
+
+Result<void> InputFile::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count =
+            pread(m_descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0)
+            return fail(FailureKind::unreadable, m_path, "", std::string("could not be read: ") + std::strerror(errno));
+        if (count == 0)
+            return fail(FailureKind::unreadable, m_path, "",
+                        fmt::format("ends after {} bytes where {} are needed", offset + done, offset + bytes.size()),
+                        "Copy or export it again.");
+        done += static_cast<std::size_t>(count);
+    }
+    return {};
+}
+
+Result<std::string> InputFile::beginning(std::size_t limit) const {
+    std::string bytes(static_cast<std::size_t>(std::min<std::uint64_t>(limit, m_size)), '\0');
+    const auto read = readAt(0, {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()});
+    if (!read) return tl::unexpected(read.error());
+    return bytes;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,12 @@
+// Headerless raw files, described by a person.
+#pragma once
+
+#include "io/stored_volume.h"
+
+namespace echolucent {
+
+/// Checks a layout; no voxel is read. `source` says where it came from: "--raw-size" or the side-car's name.
+[[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLayout& layout,
+                                                          const std::string& source);
+
+}  // namespace echolucent

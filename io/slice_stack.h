@@ -1,0 +1,34 @@
+// Planes in space, put in order as the slices of one volume. Knows nothing of files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "processing/geometry.h"
+#include "processing/result.h"
+
+namespace echolucent {
+
+/// Where one picture lies in the patient: the centre of its first pixel, and the directions in which columns and rows
+/// count up (unit vectors; DICOM's Image Orientation).
+struct SlicePlane {
+    Vec3 position{0, 0, 0};
+    Vec3 alongRow{1, 0, 0};
+    Vec3 alongColumn{0, 1, 0};
+};
+
+/// The slices of one volume.
+struct SliceStack {
+    std::vector<std::size_t> order;  ///< indices of the planes, by position along the normal
+    Vec3 origin{0, 0, 0};            ///< position of the first slice
+    Mat3 direction = Mat3::eye();    ///< columns: along a row, along a column, normal
+    double spacing = 1.0;            ///< mm between slices
+    std::vector<std::string> warnings;
+};
+
+/// Sorts planes along their common normal. Fails (about `file`, naming `positionTag`) where they are not parallel,
+/// where two share a position, or where distances differ from their mean by more than a tenth. At least two planes.
+[[nodiscard]] Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
+                                             const std::vector<SlicePlane>& planes);
+
+}  // namespace echolucent

@@ -1,0 +1,131 @@
+#include "io/study_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace echolucent {
+
+namespace {
+
+/// Largest finite value of all phases, so that they share one white level; none for 8 bits.
+std::optional<double> sharedWhiteLevel(const std::vector<Voxels>& phases) {
+    double largest = 0.0;
+    for (const Voxels& phase : phases) {
+        if (std::holds_alternative<std::vector<std::uint8_t>>(phase)) return std::nullopt;
+        std::visit(
+            [&](const auto& values) {
+                for (const auto value : values)
+                    if (std::isfinite(static_cast<double>(value)))
+                        largest = std::max(largest, static_cast<double>(value));
+            },
+            phase);
+    }
+    return largest > 0 ? std::optional(largest) : std::nullopt;
+}
+
+Volume withGuess(Volume volume, const ReadOptions& options) {
+    if (!options.guessNoData) return volume;
+    auto mask = guessDataMask(volume);
+    return mask.empty() ? volume : volume.withDataMask(std::move(mask));
+}
+
+double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    double outside = 0.0;
+    double total = 0.0;
+    for (const auto& phase : phases) {
+        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
+        total += static_cast<double>(phase->geometry().voxelCount());
+    }
+    return outside / total;
+}
+
+void addGeometryFacts(const StudyParts& parts, Study& study) {
+    study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", ""});
+    study.facts.push_back({"spacing", spacingText(parts.geometry.spacing),
+                           parts.spacingSource.empty() ? "assumed" : parts.spacingSource});
+    study.facts.push_back({"voxel type", parts.voxels.story, ""});
+}
+
+void addPhaseFacts(const StudyParts& parts, Study& study) {
+    if (study.phases.size() < 2) return;
+    study.facts.push_back({"phases", std::to_string(study.phases.size()), ""});
+    study.facts.push_back({"time between phases",
+                           parts.phaseSeconds ? fmt::format("{} s", *parts.phaseSeconds) : "unknown",
+                           parts.phaseSource});
+}
+
+}  // namespace
+
+std::string sizeText(const std::array<std::int64_t, 3>& size) {
+    return fmt::format("{} x {} x {}", size[0], size[1], size[2]);
+}
+
+std::string spacingText(const Vec3& spacing) {
+    return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing[0], spacing[1], spacing[2]);
+}
+
+std::string nameFromPath(const std::string& path) {
+    std::filesystem::path file(path);
+    if (!file.has_filename()) file = file.parent_path();
+    return file.has_filename() ? file.filename().string() : path;
+}
+
+bool normalizeDirection(Mat3& direction) {
+    for (int column = 0; column < 3; ++column) {
+        const Vec3 axis(direction(0, column), direction(1, column), direction(2, column));
+        const double size = length(axis);
+        if (!std::isfinite(size) || size < 1e-9) return false;
+        for (int row = 0; row < 3; ++row) direction(row, column) = axis[row] / size;
+    }
+    return std::abs(cv::determinant(direction)) > 1e-3;
+}
+
+std::string skewWarning(const Mat3& direction) {
+    const Mat3 products = direction.t() * direction;
+    const double skew = std::max({std::abs(products(0, 1)), std::abs(products(0, 2)), std::abs(products(1, 2))});
+    if (skew < 1e-3) return {};
+    return fmt::format(
+        "The grid axes are not perpendicular (off by up to {:.2g} degrees); they are shown as if they were.",
+        std::asin(std::min(1.0, skew)) * 180.0 / CV_PI);
+}
+
+Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
+    Study study;
+    study.name = nameFromPath(parts.path);
+    study.phaseSeconds = parts.phaseSeconds;
+    study.lossyCompressed = parts.lossyCompressed;
+    study.facts = std::move(parts.facts);
+    study.warnings = std::move(parts.warnings);
+
+    std::string whiteLevelSource = parts.whiteLevelSource;
+    auto whiteLevel = parts.whiteLevel;
+    if (!whiteLevel) {
+        const bool eightBit = std::holds_alternative<std::vector<std::uint8_t>>(parts.voxels.phases.front());
+        whiteLevelSource = eightBit ? "8-bit voxels" : "largest value in the data";
+        whiteLevel = sharedWhiteLevel(parts.voxels.phases);
+    }
+    for (Voxels& voxels : parts.voxels.phases) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
+        study.phases.push_back(
+            std::make_shared<const Volume>(withGuess(Volume(parts.geometry, std::move(voxels), whiteLevel), options)));
+        progress.at(0.9 +
+                    0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
+    }
+
+    addGeometryFacts(parts, study);
+    study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), whiteLevelSource});
+    addPhaseFacts(parts, study);
+    study.facts.push_back({"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
+                           options.guessNoData ? "guess: 0 and connected to the border; or not finite"
+                                               : "only voxels that are not finite"});
+    if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
+    if (!parts.geometry.spacingKnown)
+        study.warnings.push_back("The spacing of the voxels is unknown; " + spacingText(parts.geometry.spacing) +
+                                 " is assumed, so lengths and proportions cannot be trusted.");
+    return study;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,44 @@
+// The last step of every reader: voxels and geometry in, a study with its import report out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+#include "io/voxel_types.h"
+
+namespace echolucent {
+
+/// What a reader has found out; `facts` and `warnings` hold what it wants to say first.
+struct StudyParts {
+    std::string path;  ///< as the person gave it
+    VolumeGeometry geometry;
+    std::string spacingSource;  ///< key or tag; empty: assumed
+    ConvertedVoxels voxels;
+    std::optional<double> whiteLevel;
+    std::string whiteLevelSource;  ///< key or tag that gave whiteLevel
+    std::optional<double> phaseSeconds;
+    std::string phaseSource;  ///< key or tag of the time between phases
+    bool lossyCompressed = false;
+    std::vector<ImportFact> facts;
+    std::vector<std::string> warnings;
+};
+
+/// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report.
+[[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
+
+/// "152 x 156 x 110".
+[[nodiscard]] std::string sizeText(const std::array<std::int64_t, 3>& size);
+/// "0.3 x 0.3 x 0.5 mm".
+[[nodiscard]] std::string spacingText(const Vec3& spacing);
+
+/// File or folder name without the folders above it.
+[[nodiscard]] std::string nameFromPath(const std::string& path);
+
+/// Makes the columns unit vectors. False where one has no length or the three do not span space.
+[[nodiscard]] bool normalizeDirection(Mat3& direction);
+/// A sentence where the columns (unit vectors) are not perpendicular to each other; else empty.
+[[nodiscard]] std::string skewWarning(const Mat3& direction);
+
+}  // namespace echolucent

@@ -1,0 +1,184 @@
+#include "io/voxel_types.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+namespace echolucent {
+
+static_assert(std::endian::native == std::endian::little, "files are written and decoded for little-endian machines");
+
+namespace {
+
+struct TypeFacts {
+    StoredType type;
+    std::string_view name;
+    std::int64_t bytes;
+};
+constexpr std::array<TypeFacts, 10> typeFacts{{{StoredType::uint8, "uint8", 1},
+                                               {StoredType::int8, "int8", 1},
+                                               {StoredType::uint16, "uint16", 2},
+                                               {StoredType::int16, "int16", 2},
+                                               {StoredType::uint32, "uint32", 4},
+                                               {StoredType::int32, "int32", 4},
+                                               {StoredType::uint64, "uint64", 8},
+                                               {StoredType::int64, "int64", 8},
+                                               {StoredType::float32, "float32", 4},
+                                               {StoredType::float64, "float64", 8}}};
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <typename T>
+T valueAt(const Bytes& bytes, std::size_t index) {
+    T value;
+    std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
+    return value;
+}
+
+template <typename T>
+struct Range {
+    T low = 0;
+    T high = 0;
+};
+
+template <typename T>
+Range<T> rangeOf(const std::vector<Bytes>& phases) {
+    Range<T> range;
+    for (const Bytes& bytes : phases)
+        for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
+            const T value = valueAt<T>(bytes, i);
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+        }
+    return range;
+}
+
+template <typename From, typename To>
+std::vector<To> converted(const Bytes& bytes) {
+    std::vector<To> values(bytes.size() / sizeof(From));
+    if constexpr (std::is_same_v<From, To>)
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+    else
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<To>(valueAt<From>(bytes, i));
+    return values;
+}
+
+template <typename From, typename To>
+void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
+    for (Bytes& bytes : phases) {
+        result.phases.emplace_back(converted<From, To>(bytes));
+        Bytes().swap(bytes);
+    }
+}
+
+/// Integers: kept whole where they fit into 8 or 16 unsigned bits, else as float32.
+template <typename T>
+ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name) {
+    ConvertedVoxels result;
+    const Range<T> range = rangeOf<T>(phases);
+    if (sizeof(T) == 1 && range.low >= 0) {
+        for (Bytes& bytes : phases) result.phases.emplace_back(std::move(bytes));
+        result.story = fmt::format("{}, kept as uint8", name);
+    } else if (range.low >= 0 && static_cast<std::uint64_t>(range.high) <= 65535) {
+        convertAll<T, std::uint16_t>(phases, result);
+        result.story = fmt::format("{}, kept as uint16", name);
+    } else {
+        convertAll<T, float>(phases, result);
+        result.story = fmt::format("{}, kept as float32", name);
+        if (range.low < 0)
+            result.warning = "The voxels have negative values down to " + std::to_string(range.low) +
+                             "; these count as intensity 0.";
+        else if (static_cast<double>(range.high) > 16777216.0)
+            result.warning = "Voxel values above 16777216 were rounded to float32.";
+    }
+    return result;
+}
+
+ConvertedVoxels convertFloats(std::vector<Bytes> phases, StoredType type) {
+    ConvertedVoxels result;
+    if (type == StoredType::float64) {
+        convertAll<double, float>(phases, result);
+        result.story = "float64, kept as float32";
+    } else {
+        convertAll<float, float>(phases, result);
+        result.story = "float32";
+    }
+    float low = 0;
+    for (const Voxels& voxels : result.phases)
+        for (const float value : std::get<std::vector<float>>(voxels))
+            if (std::isfinite(value)) low = std::min(low, value);
+    if (low < 0)
+        result.warning = fmt::format("The voxels have negative values down to {}; these count as intensity 0.", low);
+    return result;
+}
+
+template <typename T>
+void reduceToLumaOf(Bytes& bytes) {
+    const std::size_t count = bytes.size() / (3 * sizeof(T));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double luma = 0.299 * valueAt<T>(bytes, 3 * i) + 0.587 * valueAt<T>(bytes, 3 * i + 1) +
+                            0.114 * valueAt<T>(bytes, 3 * i + 2);
+        const T value = static_cast<T>(std::lround(luma));
+        std::memcpy(bytes.data() + i * sizeof(T), &value, sizeof(T));
+    }
+    bytes.resize(count * sizeof(T));
+    bytes.shrink_to_fit();
+}
+
+}  // namespace
+
+std::string_view nameOf(StoredType type) { return typeFacts[static_cast<std::size_t>(type)].name; }
+
+std::int64_t bytesOf(StoredType type) { return typeFacts[static_cast<std::size_t>(type)].bytes; }
+
+std::optional<StoredType> storedTypeFromName(std::string_view name) {
+    for (const TypeFacts& facts : typeFacts)
+        if (facts.name == name) return facts.type;
+    return std::nullopt;
+}
+
+void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian) {
+    const auto width = static_cast<std::size_t>(bytesOf(type));
+    if (!bigEndian || width == 1) return;
+    for (std::size_t i = 0; i + width <= bytes.size(); i += width)
+        std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(i + width));
+}
+
+void reduceToLuma(std::vector<std::uint8_t>& bytes, StoredType type) {
+    if (type == StoredType::uint16)
+        reduceToLumaOf<std::uint16_t>(bytes);
+    else
+        reduceToLumaOf<std::uint8_t>(bytes);
+}
+
+ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type) {
+    ConvertedVoxels result;
+    switch (type) {
+        case StoredType::uint8:
+            for (Bytes& bytes : phases) result.phases.emplace_back(std::move(bytes));
+            result.story = "uint8";
+            return result;
+        case StoredType::uint16:
+            convertAll<std::uint16_t, std::uint16_t>(phases, result);
+            result.story = "uint16";
+            return result;
+        case StoredType::int8: return convertIntegers<std::int8_t>(std::move(phases), nameOf(type));
+        case StoredType::int16: return convertIntegers<std::int16_t>(std::move(phases), nameOf(type));
+        case StoredType::uint32: return convertIntegers<std::uint32_t>(std::move(phases), nameOf(type));
+        case StoredType::int32: return convertIntegers<std::int32_t>(std::move(phases), nameOf(type));
+        case StoredType::uint64: return convertIntegers<std::uint64_t>(std::move(phases), nameOf(type));
+        case StoredType::int64: return convertIntegers<std::int64_t>(std::move(phases), nameOf(type));
+        case StoredType::float32:
+        case StoredType::float64: return convertFloats(std::move(phases), type);
+    }
+    return result;
+}
+
+}  // namespace echolucent

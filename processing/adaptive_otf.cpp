@@ -1,0 +1,230 @@
+#include "processing/adaptive_otf.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "processing/tube_core/basis_function.h"
+#include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/scale_space.h"
+#include "processing/tube_core/surface_detection.h"
+#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/tube_quality.h"
+#include "processing/tube_core/tube_samples.h"
+
+namespace echolucent {
+
+namespace {
+
+class StopWatch {
+public:
+    /// Milliseconds since the last lap or the start.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double elapsed = std::chrono::duration<double, std::milli>(now - m_last).count();
+        m_last = now;
+        return elapsed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+/// Time the threads spent on one row of tubes.
+struct RowTimes {
+    double sampling = 0.0, cells = 0.0, detection = 0.0;
+};
+
+/// The stages of one row of the grid: samples, cells, surface, in the paper's order. One per row and thread.
+class TubeRow {
+public:
+    TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
+            std::span<const GaussianKernel> kernels)
+        : m_volume(volume),
+          m_view(view),
+          m_config(config),
+          m_kernels(kernels),
+          m_onVoxels(tubesLieOnVoxels(volume.geometry(), view)) {
+        if (m_onVoxels) m_storedLimit = exactStoredLimit(volume);
+    }
+
+    /// Fills the row's tubes; leaves them half done where cancelled.
+    void run(std::span<const TubeAxis> axes, std::span<TubeCore> tubes, const Progress& progress) {
+        StopWatch watch;
+        std::vector<TubeSamples> samples;
+        for (const TubeAxis& axis : axes)
+            samples.push_back(samplesOf(axis, m_volume.geometry(), m_view, m_config.cellSize, m_onVoxels));
+        std::vector<std::vector<SlabSums>> sums(axes.size());
+        if (m_storedLimit) sumSlabs(m_volume, *m_storedLimit, samples, sums);
+        m_times.sampling += watch.lap();
+        for (std::size_t t = 0; t < axes.size(); ++t) {
+            if (progress.cancelled()) return;
+            if (m_storedLimit) {
+                cellsFrom(sums[t], m_config.cellSize, m_volume.whiteLevel(), m_cells);
+            } else {
+                sampleSlabs(m_volume, samples[t], m_moments, m_values);
+                m_times.sampling += watch.lap();
+                cellsFrom(m_moments, m_config.cellSize, m_cells);
+            }
+            m_times.cells += watch.lap();
+            describe(axes[t], samples[t], tubes[t]);
+            m_times.detection += watch.lap();
+        }
+    }
+
+    [[nodiscard]] const RowTimes& times() const { return m_times; }
+
+private:
+    void describe(const TubeAxis& axis, const TubeSamples& samples, TubeCore& tube) {
+        tube.column = axis.column;
+        tube.row = axis.row;
+        if (!axis.entryVoxel || !m_cells.anyData) return;
+        tube.status = TubeStatus::none;
+        tube.entryVoxel = axis.entryVoxel;
+        tube.firstSampleVoxel = samples.first;
+        tube.firstCell = m_cells.firstCell;
+        tube.cellMeans.assign(m_cells.means.begin(), m_cells.means.end());
+        tube.interfaceFunction.assign(m_cells.variances.begin(), m_cells.variances.end());
+        if (m_cells.lastCell < m_cells.firstCell) return;
+
+        const auto function = std::span<const double>(m_cells.variances)
+                                  .subspan(static_cast<std::size_t>(m_cells.firstCell),
+                                           static_cast<std::size_t>(m_cells.lastCell - m_cells.firstCell + 1));
+        tube.trackedCells =
+            trackSurface(function, m_kernels, {m_config.significance, m_config.floorQuantile}, m_scratch);
+        if (tube.trackedCells.empty()) return;
+        for (int& cell : tube.trackedCells) cell += m_cells.firstCell;
+        int surface = tube.trackedCells.back();
+        // A cell of too little data repeats the one before it: that one is meant.
+        while (surface > m_cells.firstCell && m_cells.complete[static_cast<std::size_t>(surface)] == 0) --surface;
+        if (!describeSurface(m_cells, surface, m_config.cellSize, m_config.slopeHalfStep, tube)) return;
+        tube.status = TubeStatus::surface;
+        tube.surfaceVoxel = samples.onAxis(surface + (m_config.cellSize - 1) / 2.0);
+    }
+
+    const Volume& m_volume;
+    const View& m_view;
+    const AdaptiveOtfConfig& m_config;
+    std::span<const GaussianKernel> m_kernels;
+    bool m_onVoxels;
+    std::optional<std::uint32_t> m_storedLimit;  ///< sums of stored values are exact: no interpolation, integers
+    CellStatistics m_cells;
+    std::vector<SlabMoments> m_moments;
+    std::vector<double> m_values;
+    DetectionScratch m_scratch;
+    RowTimes m_times;
+};
+
+/// Samples, cells and detection of all tubes. False where cancelled.
+bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& progress) {
+    StopWatch watch;
+    const AdaptiveOtfConfig& config = result.config;
+    const auto kernels =
+        scaleSpaceKernels(config.coarsestScale, config.finestScale, config.sigmaPerKernelSize, config.kernelCut);
+    const std::vector<TubeAxis> axes = tubeAxes(volume.geometry(), result.view, config);
+    const auto columns = static_cast<std::size_t>(config.tubeColumns);
+    std::vector<RowTimes> rowTimes(static_cast<std::size_t>(config.tubeRows));
+    std::atomic<int> rowsDone = 0;
+    result.tubes.resize(axes.size());
+    tbb::parallel_for(tbb::blocked_range<int>(0, config.tubeRows, 1), [&](const tbb::blocked_range<int>& rows) {
+        for (int row = rows.begin(); row < rows.end() && !progress.cancelled(); ++row) {
+            const auto first = static_cast<std::size_t>(row) * columns;
+            TubeRow stages(volume, result.view, config, kernels);
+            stages.run(std::span(axes).subspan(first, columns), std::span(result.tubes).subspan(first, columns),
+                       progress);
+            rowTimes[static_cast<std::size_t>(row)] = stages.times();
+            progress.at(0.95 * ++rowsDone / config.tubeRows);
+        }
+    });
+    RowTimes spent;
+    for (const RowTimes& row : rowTimes) {
+        spent.sampling += row.sampling;
+        spent.cells += row.cells;
+        spent.detection += row.detection;
+    }
+    const double all = spent.sampling + spent.cells + spent.detection;
+    const double wallPerSpent = all > 0.0 ? watch.lap() / all : 0.0;
+    result.times.sampling = spent.sampling * wallPerSpent;
+    result.times.cells = spent.cells * wallPerSpent;
+    result.times.detection = spent.detection * wallPerSpent;
+    return !progress.cancelled();
+}
+
+/// Why the curve is the initial function, as a sentence; empty: it is not.
+std::string messageFor(const AdaptiveOtf& result) {
+    const std::string consequence = ": the initial function is used.";
+    if (result.tubesWithSurface > 0) return {};
+    if (result.tubesMeetingVolume == 0) return "No tube core meets the volume's data" + consequence;
+    int found = 0, usable = 0;
+    for (const TubeCore& tube : result.tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        ++found;
+        if (tube.extraWeight > 0.0) ++usable;
+    }
+    if (found == 0) return "No surface found" + consequence;
+    if (usable == 0) return "No surface found that stands out from the speckle" + consequence;
+    if (result.dMax == 0.0) return "The strength is 0" + consequence;
+    // Ranks compare tubes with each other: one tube, or tubes that are all equal, weigh nothing.
+    return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
+}
+
+}  // namespace
+
+std::string problemOf(const AdaptiveOtfConfig& config) {
+    const auto between = [](auto value, auto low, auto high) { return value >= low && value <= high; };
+    if (!between(config.tubeColumns, 1, 4096) || !between(config.tubeRows, 1, 4096))
+        return "the tube grid must have 1 to 4096 columns and rows";
+    if (!between(config.tubeSpacing, 0.0, 1e6))
+        return "the tube spacing must be 0 (automatic) or above, at most 1e6 units";
+    if (!between(config.cellSize, 2, largestCellSize))
+        return "the cell size must be 2 to " + std::to_string(largestCellSize);
+    if (!between(config.finestScale, 0, 10) || !between(config.coarsestScale, config.finestScale, 10))
+        return "the scales must be 0 to 10, the coarsest not below the finest";
+    if (!between(config.sigmaPerKernelSize, 0.01, 4.0)) return "sigma must be 0.01 to 4 kernel sizes";
+    if (!between(config.kernelCut, 0.5, 10.0)) return "the kernels must be cut at 0.5 to 10 sigma";
+    if (!between(config.significance, 0.0, 1.0)) return "the significance must be 0 to 1";
+    if (!between(config.floorQuantile, 0.0, 1.0)) return "the floor quantile must be 0 to 1";
+    if (!between(config.slopeHalfStep, 1, 1000)) return "the slope's half step must be 1 to 1000 units";
+    if (!between(config.leastEdgeToNoise, 0.0, 1e6)) return "the least edge to noise must be 0 to 1000000";
+    if (!between(config.strength, 0.0, 1e12)) return "the strength must be 0 to 1e12";
+    return {};
+}
+
+std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
+                                        const Progress& progress) {
+    if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
+    StopWatch total, stage;
+    AdaptiveOtf result;
+    result.config = config;
+    result.view = view;
+    result.tubeSpacingUnits = tubeSpacingUnits(volume.geometry(), view, config);
+    result.directionVoxel = directionInVoxels(view, volume.geometry());
+    result.tubeLengthUnit = volume.geometry().unit();
+    if (!analyseTubes(volume, result, progress)) return std::nullopt;
+
+    stage.lap();
+    result.tubesMeetingVolume =
+        static_cast<int>(std::count_if(result.tubes.begin(), result.tubes.end(),
+                                       [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
+    if (result.tubesMeetingVolume > 0) result.dMax = config.strength / result.tubesMeetingVolume;
+    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, config.leastEdgeToNoise);
+    result.tubesWithSurface = static_cast<int>(
+        std::count_if(result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.d > 0.0; }));
+    result.times.weights = stage.lap();
+
+    result.logOpacity = adaptedLogOpacity(config.initial, result.tubes, AdaptiveOtf::sampleCount);
+    result.curve = curveFromLogOpacity(result.logOpacity);
+    result.message = messageFor(result);
+    result.times.curve = stage.lap();
+    result.times.total = total.lap();
+    if (progress.cancelled()) return std::nullopt;
+    progress.at(1.0);
+    return result;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,44 @@
+// Rayleigh speckle: the modulus of complex Gaussian noise, smoothed where speckle is correlated (Petersch 2005, section
+// 5; method.md, "The conditions").
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace echolucent {
+
+struct SpeckleConfig {
+    std::uint64_t seed = 1;
+    std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z
+    double smoothing = 2;  ///< FWHM of the Gaussian that smooths the complex noise, voxels; 0: uncorrelated
+};
+
+/// Taps of the separable smoothing, centre in the middle, cut at 3 standard deviations, with a sum of squares of 1 so
+/// that smoothing keeps the noise's variance. A single 1 where there is none.
+[[nodiscard]] std::vector<float> speckleTaps(double smoothing);
+
+/// Gives the unit-mean Rayleigh field of slices [first, last) in order of z to `use(z, values, stride)`: row y begins
+/// at values + y * stride. A voxel's value follows from the seed and its index alone: the same bits whatever the range,
+/// the thread or the machine's instruction set. The field goes on beyond the volume's borders, so they are not special.
+using SpeckleUse = std::function<void(std::int64_t z, const float* values, std::int64_t stride)>;
+void makeSpeckle(const SpeckleConfig& config, std::int64_t first, std::int64_t last, const SpeckleUse& use);
+
+/// How an echo becomes a stored number.
+struct EchoFinish {
+    float speckle = 0.5F;    ///< s of 1 + s (R - 1)
+    float decibel = 0;       ///< dynamic range of the logarithmic compression; 0: none
+    float whiteLevel = 255;  ///< stored value of echo 255
+};
+
+/// Multiplies `count` echoes (0..255) by 1 + s (R - 1), compresses them as 255 (1 + 20 log10(echo / 255) / decibel),
+/// scales to the white level, rounds and clamps to 0..whiteLevel. `rayleigh` may be null (no speckle).
+/// All three rows must have room for a multiple of 16 values.
+void finishRow(const float* echo, const float* rayleigh, std::int64_t count, const EchoFinish& finish,
+               std::uint16_t* stored);
+
+/// `count` rounded up to what the rows above need.
+[[nodiscard]] constexpr std::int64_t paddedRow(std::int64_t count) { return (count + 15) / 16 * 16; }
+
+}  // namespace echolucent

@@ -1,0 +1,30 @@
+// The curve from the tubes: basis functions and their product in the log domain (Petersch 2005, eqs. 4 to 7).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+
+namespace echolucent {
+
+/// A sum of finite terms that keeps what rounding drops (Neumaier): its error does not grow with their number.
+class CompensatedSum {
+public:
+    void add(double term);
+    [[nodiscard]] double value() const { return m_sum + m_lost; }
+
+private:
+    double m_sum = 0.0, m_lost = 0.0;
+};
+
+/// ln initial(x) + sum over tubes of ln(1 + d) g(x) at `count` equidistant intensities 0 ... 1, before any clamp;
+/// -infinity where the initial function is 0. Summed in the tubes' order at every intensity: the same bits for any
+/// number of threads.
+[[nodiscard]] std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<const TubeCore> tubes,
+                                                    int count);
+
+/// min(1, exp(log opacity)).
+[[nodiscard]] SampledCurve curveFromLogOpacity(std::span<const double> logOpacity);
+
+}  // namespace echolucent

@@ -1,0 +1,40 @@
+// Mean and variance of the cells of a tube core (Petersch 2005, section 4.1): cells of cellSize^3 samples that slide by
+// one slab.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "processing/tube_core/tube_samples.h"
+
+namespace echolucent {
+
+/// The largest cell edge for which n * sum(x^2) of 16-bit voxels stays below 2^64 (n = 32^3).
+inline constexpr int largestCellSize = 32;
+
+/// The cells of one tube, index i = samples i ... i + cellSize - 1 along the tube.
+struct CellStatistics {
+    std::vector<double> means;           ///< normalised intensity
+    std::vector<double> variances;       ///< of normalised intensity, over the cell (divided by n): the interface
+                                         ///< indicating function
+    std::vector<std::uint8_t> complete;  ///< 1: at least half of the samples are data; 0: the values are held from the
+                                         ///< cell before
+    int firstCell = 0;                   ///< the first slab of which at least half is data
+    int lastCell = -1;                   ///< the last cell that ends at such a slab; below firstCell: there is no cell
+    bool anyData = false;
+};
+
+/// n^2 times the variance of n stored values: n sum(x^2) - sum(x)^2, without rounding.
+[[nodiscard]] constexpr std::uint64_t scaledVariance(std::uint64_t count, std::uint64_t sum,
+                                                     std::uint64_t sumOfSquares) {
+    return count * sumOfSquares - sum * sum;
+}
+
+/// Cells from exact sums; whiteLevel: the stored value of normalised intensity 1.
+void cellsFrom(std::span<const SlabSums> slabs, int cellSize, double whiteLevel, CellStatistics& cells);
+
+/// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.
+void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells);
+
+}  // namespace echolucent

@@ -1,0 +1,81 @@
+#include "processing/tube_core/surface_detection.h"
+
+#include <algorithm>
+
+namespace echolucent {
+
+namespace {
+
+double at(std::span<const double> function, int i) { return function[static_cast<std::size_t>(i)]; }
+
+/// The plateau of equal values around i.
+IndexRange plateauAround(std::span<const double> function, int i) {
+    IndexRange plateau{i, i};
+    const int last = static_cast<int>(function.size()) - 1;
+    while (plateau.first > 0 && at(function, plateau.first - 1) == at(function, i)) --plateau.first;
+    while (plateau.last < last && at(function, plateau.last + 1) == at(function, i)) ++plateau.last;
+    return plateau;
+}
+
+bool standsOut(std::span<const double> function, const IndexRange& plateau) {
+    const int last = static_cast<int>(function.size()) - 1;
+    return plateau.first > 0 && plateau.last < last && at(function, plateau.first - 1) < at(function, plateau.first) &&
+           at(function, plateau.last + 1) < at(function, plateau.last);
+}
+
+}  // namespace
+
+std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range, double significance) {
+    range.first = std::max(range.first, 0);
+    range.last = std::min(range.last, static_cast<int>(function.size()) - 1);
+    if (range.last < range.first) return std::nullopt;
+    const double threshold =
+        significance * *std::max_element(function.begin() + range.first, function.begin() + range.last + 1);
+    for (int i = range.first; i <= range.last;) {
+        const IndexRange plateau = plateauAround(function, i);
+        const int middle = (plateau.first + plateau.last) / 2;
+        if (standsOut(function, plateau) && middle >= range.first && middle <= range.last &&
+            at(function, i) >= threshold)
+            return middle;
+        i = plateau.last + 1;
+    }
+    return std::nullopt;
+}
+
+IndexRange valleyToValley(std::span<const double> function, int position) {
+    IndexRange range{position, position};
+    const int last = static_cast<int>(function.size()) - 1;
+    while (range.first > 0 && at(function, range.first - 1) <= at(function, range.first)) --range.first;
+    while (range.last < last && at(function, range.last + 1) <= at(function, range.last)) ++range.last;
+    return range;
+}
+
+void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result) {
+    result.assign(function.begin(), function.end());
+    if (result.empty() || quantile == 0.0) return;
+    const auto rank = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(result.size() - 1));
+    std::nth_element(result.begin(), result.begin() + rank, result.end());
+    const double floor = result[static_cast<std::size_t>(rank)];
+    std::transform(function.begin(), function.end(), result.begin(),
+                   [floor](double value) { return std::max(0.0, value - floor); });
+}
+
+std::vector<int> trackSurface(std::span<const double> interfaceFunction, std::span<const GaussianKernel> kernels,
+                              const TrackingRule& rule, DetectionScratch& scratch) {
+    IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
+    if (kernels.empty() || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
+    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
+    std::vector<int> tracked;
+    for (const GaussianKernel& kernel : kernels) {
+        kernel.smooth(scratch.aboveFloor, scratch.smoothed, scratch.padded);
+        const auto maximum = firstSignificantMaximum(scratch.smoothed, range, rule.significance);
+        if (!maximum && tracked.empty()) continue;
+        tracked.push_back(maximum ? *maximum : tracked.back());
+        if (maximum) range = valleyToValley(scratch.smoothed, *maximum);
+    }
+    if (tracked.empty()) return {};
+    tracked.push_back(firstSignificantMaximum(scratch.aboveFloor, range, rule.significance).value_or(tracked.back()));
+    return tracked;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,100 @@
+#include "processing/tube_core/tube_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace echolucent {
+
+namespace {
+
+/// Slack for positions that are whole numbers but for rounding.
+constexpr double rounding = 1e-9;
+
+bool isGridAxis(const Vec3& direction) {
+    return std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]) == 1.0;
+}
+
+/// Moves the components across `forward` so that a cell of `cellSize` samples, centred there, lies on voxel centres.
+Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
+    const double half = cellSize % 2 == 1 ? 0.0 : 0.5;
+    Vec3 moved = voxel;
+    for (int axis = 0; axis < 3; ++axis)
+        if (forward[axis] == 0.0) moved[axis] = std::floor(voxel[axis] - half + 0.5 + rounding) + half;
+    return moved;
+}
+
+struct Chord {
+    double begin, end;  ///< mm along the axis from its point
+};
+
+/// The part of a line inside the volume's box and behind the near cut; none: nothing of it.
+std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
+                             double nearDepth) {
+    Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
+    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 0.0) {
+            if (point[axis] < low[axis] || point[axis] > high[axis]) return std::nullopt;
+            continue;
+        }
+        const double atLow = (low[axis] - point[axis]) / direction[axis];
+        const double atHigh = (high[axis] - point[axis]) / direction[axis];
+        chord.begin = std::max(chord.begin, std::min(atLow, atHigh));
+        chord.end = std::min(chord.end, std::max(atLow, atHigh));
+    }
+    if (!(chord.end > chord.begin)) return std::nullopt;
+    return chord;
+}
+
+}  // namespace
+
+std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const View& view,
+                                       const AdaptiveOtfConfig& config) {
+    if (config.tubeSpacing > 0.0) return {config.tubeSpacing, config.tubeSpacing};
+    const ViewFrame unturned = frameOf(View{.beamAxis = view.beamAxis});
+    const Vec3 boxUnits = (geometry.boxMaxMm() - geometry.boxMinMm()) * (1.0 / geometry.unit());
+    const auto shared = [&](const Vec3& lateral, int count) {
+        const double extent = std::abs(lateral[0]) * boxUnits[0] + std::abs(lateral[1]) * boxUnits[1] +
+                              std::abs(lateral[2]) * boxUnits[2];
+        return std::max(static_cast<double>(config.cellSize), std::floor(extent / count + rounding));
+    };
+    return {shared(unturned.right, config.tubeColumns), shared(unturned.down, config.tubeRows)};
+}
+
+bool tubesLieOnVoxels(const VolumeGeometry& geometry, const View& view) {
+    const double unit = geometry.unit();
+    for (int axis = 0; axis < 3; ++axis)
+        if (geometry.spacing[axis] > unit * (1.0 + 1e-6)) return false;
+    const ViewFrame frame = frameOf(view);
+    return isGridAxis(frame.right) && isGridAxis(frame.down) && isGridAxis(frame.forward);
+}
+
+std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const View& view, const AdaptiveOtfConfig& config) {
+    const ViewFrame frame = frameOf(view);
+    const auto [acrossUnits, downUnits] = tubeSpacingUnits(geometry, view, config);
+    const double unit = geometry.unit();
+    const double nearDepth = nearPlaneDepthMm(view, geometry);
+    const bool onVoxels = tubesLieOnVoxels(geometry, view);
+
+    std::vector<TubeAxis> axes;
+    axes.reserve(static_cast<std::size_t>(config.tubeColumns) * static_cast<std::size_t>(config.tubeRows));
+    for (int row = 0; row < config.tubeRows; ++row)
+        for (int column = 0; column < config.tubeColumns; ++column) {
+            TubeAxis axis{column, row, {}, frame.forward, {}, {}};
+            const double across = (column - (config.tubeColumns - 1) / 2.0) * acrossUnits * unit;
+            const double down = (row - (config.tubeRows - 1) / 2.0) * downUnits * unit;
+            axis.pointMm = geometry.centreMm() + frame.right * across + frame.down * down;
+            if (onVoxels)
+                axis.pointMm = geometry.gridMmFromVoxel(
+                    onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, config.cellSize));
+            if (const auto chord = chordOf(geometry, axis.pointMm, axis.directionMm, nearDepth)) {
+                axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
+                axis.lengthUnits = (chord->end - chord->begin) / unit;
+            }
+            axes.push_back(axis);
+        }
+    return axes;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,42 @@
+// Where the tube cores lie: an equally spaced grid of axes across the view (Petersch 2005, section 4.1).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+#include "processing/geometry.h"
+#include "processing/view.h"
+#include "processing/volume.h"
+
+namespace echolucent {
+
+/// The axis of one tube core.
+struct TubeAxis {
+    int column = 0;                  ///< u: index along the view's right axis
+    int row = 0;                     ///< v: index along the view's down axis
+    Vec3 pointMm{0, 0, 0};           ///< a point of the axis, grid mm: in the plane across the view through the centre
+    Vec3 directionMm{0, 0, 1};       ///< unit, grid mm: the view's forward
+    std::optional<Vec3> entryVoxel;  ///< where the picture begins on it: entry into the volume's box or, if later, the
+                                     ///< near cut, voxel index space; none: the axis misses what the picture shows
+    std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; none with entryVoxel
+};
+
+/// Units between tube cores along the view's right and down axes: config.tubeSpacing, or where that is 0 the extent of
+/// the volume's box across the unturned view of that beam axis, shared among the tube cores, whole units, at least a
+/// cell. It does not change while the view turns.
+[[nodiscard]] std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const View& view,
+                                                     const AdaptiveOtfConfig& config);
+
+/// Whether the tubes' samples can lie on voxel centres, so that nothing is interpolated: the view's axes are grid axes
+/// and the spacing is the same along all three (to a millionth).
+[[nodiscard]] bool tubesLieOnVoxels(const VolumeGeometry& geometry, const View& view);
+
+/// The axes, row-major (index = row * tubeColumns + column). They pass through the volume's centre +
+/// (column - (columns - 1) / 2) * spacing * right + (row - (rows - 1) / 2) * spacing * down; where tubesLieOnVoxels()
+/// they are moved, by less than a voxel, so that the samples of a cell are voxels.
+[[nodiscard]] std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const View& view,
+                                             const AdaptiveOtfConfig& config);
+
+}  // namespace echolucent

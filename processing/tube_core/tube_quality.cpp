@@ -1,0 +1,86 @@
+#include "processing/tube_core/tube_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace echolucent {
+
+namespace {
+
+double medianOf(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Means of the complete cells first ... last.
+std::vector<double> completeMeans(const CellStatistics& cells, int first, int last) {
+    std::vector<double> means;
+    for (int i = first; i <= last; ++i)
+        if (cells.complete[static_cast<std::size_t>(i)] != 0) means.push_back(cells.means[static_cast<std::size_t>(i)]);
+    return means;
+}
+
+}  // namespace
+
+std::optional<double> scatterOf(std::span<const double> cellMeans, int cellSize) {
+    const auto step = static_cast<std::size_t>(cellSize);
+    if (cellMeans.size() < 2 * step) return std::nullopt;
+    std::vector<double> differences;
+    for (std::size_t i = step; i < cellMeans.size(); ++i)
+        differences.push_back(std::abs(cellMeans[i] - cellMeans[i - step]));
+    // The median of |a - b| is 0.6745 sqrt(2) standard deviations of a in normal noise.
+    return medianOf(differences) / 0.9539;
+}
+
+bool describeSurface(const CellStatistics& cells, int surfaceCell, int cellSize, int slopeHalfStep, TubeCore& tube) {
+    const auto meanOf = [&](int cell) { return cells.means[static_cast<std::size_t>(cell)]; };
+    std::vector<double> prior = completeMeans(cells, cells.firstCell, surfaceCell - cellSize);
+    if (prior.empty()) return false;
+    double sum = 0.0;
+    for (const double mean : prior) sum += mean;
+    const int before = std::max(surfaceCell - slopeHalfStep, cells.firstCell);
+    const int behind = std::min(surfaceCell + slopeHalfStep, cells.lastCell);
+    tube.surfaceCell = surfaceCell;
+    tube.lowIntensity = sum / static_cast<double>(prior.size());
+    tube.lowIntensityMax = *std::max_element(prior.begin(), prior.end());
+    tube.highIntensity = meanOf(surfaceCell);
+    tube.slope = behind > before ? (meanOf(behind) - meanOf(before)) / (behind - before) : 0.0;
+    if (const auto scatter = scatterOf(prior, cellSize)) {
+        // Without any noise, rounding to stored values would still be some.
+        constexpr double leastScatter = 1e-6;
+        tube.edgeToNoise = (meanOf(behind) - medianOf(prior)) / std::max(*scatter, leastScatter);
+    }
+    return true;
+}
+
+namespace {
+
+/// How many of the ascending values are at most this one.
+double rankOf(double value, const std::vector<double>& ascending) {
+    return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
+}
+
+}  // namespace
+
+void weighTubes(std::span<TubeCore> tubes, int tubesMeetingVolume, double dMax, double leastEdgeToNoise) {
+    std::vector<double> lowMaxima, slopes;
+    for (const TubeCore& tube : tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        lowMaxima.push_back(*tube.lowIntensityMax);
+        if (*tube.slope > 0.0) slopes.push_back(*tube.slope);
+    }
+    std::sort(lowMaxima.begin(), lowMaxima.end());
+    std::sort(slopes.begin(), slopes.end());
+    for (TubeCore& tube : tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        tube.intensityWeight = 1.0 - rankOf(*tube.lowIntensityMax, lowMaxima) / tubesMeetingVolume;
+        tube.slopeWeight = *tube.slope > 0.0 ? rankOf(*tube.slope, slopes) / tubesMeetingVolume : 0.0;
+        const bool standsOut = leastEdgeToNoise == 0.0 || (tube.edgeToNoise && *tube.edgeToNoise >= leastEdgeToNoise);
+        tube.extraWeight = *tube.highIntensity > *tube.lowIntensity && standsOut ? 1.0 : 0.0;
+        tube.d = dMax * tube.intensityWeight * tube.slopeWeight * tube.extraWeight;
+    }
+}
+
+}  // namespace echolucent

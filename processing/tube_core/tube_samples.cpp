@@ -1,0 +1,255 @@
+#include "processing/tube_core/tube_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace echolucent {
+
+namespace {
+constexpr double rounding = 1e-9;
+constexpr double noData = std::numeric_limits<double>::quiet_NaN();
+}  // namespace
+
+TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view, int cellSize,
+                      bool onVoxels) {
+    const ViewFrame frame = frameOf(view);
+    const double unit = geometry.unit();
+    TubeSamples samples;
+    samples.cellSize = cellSize;
+    samples.onVoxels = onVoxels;
+    if (onVoxels) {
+        samples.along = frame.forward;
+        samples.right = frame.right;
+        samples.down = frame.down;
+    } else {
+        samples.along = geometry.voxelFromGridMm(frame.forward * unit);
+        samples.right = geometry.voxelFromGridMm(frame.right * unit);
+        samples.down = geometry.voxelFromGridMm(frame.down * unit);
+    }
+    if (!axis.entryVoxel) return samples;
+
+    if (!onVoxels) {
+        samples.first = *axis.entryVoxel + samples.along * 0.5;
+        samples.slabs = static_cast<int>(std::floor(*axis.lengthUnits + 0.5 + rounding));
+        return samples;
+    }
+    samples.first = *axis.entryVoxel;
+    for (int component = 0; component < 3; ++component) {
+        const double towards = frame.forward[component];
+        if (towards == 0.0) continue;
+        double& position = samples.first[component];
+        position = towards > 0 ? std::ceil(position - rounding) : std::floor(position + rounding);
+        const double last = towards > 0 ? static_cast<double>(geometry.size[component] - 1) : 0.0;
+        samples.slabs = std::max(0, static_cast<int>((last - position) * towards) + 1);
+    }
+    return samples;
+}
+
+std::optional<std::uint32_t> exactStoredLimit(const Volume& volume) {
+    if (std::holds_alternative<std::vector<float>>(volume.voxels())) return std::nullopt;
+    const std::uint32_t largest = std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) ? 0xff : 0xffff;
+    if (volume.whiteLevel() >= largest) return largest;
+    if (volume.whiteLevel() != std::floor(volume.whiteLevel())) return std::nullopt;
+    return static_cast<std::uint32_t>(volume.whiteLevel());
+}
+
+namespace {
+
+/// A tube on voxels as memory sees it: strides of the voxel array, lateral samples clipped to the volume.
+struct VoxelTube {
+    std::int64_t base = 0;                        ///< offset of the first sample inside the volume, slab 0
+    std::int64_t along = 0, right = 0, down = 0;  ///< strides
+    int columns = 0, rows = 0;                    ///< samples inside, across and down
+};
+
+VoxelTube voxelTube(const VolumeGeometry& geometry, const TubeSamples& tube) {
+    const std::array<std::int64_t, 3> strides{1, geometry.size[0], geometry.size[0] * geometry.size[1]};
+    const double half = (tube.cellSize - 1) / 2.0;
+    const Vec3 corner = tube.first - tube.right * half - tube.down * half;
+    VoxelTube voxels;
+    std::array<std::int64_t, 3> start{};
+    for (int axis = 0; axis < 3; ++axis) start[axis] = std::llround(corner[axis]);
+    const auto clip = [&](const Vec3& direction, std::int64_t& stride, int& count) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const int step = static_cast<int>(direction[axis]);
+            if (step == 0) continue;
+            stride = step * strides[axis];
+            const std::int64_t size = geometry.size[axis], at = start[axis];
+            const std::int64_t skip = std::max<std::int64_t>(0, step > 0 ? -at : at - (size - 1));
+            const std::int64_t room = step > 0 ? size - at : at + 1;
+            count = static_cast<int>(std::clamp<std::int64_t>(room, 0, tube.cellSize) -
+                                     std::min<std::int64_t>(skip, tube.cellSize));
+            count = std::max(count, 0);
+            start[axis] += step * skip;
+        }
+    };
+    int slabs = 0;
+    std::int64_t alongStride = 0;
+    clip(tube.right, voxels.right, voxels.columns);
+    clip(tube.down, voxels.down, voxels.rows);
+    clip(tube.along, alongStride, slabs);
+    voxels.along = alongStride;
+    voxels.base = start[0] * strides[0] + start[1] * strides[1] + start[2] * strides[2];
+    return voxels;
+}
+
+template <bool masked, typename Stored>
+inline void addVoxel(const Stored* voxels, const std::uint8_t* mask, std::uint32_t limit, std::int64_t offset,
+                     SlabSums& slab) {
+    if constexpr (masked) {
+        if (mask[offset] == 0) return;
+    }
+    const std::uint64_t value = std::min<std::uint32_t>(voxels[offset], limit);
+    ++slab.count;
+    slab.sum += value;
+    slab.sumOfSquares += value * value;
+}
+
+template <bool masked, typename Stored>
+void sumRow(const Stored* voxels, const std::uint8_t* mask, std::uint32_t limit, std::span<const TubeSamples> tubes,
+            std::span<const VoxelTube> layout, std::span<std::vector<SlabSums>> slabs) {
+    int longest = 0;
+    for (const TubeSamples& tube : tubes) longest = std::max(longest, tube.slabs);
+    // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
+    for (int k = 0; k < longest; ++k)
+        for (std::size_t t = 0; t < tubes.size(); ++t) {
+            if (k >= tubes[t].slabs) continue;
+            const VoxelTube& tube = layout[t];
+            SlabSums slab;
+            for (int b = 0; b < tube.rows; ++b) {
+                const std::int64_t line = tube.base + k * tube.along + b * tube.down;
+                for (int a = 0; a < tube.columns; ++a)
+                    addVoxel<masked>(voxels, mask, limit, line + a * tube.right, slab);
+            }
+            slabs[t][static_cast<std::size_t>(k)] = slab;
+        }
+}
+
+}  // namespace
+
+void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
+              std::span<std::vector<SlabSums>> slabs) {
+    std::vector<VoxelTube> layout;
+    layout.reserve(tubes.size());
+    for (std::size_t t = 0; t < tubes.size(); ++t) {
+        layout.push_back(tubes[t].slabs > 0 ? voxelTube(volume.geometry(), tubes[t]) : VoxelTube{});
+        slabs[t].assign(static_cast<std::size_t>(tubes[t].slabs), {});
+    }
+    const auto run = [&](const auto* voxels) {
+        if (volume.dataMask().empty())
+            sumRow<false>(voxels, nullptr, storedLimit, tubes, layout, slabs);
+        else
+            sumRow<true>(voxels, volume.dataMask().data(), storedLimit, tubes, layout, slabs);
+    };
+    if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&volume.voxels()))
+        run(bytes->data());
+    else
+        run(std::get<std::vector<std::uint16_t>>(volume.voxels()).data());
+}
+
+namespace {
+
+/// Reads interpolated intensities of one volume; the voxel type is fixed once, not for each sample.
+template <typename Stored>
+class Sampler {
+public:
+    Sampler(const Volume& volume, const Stored* voxels)
+        : m_size(volume.geometry().size),
+          m_voxels(voxels),
+          m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()),
+          m_white(volume.whiteLevel()) {}
+
+    [[nodiscard]] double at(const Vec3& voxel) const {
+        std::array<std::int64_t, 3> low{}, high{};
+        std::array<double, 3> share{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double last = static_cast<double>(m_size[axis] - 1);
+            if (!(voxel[axis] >= -0.5 - rounding && voxel[axis] <= last + 0.5 + rounding)) return noData;
+            const double position = std::clamp(voxel[axis], 0.0, last);
+            low[axis] = static_cast<std::int64_t>(position);
+            share[axis] = position - static_cast<double>(low[axis]);
+            high[axis] = std::min(low[axis] + 1, m_size[axis] - 1);
+        }
+        const std::int64_t row = m_size[0], plane = m_size[0] * m_size[1];
+        std::array<std::int64_t, 8> offsets{};
+        for (int corner = 0; corner < 8; ++corner)
+            offsets[corner] = (corner & 1 ? high[0] : low[0]) + row * (corner & 2 ? high[1] : low[1]) +
+                              plane * (corner & 4 ? high[2] : low[2]);
+        if (m_mask != nullptr && touchesNoData(offsets, share)) {
+            const int nearest = (share[0] >= 0.5 ? 1 : 0) + (share[1] >= 0.5 ? 2 : 0) + (share[2] >= 0.5 ? 4 : 0);
+            return m_mask[offsets[nearest]] != 0 ? value(offsets[nearest]) : noData;
+        }
+        const auto between = [](double a, double b, double part) { return a + part * (b - a); };
+        const double y0 = between(between(value(offsets[0]), value(offsets[1]), share[0]),
+                                  between(value(offsets[2]), value(offsets[3]), share[0]), share[1]);
+        const double y1 = between(between(value(offsets[4]), value(offsets[5]), share[0]),
+                                  between(value(offsets[6]), value(offsets[7]), share[0]), share[1]);
+        return between(y0, y1, share[2]);
+    }
+
+private:
+    [[nodiscard]] bool touchesNoData(const std::array<std::int64_t, 8>& offsets,
+                                     const std::array<double, 3>& share) const {
+        for (int corner = 0; corner < 8; ++corner) {
+            const bool contributes =
+                (!(corner & 1) || share[0] > 0) && (!(corner & 2) || share[1] > 0) && (!(corner & 4) || share[2] > 0);
+            if (contributes && m_mask[offsets[corner]] == 0) return true;
+        }
+        return false;
+    }
+    /// NaN never gets here with a mask, and a volume with NaN voxels always has one; a neighbour without share may.
+    [[nodiscard]] double value(std::int64_t offset) const {
+        const double intensity = static_cast<double>(m_voxels[offset]) / m_white;
+        return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
+    }
+
+    std::array<std::int64_t, 3> m_size;
+    const Stored* m_voxels;
+    const std::uint8_t* m_mask;
+    double m_white;
+};
+
+/// Two passes: no cancellation however large the mean is beside the spread.
+SlabMoments momentsOf(std::span<const double> values) {
+    SlabMoments moments;
+    for (const double value : values)
+        if (!std::isnan(value)) {
+            ++moments.count;
+            moments.mean += value;
+        }
+    if (moments.count == 0) return moments;
+    moments.mean /= moments.count;
+    for (const double value : values)
+        if (!std::isnan(value)) moments.squaredDeviations += (value - moments.mean) * (value - moments.mean);
+    return moments;
+}
+
+}  // namespace
+
+void sampleSlabs(const Volume& volume, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+                 std::vector<double>& values) {
+    slabs.resize(static_cast<std::size_t>(tube.slabs));
+    values.resize(static_cast<std::size_t>(tube.cellSize) * static_cast<std::size_t>(tube.cellSize));
+    const double half = (tube.cellSize - 1) / 2.0;
+    std::visit(
+        [&](const auto& voxels) {
+            const Sampler sampler(volume, voxels.data());
+            for (int k = 0; k < tube.slabs; ++k) {
+                std::size_t next = 0;
+                for (int b = 0; b < tube.cellSize; ++b)
+                    for (int a = 0; a < tube.cellSize; ++a)
+                        values[next++] =
+                            sampler.at(tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half));
+                slabs[static_cast<std::size_t>(k)] = momentsOf(values);
+            }
+        },
+        volume.voxels());
+}
+
+double intensityAt(const Volume& volume, const Vec3& voxel) {
+    return std::visit([&](const auto& voxels) { return Sampler(volume, voxels.data()).at(voxel); }, volume.voxels());
+}
+
+}  // namespace echolucent

@@ -1,0 +1,386 @@
+// The real main window, driven as a person or a script would, with real files, mouse and keys.
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QMessageBox>
+#include <QRadioButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+#include <QUrl>
+#include <QtMath>
+#include <cmath>
+
+#include "app/main_window.h"
+#include "io/curve_file.h"
+#include "io/meta_image_writer.h"
+#include "processing/phantom.h"
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+using namespace echolucent;
+
+namespace {
+
+std::shared_ptr<const Volume> phantom(PhantomScene scene, std::uint64_t seed, double phase = 0) {
+    PhantomConfig config = defaultPhantom(scene);
+    config.size = {72, 68, 70};
+    config.spacing = Vec3(1.2, 1.2, 1.2);
+    config.seed = seed;
+    config.phase = phase;
+    return std::make_shared<const Volume>(*makePhantom(config));
+}
+
+/// Root mean square difference of two pictures in 8-bit levels.
+double difference(const Picture& left, const Picture& right) {
+    if (left.rgba.size() != right.rgba.size() || left.rgba.empty()) return 255.0;
+    double sum = 0;
+    for (std::size_t i = 0; i < left.rgba.size(); ++i) {
+        const double d = 255.0 * (static_cast<double>(left.rgba[i]) - static_cast<double>(right.rgba[i]));
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(left.rgba.size()));
+}
+
+/// Share of the picture that is not background.
+double coverage(const Picture& picture) {
+    std::size_t covered = 0;
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) covered += picture.rgba[i] > 0.1F ? 1 : 0;
+    return static_cast<double>(covered) / (static_cast<double>(picture.rgba.size()) / 4.0);
+}
+
+}  // namespace
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(m_folder.isValid());
+        m_shapes = m_folder.filePath("shapes.mha");
+        m_moving = m_folder.filePath("moving.mha");
+        QVERIFY(writeMetaImage(m_shapes.toStdString(), {phantom(PhantomScene::shapes, 5)}));
+        QVERIFY(writeMetaImage(m_moving.toStdString(),
+                               {phantom(PhantomScene::fetus, 3, 0.0), phantom(PhantomScene::fetus, 4, 0.5)}));
+    }
+
+    void init() {
+        QFile::remove(settingsFile());
+        m_window = std::make_unique<MainWindow>(settingsFile());
+        m_window->resize(1000, 700);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        // A virtual display has no window manager that would make the window the active one.
+        QApplication::setActiveWindow(m_window.get());
+    }
+
+    void cleanup() {
+        if (m_window) m_window->otfEditor().setManualSaved();
+        m_window.reset();
+    }
+
+    void opensAFileComputesItsOtfAndShowsIt() {
+        open(m_shapes);
+        Session& session = m_window->session();
+        QVERIFY(m_window->windowTitle().contains("72×68×70"));
+        const auto expected = adaptOpacity(*session.volume(), View{}, session.otf()->config);
+        QVERIFY(expected->tubesWithSurface > 20);
+        QVERIFY(session.otf()->curve == expected->curve);
+        QVERIFY(m_window->otfEditor().state().adaptive == expected->curve);
+        QVERIFY(m_window->otfEditor().activeCurve() == OpacityCurve(expected->curve));
+        QVERIFY(coverage(shown()) > 0.1);
+        QVERIFY2(difference(shown(), cast(expected->curve)) < 0.01, "the picture is not that of the curve");
+    }
+
+    void draggingANodeAndUndoingChangeCurveAndPicture() {
+        open(m_shapes);
+        OtfEditor& editor = m_window->otfEditor();
+        QTest::keyClick(m_window.get(), Qt::Key_2);
+        QCOMPARE(editor.state().active, CurveKind::manual);
+        waitUntilIdle();
+        const OtfEditorState before = editor.state();
+        const Picture pictureBefore = shown();
+        QVERIFY(difference(pictureBefore, cast(before.manual)) < 0.01);
+
+        CurveCanvas& canvas = editor.canvas();
+        const CurveNode node = before.manual.nodes[1];
+        const CurveNode target{node.intensity - 0.1, node.opacity - 0.3};
+        const QPoint from = canvas.axes().positionOf(node).toPoint();
+        const QPoint to = canvas.axes().positionOf(target).toPoint();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&canvas, (from + to) / 2);
+        QTest::mouseMove(&canvas, to);
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
+        const CurveNode moved = editor.state().manual.nodes[1];
+        QVERIFY(std::abs(moved.intensity - target.intensity) < 0.01);
+        QVERIFY(std::abs(moved.opacity - target.opacity) < 0.01);
+        waitUntilIdle();
+        QVERIFY(difference(shown(), pictureBefore) > 1.0);
+        QVERIFY(difference(shown(), cast(editor.state().manual)) < 0.01);
+
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(editor.state().manual == before.manual);
+        waitUntilIdle();
+        QVERIFY(difference(shown(), pictureBefore) < 0.01);
+    }
+
+    void everyCurveCanBeTheActiveOne() {
+        open(m_shapes);
+        const OtfEditorState state = m_window->otfEditor().state();
+        QSignalSpy active(&m_window->otfEditor(), &OtfEditor::activeCurveChanged);
+        for (int key = Qt::Key_2; key <= Qt::Key_5; ++key) {
+            QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key));
+            waitUntilIdle();
+            const CurveKind kind = allCurveKinds[static_cast<std::size_t>(key - Qt::Key_1)];
+            QVERIFY(difference(shown(), cast(curveOf(state, kind))) < 0.01);
+            QVERIFY(difference(shown(), cast(state.adaptive)) > 0.1);
+        }
+        QCOMPARE(active.count(), 4);
+    }
+
+    void playsTenFramesOfMotion_data() {
+        QTest::addColumn<QString>("mode");
+        QTest::newRow("one OTF") << "motion.mode.static";
+        QTest::newRow("each view") << "motion.mode.eachView";
+    }
+
+    void playsTenFramesOfMotion() {
+        QFETCH(QString, mode);
+        open(m_shapes);
+        click<QRadioButton>(mode);
+        waitUntilIdle();
+        const bool eachView = mode.endsWith("eachView");
+        const SampledCurve first = m_window->session().otf()->curve;
+        std::vector<Picture> frames;
+        connect(&m_window->volumeView(), &VolumeViewWidget::pictureDelivered, this,
+                [&] { frames.push_back(shown()); });
+        std::vector<double> angles;
+        connect(&m_window->motionPlayer(), &MotionPlayer::angleChanged, this,
+                [&](double angle) { angles.push_back(angle); });
+        click<QAbstractButton>("motion.play");
+        QVERIFY(m_window->motionPlayer().isPlaying());
+        QVERIFY(!m_window->idle());
+        QTRY_VERIFY_WITH_TIMEOUT(angles.size() >= 10, 20000);
+        click<QAbstractButton>("motion.play");
+        QVERIFY(!m_window->motionPlayer().isPlaying());
+        waitUntilIdle();
+        m_window->volumeView().disconnect(this);
+
+        for (std::size_t i = 1; i < 10; ++i) QCOMPARE(angles[i], angles[i - 1] + 1);
+        QVERIFY(frames.size() >= 10);
+        const double angle = m_window->motionPlayer().angle();
+        QVERIFY(qAbs(m_window->volumeView().view().azimuthDegrees - angle) < 1e-6);
+        const auto& otf = *m_window->session().otf();
+        if (eachView) {
+            QVERIFY(qAbs(otf.view.azimuthDegrees - angle) < 1e-9);
+            QVERIFY(!(otf.curve == first));
+        } else {
+            QVERIFY(otf.curve == first);
+        }
+        QVERIFY(difference(shown(), cast(otf.curve)) < 0.01);
+    }
+
+    void computeForThisViewTakesTheCamerasDirection() {
+        open(m_shapes);
+        View turned;
+        turned.azimuthDegrees = 20;
+        turned.elevationDegrees = -10;
+        m_window->volumeView().setView(turned);
+        QTest::keyClick(m_window.get(), Qt::Key_A);
+        waitUntilIdle();
+        const auto& otf = *m_window->session().otf();
+        QVERIFY(qAbs(otf.view.azimuthDegrees - 20) < 1e-6);
+        QVERIFY(qAbs(otf.view.elevationDegrees + 10) < 1e-6);
+        QVERIFY(otf.curve == adaptOpacity(*m_window->session().volume(), otf.view, otf.config)->curve);
+    }
+
+    void theNearCutMovesPictureAndTubes() {
+        open(m_shapes);
+        const Picture before = shown();
+        auto* value = m_window->findChild<QAbstractSpinBox*>("view.nearCut.value");
+        QVERIFY(value != nullptr);
+        value->setFocus();
+        value->selectAll();
+        QTest::keyClicks(value, QLocale().toString(24.0, 'f', 1));
+        QTest::keyClick(value, Qt::Key_Return);
+        waitUntilIdle();
+        QCOMPARE(m_window->volumeView().view().nearCutMm, 24.0);
+        QVERIFY(difference(shown(), before) > 1.0);
+        for (const TubeCore& tube : m_window->session().otf()->tubes)
+            if (tube.entryVoxel) QVERIFY(qAbs(((*tube.entryVoxel)[2] + 0.5) * 1.2 - 24.0) < 1.21);
+    }
+
+    void anotherPhaseIsAnotherVolumeUnderTheSameCamera() {
+        open(m_moving);
+        QCOMPARE(m_window->session().study()->phases.size(), std::size_t(2));
+        View turned;
+        turned.azimuthDegrees = 12;
+        m_window->volumeView().setView(turned);
+        waitUntilIdle();
+        const Picture before = shown();
+        m_window->findChild<QAbstractSlider*>("view.phase")->setValue(1);
+        waitUntilIdle();
+        QCOMPARE(m_window->session().phase(), 1);
+        QVERIFY(qAbs(m_window->volumeView().view().azimuthDegrees - 12) < 1e-6);
+        QVERIFY(difference(shown(), before) > 0.2);
+        QVERIFY(difference(shown(), cast(m_window->session().otf()->curve)) < 0.01);
+    }
+
+    void savesThePictureOnTheScreen() {
+        open(m_shapes);
+        const QString path = m_folder.filePath("picture.png");
+        QVERIFY(m_window->savePicture(path));
+        const QImage saved(path);
+        const QImage screen = m_window->volumeView().screenImage();
+        QCOMPARE(saved.size(), screen.size());
+        int different = 0;
+        for (int y = 0; y < saved.height(); ++y)
+            for (int x = 0; x < saved.width(); ++x)
+                different += saved.pixelColor(x, y) != screen.pixelColor(x, y) ? 1 : 0;
+        QCOMPARE(different, 0);
+        int bright = 0;
+        for (int y = 0; y < saved.height(); ++y)
+            for (int x = 0; x < saved.width(); ++x) bright += qGray(saved.pixel(x, y)) > 60 ? 1 : 0;
+        QVERIFY(bright > saved.width() * saved.height() / 20);
+        QVERIFY(!m_window->savePicture(m_folder.filePath("no such folder/picture.png")));
+        QVERIFY(message()->text().contains("no such folder"));
+    }
+
+    void whatCannotBeReadIsSaidAndLosesNothing() {
+        open(m_shapes);
+        const SampledCurve curve = m_window->session().otf()->curve;
+        const QString bad = m_folder.filePath("broken.mha");
+        QFile file(bad);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("ObjectType = Image\nNDims = 3\nDimSize = 10 10 10\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n"
+                   "ElementDataFile = LOCAL\nshort");
+        file.close();
+        QSignalSpy failed(&m_window->session(), &Session::openFailed);
+        m_window->open(bad);
+        QVERIFY(failed.wait());
+        waitUntilIdle();
+        QVERIFY(message()->isVisible());
+        QVERIFY(message()->text().contains("broken.mha"));
+        QVERIFY(message()->text().contains("1000"));
+        QVERIFY(difference(shown(), cast(curve)) < 0.01);
+        QVERIFY(m_window->windowTitle().contains("72×68×70"));
+    }
+
+    void curvesGoToFilesAndBack() {
+        open(m_shapes);
+        OtfEditor& editor = m_window->otfEditor();
+        const ManualCurve curve{{{0.1, 0.0}, {0.4, 0.35}, {0.9, 0.7}}};
+        const QString path = m_folder.filePath("curve.json");
+        QVERIFY(writeCurve(path.toStdString(), curve));
+        QVERIFY(m_window->openCurve(path));
+        QVERIFY(editor.state().manual == curve);
+        QCOMPARE(editor.state().active, CurveKind::manual);
+        QVERIFY(!editor.isManualModified());
+        editor.model().moveNode(1, {0.45, 0.25});
+        QVERIFY(editor.isManualModified());
+        QVERIFY(m_window->saveCurve(path));
+        QVERIFY(!editor.isManualModified());
+        QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
+    }
+
+    void anEditedCurveIsNotLostWithoutAsking() {
+        open(m_shapes);
+        m_window->otfEditor().model().moveNode(1, {0.45, 0.25});
+        bool asked = false;
+        QTimer::singleShot(0, this, [&] {
+            auto* box = m_window->findChild<QMessageBox*>("unsavedCurve");
+            asked = box != nullptr;
+            if (box != nullptr) box->button(QMessageBox::Cancel)->click();
+        });
+        m_window->close();
+        QVERIFY(asked);
+        QVERIFY(m_window->isVisible());
+    }
+
+    void anAbsentSurfaceIsSaidAndTheInitialCurveUsed() {
+        VolumeGeometry geometry;
+        geometry.size = {40, 40, 40};
+        const QString path = m_folder.filePath("constant.mha");
+        QVERIFY(writeMetaImage(path.toStdString(), {std::make_shared<const Volume>(
+                                                       geometry, Voxels(std::vector<std::uint8_t>(64000, 90)))}));
+        open(path);
+        const AdaptiveOtf& otf = *m_window->session().otf();
+        QVERIFY(QString::fromStdString(otf.message).contains("initial function is used"));
+        QVERIFY(m_window->explanation().contains("initial function is used"));
+        for (int i = 0; i < 256; ++i)
+            QVERIFY(qAbs(otf.curve.opacities[static_cast<std::size_t>(i)] - opacityAt(otf.config.initial, i / 255.0)) <
+                    1e-12);
+    }
+
+    void everyControlHasAName() {
+        open(m_shapes);
+        QStringList nameless;
+        for (QWidget* control : m_window->findChildren<QWidget*>()) {
+            const bool isControl = qobject_cast<QAbstractButton*>(control) || qobject_cast<QAbstractSlider*>(control) ||
+                                   qobject_cast<QAbstractSpinBox*>(control) || qobject_cast<QComboBox*>(control);
+            // Parts that Qt makes itself: scroll bars, a table's corner, the buttons of docks, menus and tabs.
+            const QString parent = control->parentWidget() ? control->parentWidget()->metaObject()->className() : "";
+            const bool madeByQt = qobject_cast<QScrollBar*>(control) || parent == "QDockWidget" ||
+                                  parent.startsWith("QTab") || parent.startsWith("QTable") || parent == "QMenuBar" ||
+                                  parent == "QHeaderView" || QString(control->metaObject()->className()) == "QTableCornerButton";
+            if (isControl && !madeByQt && control->objectName().isEmpty())
+                nameless << QString("%1 in %2").arg(control->metaObject()->className(), parent);
+        }
+        QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
+        for (const char* name : {"otfEditor.canvas", "otfEditor.nodeTable", "motion.play", "motion.angle",
+                                 "adaptive.strength", "view3d", "status.renderer"})
+            QVERIFY2(m_window->findChild<QWidget*>(name) != nullptr, name);
+    }
+
+    void remembersRecentFiles() {
+        open(m_shapes);
+        QCOMPARE(Settings(settingsFile()).recentFiles().value(0), m_shapes);
+    }
+
+private:
+    QString settingsFile() const { return m_folder.filePath("settings.ini"); }
+    MessageBar* message() const { return m_window->findChild<MessageBar*>("message"); }
+
+    void open(const QString& path) {
+        QSignalSpy computed(&m_window->session(), &Session::otfComputed);
+        m_window->open(path);
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+    }
+    void waitUntilIdle() {
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->idle() && m_window->volumeView().pictureIsFine(), 30000);
+    }
+    template <typename Button>
+    void click(const QString& name) {
+        auto* button = m_window->findChild<Button*>(name);
+        QVERIFY2(button != nullptr, qPrintable(name));
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    Picture shown() const { return *m_window->volumeView().picture(); }
+    /// What the ray caster makes of the volume shown with a curve, the window's settings otherwise.
+    Picture cast(const OpacityCurve& curve) const {
+        return *castRays(*m_window->session().volume(), curve, m_window->volumeView().settings());
+    }
+
+    QTemporaryDir m_folder;
+    QString m_shapes;
+    QString m_moving;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindow test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window.moc"

@@ -1,0 +1,169 @@
+// The order of the angles in the transducer motion, and that playing never outruns the picture. No clocks: stepNow().
+#include <QtTest>
+
+#include "app/motion_player.h"
+
+using namespace echolucent;
+
+namespace {
+
+QList<double> anglesIn(const QSignalSpy& spy) {
+    QList<double> angles;
+    for (const auto& arguments : spy) angles << arguments.first().toDouble();
+    return angles;
+}
+
+QList<double> range(int from, int to) {
+    QList<double> angles;
+    for (int angle = from; from <= to ? angle <= to : angle >= to; angle += from <= to ? 1 : -1) angles << angle;
+    return angles;
+}
+
+/// Shows the present frame and takes the next step, so many times.
+void showAndStep(MotionPlayer& player, int times) {
+    for (int i = 0; i < times; ++i) {
+        player.frameShown();
+        QVERIFY(player.stepNow());
+    }
+}
+
+constexpr int anHour = 3600 * 1000;  // an interval that never ends within a test
+
+}  // namespace
+
+class TestMotionPlayer : public QObject {
+    Q_OBJECT
+
+private slots:
+    void loopsFromTheFirstAngleToTheLast() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setPingPong(false);
+        player.setAngle(44);
+        player.frameShown();
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.play();  // takes the first step: to 45
+        showAndStep(player, 92);
+        QCOMPARE(anglesIn(spy), range(45, 45) + range(-45, 45) + range(-45, -45));
+    }
+
+    void turnsAtTheEndsWithoutRepeatingThem() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setPingPong(true);
+        player.setAngle(43);
+        player.frameShown();
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.play();
+        showAndStep(player, 93);
+        QCOMPARE(anglesIn(spy), range(44, 45) + range(44, -45) + range(-44, -43));
+    }
+
+    void playingFromTheLastAngleTurns() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setPingPong(true);
+        player.setAngle(45);
+        player.frameShown();
+        player.play();
+        QCOMPARE(player.angle(), 44.0);
+    }
+
+    void neverAdvancesBeforeTheFrameIsShown() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(0);
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.play();
+        QCOMPARE(spy.count(), 1);
+        QVERIFY(!player.stepNow());
+        for (int i = 0; i < 20; ++i) QTest::qWait(0);  // the interval is long over
+        QCOMPARE(spy.count(), 1);
+        player.frameShown();
+        QTRY_COMPARE(spy.count(), 2);
+        for (int i = 0; i < 20; ++i) QTest::qWait(0);
+        QCOMPARE(spy.count(), 2);
+    }
+
+    void neverAdvancesBeforeTheIntervalIsOver() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.play();
+        player.frameShown();
+        player.frameShown();
+        player.pause();
+        player.play();  // no way around the interval
+        QCOMPARE(spy.count(), 1);
+    }
+
+    void rendererThatAnswersAtOnceDrivesItByTheTimer() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(0);
+        connect(&player, &MotionPlayer::angleChanged, &player, &MotionPlayer::frameShown);
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.play();
+        QTRY_VERIFY(spy.count() >= 10);
+        player.pause();
+        const auto count = spy.count();
+        QCOMPARE(anglesIn(spy).mid(0, 10), range(1, 10));
+        for (int i = 0; i < 20; ++i) QTest::qWait(0);
+        QCOMPARE(spy.count(), count);
+    }
+
+    void pauseHoldsAndPlayGoesOn() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        QSignalSpy playing(&player, &MotionPlayer::playingChanged);
+        player.togglePlaying();
+        player.play();
+        player.frameShown();
+        player.togglePlaying();
+        player.pause();
+        QCOMPARE(playing.count(), 2);
+        QCOMPARE(playing[0].first().toBool(), true);
+        QCOMPARE(playing[1].first().toBool(), false);
+        QVERIFY(!player.stepNow());
+        QCOMPARE(player.angle(), 1.0);
+    }
+
+    void scrubbingRoundsClampsAndSaysOnce() {
+        MotionPlayer player;
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.setAngle(12.4);
+        player.setAngle(12.0);
+        player.setAngle(1e300);
+        player.setAngle(std::numeric_limits<double>::quiet_NaN());
+        player.stepBy(5);
+        player.stepBy(-1);
+        player.setAngle(-46);
+        player.stepBy(std::numeric_limits<int>::min());
+        QCOMPARE(anglesIn(spy), (QList<double>{12, 45, 44, -45}));
+        QVERIFY(!player.isPlaying());
+    }
+
+    void scrubWhilePlayingWaitsForItsFrame() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.play();
+        player.frameShown();
+        player.setAngle(20);
+        QVERIFY(!player.stepNow());
+        player.frameShown();
+        QVERIFY(player.stepNow());
+        QCOMPARE(player.angle(), 21.0);
+    }
+
+    void anotherAxisStartsFromTheViewAgain() {
+        MotionPlayer player;
+        player.setAngle(20);
+        QSignalSpy spy(&player, &MotionPlayer::angleChanged);
+        player.setAxis(MotionAxis::x);
+        QCOMPARE(anglesIn(spy), (QList<double>{0}));
+        QCOMPARE(player.axis(), MotionAxis::x);
+        player.setAxis(MotionAxis::x);
+        QCOMPARE(spy.count(), 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMotionPlayer)
+#include "test_motion_player.moc"

@@ -1,0 +1,202 @@
+// The session: loading and computing off the GUI thread, the newest request wins, nothing stale is ever shown.
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+#include <condition_variable>
+#include <mutex>
+
+#include "app/session.h"
+#include "io/meta_image_writer.h"
+
+using namespace echolucent;
+
+namespace {
+
+std::shared_ptr<const Volume> constantVolume(std::uint8_t value) {
+    VolumeGeometry geometry;
+    geometry.size = {8, 9, 10};
+    return std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(8 * 9 * 10, value)));
+}
+
+/// A pipeline that ends when it is told to, and not before, whatever is cancelled meanwhile.
+class HeldPipeline {
+public:
+    Session::Pipeline function() {
+        return [this](const Volume&, const View& view, const AdaptiveOtfConfig&,
+                      const Progress& progress) -> std::optional<AdaptiveOtf> {
+            std::unique_lock lock(m_mutex);
+            ++m_started;
+            m_changed.notify_all();
+            m_changed.wait(lock, [this] { return m_released > 0; });
+            --m_released;
+            m_thread = QThread::currentThread();
+            m_sawCancel = m_sawCancel || progress.cancelled();
+            AdaptiveOtf otf;
+            otf.view = view;
+            return otf;
+        };
+    }
+    void release(int count = 1) {
+        const std::lock_guard lock(m_mutex);
+        m_released += count;
+        m_changed.notify_all();
+    }
+    void waitUntilStarted(int count) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [&] { return m_started >= count; });
+    }
+    QThread* thread() const { return m_thread; }
+    bool sawCancel() const { return m_sawCancel; }
+    int started() const { return m_started; }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    int m_started = 0;
+    int m_released = 0;
+    bool m_sawCancel = false;
+    QThread* m_thread = nullptr;
+};
+
+View turned(double azimuth) {
+    View view;
+    view.azimuthDegrees = azimuth;
+    return view;
+}
+
+}  // namespace
+
+class TestSession : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(m_folder.isValid());
+        m_dark = m_folder.filePath("dark.mha");
+        m_bright = m_folder.filePath("bright.mha");
+        QVERIFY(writeMetaImage(m_dark.toStdString(), {constantVolume(10), constantVolume(20)}));
+        QVERIFY(writeMetaImage(m_bright.toStdString(), {constantVolume(200)}));
+    }
+
+    void opensAndComputesOffTheGuiThread() {
+        HeldPipeline held;
+        Session session;
+        session.setPipeline(held.function());
+        open(session, m_dark);
+        QCOMPARE(session.volume()->storedValue(0), 10.0);
+        QCOMPARE(session.histogram().counts[10], std::uint64_t(720));
+        QCOMPARE(session.otf(), nullptr);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        session.requestOtf(turned(7), {});
+        QVERIFY(session.computingOtf());
+        held.release();
+        QVERIFY(computed.wait());
+        QCOMPARE(session.otf()->view.azimuthDegrees, 7.0);
+        QVERIFY(held.thread() != nullptr && held.thread() != QThread::currentThread());
+    }
+
+    void aStaleResultIsNeverShown() {
+        HeldPipeline held;
+        Session session;
+        session.setPipeline(held.function());
+        open(session, m_dark);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        session.requestOtf(turned(1), {});
+        held.waitUntilStarted(1);
+        for (int azimuth = 2; azimuth <= 50; ++azimuth) session.requestOtf(turned(azimuth), {});
+        held.release(2);
+        QTRY_VERIFY(!session.computingOtf());
+        QCOMPARE(computed.count(), 1);
+        QCOMPARE(session.otf()->view.azimuthDegrees, 50.0);
+        QVERIFY(held.sawCancel());
+        QCOMPARE(held.started(), 2);  // those between were never run
+    }
+
+    void aResultOfAnotherPhaseIsDropped() {
+        HeldPipeline held;
+        Session session;
+        session.setPipeline(held.function());
+        open(session, m_dark);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        session.requestOtf(turned(1), {});
+        held.waitUntilStarted(1);
+        session.setPhase(1);
+        QCOMPARE(session.volume()->storedValue(0), 20.0);
+        held.release();
+        QTRY_VERIFY(!session.computingOtf());
+        QCOMPARE(computed.count(), 0);
+        QCOMPARE(session.otf(), nullptr);
+    }
+
+    void whatCannotBeReadLeavesWhatIsOpen() {
+        Session session;
+        open(session, m_bright);
+        QSignalSpy failed(&session, &Session::openFailed);
+        session.open(m_folder.filePath("not there.mha"));
+        QVERIFY(failed.wait());
+        QCOMPARE(session.volume()->storedValue(0), 200.0);
+        QCOMPARE(session.path(), m_bright);
+        const auto failure = failed.first().at(1).value<Failure>();
+        QCOMPARE(failure.kind, FailureKind::unreadable);
+        QVERIFY(QString::fromStdString(failure.sentence()).contains("not there.mha"));
+    }
+
+    void theNewestOpenWins() {
+        Session session;
+        QSignalSpy opened(&session, &Session::studyOpened);
+        for (int i = 0; i < 20; ++i) session.open(i % 2 == 0 ? m_dark : m_bright);
+        QTRY_VERIFY(!session.loading());
+        QCOMPARE(session.path(), m_bright);
+        QCOMPARE(session.volume()->storedValue(0), 200.0);
+        QVERIFY(opened.count() >= 1 && opened.count() <= 2);
+    }
+
+    void cancelledLoadingOpensNothing() {
+        Session session;
+        QSignalSpy opened(&session, &Session::studyOpened);
+        session.openSimulatedScan();
+        session.cancelLoading();
+        QTRY_VERIFY(!session.loading());
+        QCOMPARE(opened.count(), 0);
+        QVERIFY(session.study() == nullptr);
+    }
+
+    void closingWhileComputingIsSafe() {
+        HeldPipeline held;
+        int delivered = 0;
+        {
+            Session session;
+            session.setPipeline(held.function());
+            open(session, m_dark);
+            connect(&session, &Session::otfComputed, this, [&delivered] { ++delivered; });
+            session.requestOtf(turned(3), {});
+            held.waitUntilStarted(1);
+            held.release();
+        }
+        QCoreApplication::processEvents();
+        QCOMPARE(delivered, 0);
+        QVERIFY(held.thread() != nullptr);  // the job had run to its end before the session was gone
+    }
+
+    void anImpossiblePhaseIsABrokenContract() {
+        Session session;
+        open(session, m_dark);
+        QVERIFY_EXCEPTION_THROWN(session.setPhase(2), std::out_of_range);
+        QVERIFY_EXCEPTION_THROWN(session.setPhase(-1), std::out_of_range);
+    }
+
+private:
+    static void open(Session& session, const QString& path) {
+        QSignalSpy opened(&session, &Session::studyOpened);
+        session.open(path);
+        QVERIFY(opened.wait());
+    }
+
+    QTemporaryDir m_folder;
+    QString m_dark;
+    QString m_bright;
+};
+
+QTEST_MAIN(TestSession)
+#include "test_session.moc"

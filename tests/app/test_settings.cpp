@@ -1,0 +1,139 @@
+// What is remembered survives in its file; recent files are few, unique and there.
+#include <QtTest>
+
+#include "app/settings.h"
+
+using namespace echolucent;
+
+class TestSettings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+    }
+
+    void startsWithDefaults() {
+        const Settings settings(store());
+        QVERIFY(settings.recentFiles().isEmpty());
+        QVERIFY(settings.lastFolder().isEmpty());
+        QVERIFY(settings.windowGeometry().isEmpty());
+        QVERIFY(settings.windowState().isEmpty());
+        QCOMPARE(settings.colourMap(), ColourMap::sepia);
+        QCOMPARE(settings.interpolation(), Interpolation::trilinear);
+        QCOMPARE(settings.projection(), Projection::parallel);
+        QVERIFY(settings.shaded() && settings.histogramLogarithmic() && settings.motionPingPong());
+    }
+
+    void everythingComesBackFromTheFile() {
+        const QByteArray bytes = QByteArray("\x00\xff\x01;,=\"\n", 8);
+        const QString file = fileNamed("größe, 1.mha");
+        {
+            Settings settings(store());
+            settings.addRecentFile(file);
+            settings.setLastFolder("/some/where");
+            settings.setWindowGeometry(bytes);
+            settings.setWindowState(bytes + bytes);
+            settings.setColourMap(ColourMap::ice);
+            settings.setInterpolation(Interpolation::nearest);
+            settings.setProjection(Projection::perspective);
+            settings.setShaded(false);
+            settings.setHistogramLogarithmic(false);
+            settings.setMotionPingPong(false);
+            QVERIFY(settings.save());
+        }
+        const Settings settings(store());
+        QCOMPARE(settings.recentFiles(), QStringList{file});
+        QCOMPARE(settings.lastFolder(), "/some/where");
+        QCOMPARE(settings.windowGeometry(), bytes);
+        QCOMPARE(settings.windowState(), bytes + bytes);
+        QCOMPARE(settings.colourMap(), ColourMap::ice);
+        QCOMPARE(settings.interpolation(), Interpolation::nearest);
+        QCOMPARE(settings.projection(), Projection::perspective);
+        QVERIFY(!settings.shaded() && !settings.histogramLogarithmic() && !settings.motionPingPong());
+    }
+
+    void whatIsNotUnderstoodGivesTheDefault() {
+        {
+            QFile file(store());
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n");
+        }
+        const Settings settings(store());
+        QCOMPARE(settings.colourMap(), ColourMap::sepia);
+        QCOMPARE(settings.interpolation(), Interpolation::trilinear);
+        QCOMPARE(settings.projection(), Projection::parallel);
+        QCOMPARE(settings.shaded(), true);
+    }
+
+    void recentFilesAreNewestFirstWithoutDoubles() {
+        Settings settings(store());
+        const QString a = fileNamed("a.mha");
+        const QString b = fileNamed("b.mha");
+        settings.addRecentFile(a);
+        settings.addRecentFile(b);
+        settings.addRecentFile(m_folder->filePath("x/../a.mha"));
+        settings.addRecentFile({});
+        QCOMPARE(settings.recentFiles(), (QStringList{a, b}));
+        settings.removeRecentFile(a);
+        QCOMPARE(settings.recentFiles(), QStringList{b});
+        settings.clearRecentFiles();
+        QVERIFY(settings.recentFiles().isEmpty());
+    }
+
+    void relativePathsBecomeAbsolute() {
+        Settings settings(store());
+        const QString a = fileNamed("a.mha");
+        const QString before = QDir::currentPath();
+        QVERIFY(QDir::setCurrent(m_folder->path()));
+        settings.addRecentFile("a.mha");
+        QVERIFY(QDir::setCurrent(before));
+        QCOMPARE(settings.recentFiles(), QStringList{QFileInfo(a).canonicalFilePath()});
+    }
+
+    void atMostTenFilesAreKept() {
+        Settings settings(store());
+        QStringList expected;
+        for (int i = 0; i < 13; ++i) {
+            const QString file = fileNamed(QString("%1.mha").arg(i));
+            settings.addRecentFile(file);
+            expected.prepend(file);
+        }
+        QCOMPARE(settings.recentFiles(), QStringList(expected.mid(0, 10)));
+    }
+
+    void missingFilesAreLeftOutUntilTheyComeBack() {
+        Settings settings(store());
+        const QString a = fileNamed("a.mha");
+        const QString b = fileNamed("b.mha");
+        settings.addRecentFile(a);
+        settings.addRecentFile(b);
+        QVERIFY(QFile::remove(a));
+        QCOMPARE(settings.recentFiles(), QStringList{b});
+        fileNamed("a.mha");
+        QCOMPARE(settings.recentFiles(), (QStringList{b, a}));
+    }
+
+    void aFolderThatCannotBeWrittenIsSaid() {
+        fileNamed("plain");
+        Settings settings(m_folder->filePath("plain/settings.ini"));
+        settings.setShaded(false);
+        QVERIFY(!settings.save());
+    }
+
+private:
+    QString store() const { return m_folder->filePath("settings.ini"); }
+
+    /// Creates an empty file; returns its path.
+    QString fileNamed(const QString& name) const {
+        QFile file(m_folder->filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) qFatal("cannot create a file");
+        return file.fileName();
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestSettings)
+#include "test_settings.moc"

@@ -1,0 +1,2 @@
+// A breach on purpose: the include check must see it.
+#include <QString>

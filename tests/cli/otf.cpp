@@ -1,0 +1,264 @@
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include "program.h"
+
+namespace echolucent {
+namespace {
+
+using nlohmann::json;
+
+/// ln initial(x) + sum ln(1+d) g(x), by eqs. 5 to 7 as they stand (with (x - c) in eq. 5), in extended precision.
+struct Reference {
+    long double value = 0, size = 0;
+};
+Reference logOpacityFrom(const json& tubes, long double initialLog, long double x) {
+    Reference sum{initialLog, std::abs(initialLog)};
+    for (const json& tube : tubes) {
+        const long double d = tube["d"].get<double>();
+        if (d == 0) continue;
+        const long double low = tube["i_low"].get<double>(), high = tube["i_high"].get<double>();
+        const long double b = 2 / ((high - low) * (high - low)), c = 1 / std::sqrt(2 * b) + low;
+        const long double g =
+            std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
+        sum.value += std::log1p(d) * g;
+        sum.size += std::abs(std::log1p(d) * g);
+    }
+    return sum;
+}
+
+void expectCurveFollowsFromTubes(const json& otf, int exponent) {
+    const long double a = otf["parameters"]["opacity_scale"].get<double>();
+    ASSERT_EQ(otf["otf"]["intensity"].size(), 256u);
+    ASSERT_EQ(otf["otf"]["opacity"].size(), 256u);
+    EXPECT_TRUE(otf["otf"]["log_opacity"][0].is_null());
+    EXPECT_EQ(otf["otf"]["opacity"][0], 0.0);
+    for (std::size_t i = 1; i < 256; ++i) {
+        const double x = otf["otf"]["intensity"][i];
+        EXPECT_EQ(x, static_cast<double>(i) / 255);
+        const Reference expected =
+            logOpacityFrom(otf["tubes"], std::log(a) + exponent * std::log(static_cast<long double>(x)), x);
+        const double got = otf["otf"]["log_opacity"][i];
+        EXPECT_LE(std::abs(got - expected.value), 1e-12L * std::max(1.0L, expected.size)) << i;
+        EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(),
+                    static_cast<double>(std::min(1.0L, std::exp(expected.value))), 1e-12);
+    }
+}
+
+void expectWeightsFollowFromTubes(const json& otf) {
+    const json& tubes = otf["tubes"];
+    int meeting = 0, surfaces = 0;
+    for (const json& tube : tubes) meeting += tube["status"] != "outside" ? 1 : 0;
+    const double dMax = otf["parameters"]["d_max"];
+    EXPECT_DOUBLE_EQ(dMax, otf["parameters"]["strength"].get<double>() / meeting);
+    for (const json& tube : tubes) {
+        if (tube["status"] != "surface") {
+            EXPECT_EQ(tube["d"], 0.0);
+            for (const char* key : {"surface_voxel", "i_low", "i_high", "i_low_max", "slope"})
+                EXPECT_TRUE(tube[key].is_null());
+            EXPECT_EQ(tube["entry_voxel"].is_null(), tube["status"] == "outside");
+            continue;
+        }
+        ++surfaces;
+        int lowMaxima = 0, slopes = 0;
+        for (const json& other : tubes) {
+            if (other["status"] != "surface") continue;
+            lowMaxima += other["i_low_max"].get<double>() <= tube["i_low_max"].get<double>() ? 1 : 0;
+            slopes +=
+                other["slope"].get<double>() > 0 && other["slope"].get<double>() <= tube["slope"].get<double>() ? 1 : 0;
+        }
+        const long double intensity = 1 - lowMaxima / static_cast<long double>(meeting);
+        const long double slope = tube["slope"].get<double>() > 0 ? slopes / static_cast<long double>(meeting) : 0;
+        const long double extra = tube["w_extra"].get<double>();
+        EXPECT_NEAR(tube["w_intensity"].get<double>(), static_cast<double>(intensity), 1e-15);
+        EXPECT_NEAR(tube["w_slope"].get<double>(), static_cast<double>(slope), 1e-15);
+        EXPECT_NEAR(tube["d"].get<double>(), static_cast<double>(dMax * intensity * slope * extra), 1e-15 * dMax);
+        const bool standsOut =
+            !tube["edge_to_noise"].is_null() &&
+            tube["edge_to_noise"].get<double>() >= otf["parameters"]["least_edge_to_noise"].get<double>();
+        EXPECT_EQ(tube["w_extra"], tube["i_high"].get<double>() > tube["i_low"].get<double>() && standsOut ? 1.0 : 0.0);
+    }
+    EXPECT_GT(surfaces, 20);
+}
+
+TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
+    const json otf = otfOf(shapesFile());
+    EXPECT_EQ(otf["message"], "");
+    EXPECT_EQ(otf["volume"]["size"], (json{110, 100, 120}));
+    EXPECT_EQ(otf["volume"]["spacing_mm"], (json{0.5, 0.5, 0.5}));
+    EXPECT_EQ(otf["volume"]["type"], "uint8");
+    EXPECT_EQ(otf["volume"]["white_level"], 255.0);
+    EXPECT_EQ(otf["view"]["direction_voxel"], (json{0.0, 0.0, 1.0}));
+    EXPECT_EQ(otf["view"]["beam_axis"], "+z");
+    EXPECT_EQ(otf["view"]["near_mm"], 0.0);
+    const json& parameters = otf["parameters"];
+    EXPECT_EQ(parameters["initial"], "parabolic");
+    EXPECT_EQ(parameters["tube_grid"], (json{15, 15}));
+    EXPECT_EQ(parameters["tube_spacing_units"], (json{7.0, 6.0}));
+    EXPECT_EQ(parameters["cell_size"], 5);
+    EXPECT_EQ(parameters["strength"], 6.75);
+    ASSERT_EQ(otf["tubes"].size(), 225u);
+    for (std::size_t t = 0; t < 225; ++t) {
+        EXPECT_EQ(otf["tubes"][t]["u"], t % 15);
+        EXPECT_EQ(otf["tubes"][t]["v"], t / 15);
+    }
+}
+
+TEST(OtfJson, CurveFollowsFromTheTubesByEquations4To7) {
+    expectCurveFollowsFromTubes(otfOf(shapesFile()), 2);
+    expectCurveFollowsFromTubes(
+        otfOf(shapesFile(),
+              "--initial quartic --opacity-scale 0.3 --strength 40 --view-azimuth 21 --view-elevation -9"),
+        4);
+}
+
+TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
+    expectWeightsFollowFromTubes(otfOf(shapesFile()));
+    expectWeightsFollowFromTubes(otfOf(shapesFile(), "--view-azimuth 35 --view-elevation 20 --tube-grid 9x13"));
+}
+
+TEST(OtfJson, FindsThePhantomsSurfaces) {
+    const Folder folder;
+    const Outcome made = runProgram("phantom \"" + folder / "p.mha" +
+                                    "\" --scene shapes --size 150 --spacing 0.4x0.4x0.6 --seed 8 --truth \"" +
+                                    folder / "truth.json" + "\"");
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const json otf = otfOf(folder / "p.mha");
+    double weight = 0;
+    for (const json& tube : otf["tubes"]) {
+        weight += tube["d"].get<double>();
+        if (tube["d"] > 0) {
+            // The surface lies on the axis, behind the entry.
+            EXPECT_NEAR(tube["surface_voxel"][0].get<double>(), tube["entry_voxel"][0].get<double>(), 1e-9);
+            EXPECT_NEAR(tube["surface_voxel"][1].get<double>(), tube["entry_voxel"][1].get<double>(), 1e-9);
+            EXPECT_GT(tube["surface_voxel"][2].get<double>(), 5.0);
+            EXPECT_NEAR(tube["entry_voxel"][2].get<double>(), -0.5, 1e-9);
+        }
+    }
+    EXPECT_GT(weight, 0.3);
+}
+
+TEST(OtfJson, TheViewTurnsByAzimuthAndElevationOnTheGridsAxesInMm) {
+    // d = R_y(azimuth) R_x(elevation) (0,0,1), then divided by the spacing.
+    const std::string file = phantomFile("flat.mha", "--scene shapes --size 60x60x30 --spacing 0.5x0.5x1 --seed 2");
+    const double azimuth = 30 * std::numbers::pi / 180, elevation = 20 * std::numbers::pi / 180;
+    const json direction = otfOf(file, "--view-azimuth 30 --view-elevation 20")["view"]["direction_voxel"];
+    const double x = std::sin(azimuth) * std::cos(elevation) / 0.5, y = -std::sin(elevation) / 0.5;
+    const double z = std::cos(azimuth) * std::cos(elevation);
+    const double size = std::sqrt(x * x + y * y + z * z);
+    EXPECT_NEAR(direction[0].get<double>(), x / size, 1e-14);
+    EXPECT_NEAR(direction[1].get<double>(), y / size, 1e-14);
+    EXPECT_NEAR(direction[2].get<double>(), z / size, 1e-14);
+    EXPECT_EQ(otfOf(file, "--beam-axis -y")["view"]["direction_voxel"], (json{0.0, -1.0, 0.0}));
+    EXPECT_EQ(otfOf(file, "--beam-axis=+x")["view"]["direction_voxel"], (json{1.0, 0.0, 0.0}));
+}
+
+TEST(OtfJson, TheNearCutMovesTheTubesBeginning) {
+    const json otf = otfOf(shapesFile(), "--near 10");
+    EXPECT_EQ(otf["view"]["near_mm"], 10.0);
+    for (const json& tube : otf["tubes"])
+        if (!tube["entry_voxel"].is_null()) {
+            EXPECT_NEAR(tube["entry_voxel"][2].get<double>(), 19.5, 1e-9);
+        }
+}
+
+TEST(OtfJson, IsTheSameOnAnyNumberOfThreads) {
+    const auto withoutTimes = [](json otf) {
+        otf.erase("times_ms");
+        return otf.dump();
+    };
+    EXPECT_EQ(withoutTimes(otfOf(shapesFile(), "--threads 1 --view-azimuth 10")),
+              withoutTimes(otfOf(shapesFile(), "--threads 2 --view-azimuth 10")));
+}
+
+TEST(OtfJson, AManualInitialFunctionIsTakenFromItsFile) {
+    const Folder folder;
+    write(folder / "curve.json", R"({"format": "echolucent-opacity-curve", "version": 1,
+        "nodes": [{"intensity": 0.2, "opacity": 0.0}, {"intensity": 0.6, "opacity": 0.4}]})");
+    const json otf = otfOf(shapesFile(), "--strength 0 --initial \"manual:" + folder / "curve.json" + "\"");
+    EXPECT_EQ(otf["message"], "The strength is 0: the initial function is used.");
+    EXPECT_TRUE(otf["otf"]["log_opacity"][51].is_null()) << "0 up to the first node";
+    EXPECT_NEAR(otf["otf"]["opacity"][102].get<double>(), 0.2, 1e-12);
+    EXPECT_NEAR(otf["otf"]["log_opacity"][255].get<double>(), std::log(0.4), 1e-12);
+    const json linear = otfOf(shapesFile(), "--strength 0 --initial linear --opacity-scale 0.25");
+    EXPECT_EQ(linear["parameters"]["opacity_scale"], 0.25);
+    EXPECT_NEAR(linear["otf"]["opacity"][255].get<double>(), 0.25 * 235 / 255, 1e-12);
+}
+
+TEST(OtfJson, SaysSoWhereThereIsNoSurface) {
+    const Folder folder;
+    for (const int edge : {60, 3}) {
+        writeConstantVolume(folder / "constant.mha", edge, 77);
+        const Outcome outcome = runProgram("otf \"" + folder / "constant.mha" + "\" --json -");
+        ASSERT_EQ(outcome.status, 0);
+        const json otf = json::parse(outcome.output);
+        EXPECT_EQ(otf["message"], "No surface found: the initial function is used.");
+        EXPECT_EQ(outcome.errors, "No surface found: the initial function is used.\n");
+        for (std::size_t i = 0; i < 256; ++i)
+            EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(), static_cast<double>(i * i) / 65025, 1e-15);
+        EXPECT_EQ(outcome.output.find("nan"), std::string::npos);
+    }
+}
+
+std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line + ",");
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+TEST(OtfTables, HoldTheSameNumbersAsTheJson) {
+    const Folder folder;
+    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --json \"" + folder / "o.json" + "\" --csv \"" +
+                                       folder / "o.csv" + "\" --tubes-csv \"" + folder / "t.csv" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    const json otf = json::parse(contentsOf(folder / "o.json"));
+    const auto curve = rowsOf(contentsOf(folder / "o.csv"));
+    ASSERT_EQ(curve.size(), 257u);
+    EXPECT_EQ(curve[0], (std::vector<std::string>{"intensity", "opacity", "log_opacity", "initial_opacity"}));
+    EXPECT_EQ(curve[1][2], "") << "ln 0";
+    for (std::size_t i = 1; i < 256; ++i) {
+        EXPECT_EQ(std::stod(curve[i + 1][0]), otf["otf"]["intensity"][i].get<double>());
+        EXPECT_EQ(std::stod(curve[i + 1][1]), otf["otf"]["opacity"][i].get<double>());
+        EXPECT_EQ(std::stod(curve[i + 1][2]), otf["otf"]["log_opacity"][i].get<double>());
+    }
+    const auto tubes = rowsOf(contentsOf(folder / "t.csv"));
+    ASSERT_EQ(tubes.size(), 226u);
+    for (const auto& row : tubes) EXPECT_EQ(row.size(), tubes[0].size());
+    EXPECT_EQ(tubes[0].back(), "d");
+    for (std::size_t t = 0; t < 225; ++t) EXPECT_EQ(std::stod(tubes[t + 1].back()), otf["tubes"][t]["d"].get<double>());
+}
+
+TEST(OtfSummary, IsPrintedWhereNoFileIsAskedFor) {
+    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\"");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.output.find("of 225 tube cores meet the volume"), std::string::npos);
+    EXPECT_NE(outcome.output.find("110x100x120 uint8"), std::string::npos);
+}
+
+TEST(OtfOfRealData, FindsSurfacesBehindTheChestsNearCut) {
+    const std::string file = ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/fetal_chest_iso0.3mm.mha";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "the shared volumes are not here";
+    const json otf = otfOf(file, "--beam-axis +y --near 18");
+    EXPECT_EQ(otf["message"], "");
+    int weighted = 0;
+    for (const json& tube : otf["tubes"]) {
+        if (!tube["entry_voxel"].is_null()) {
+            EXPECT_NEAR(tube["entry_voxel"][1].get<double>(), 59.5, 1e-9) << "18 mm of 0.3 mm voxels";
+        }
+        weighted += tube["d"] > 0 ? 1 : 0;
+    }
+    EXPECT_GT(weighted, 20);
+    expectWeightsFollowFromTubes(otf);
+    expectCurveFollowsFromTubes(otf, 2);
+}
+
+}  // namespace
+}  // namespace echolucent

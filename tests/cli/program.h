@@ -1,0 +1,84 @@
+// Runs the real echolucent-cli.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace echolucent {
+
+struct Outcome {
+    int status = -1;  ///< exit status; -1: ended by a signal
+    std::string output;
+    std::string errors;
+};
+
+/// A folder of its own for one test, removed with it.
+class Folder {
+public:
+    Folder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "echolucent-cli-XXXXXX").string();
+        m_path = mkdtemp(pattern.data());
+    }
+    ~Folder() { std::filesystem::remove_all(m_path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+    std::filesystem::path m_path;
+};
+
+inline std::string contentsOf(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void write(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// arguments as a shell would take them.
+inline Outcome runProgram(const std::string& arguments) {
+    const Folder folder;
+    const std::string command = std::string("\"" ECHOLUCENT_CLI "\" ") + arguments + " >\"" + folder / "out" +
+                                "\" 2>\"" + folder / "err" + "\"";
+    const int raw = std::system(command.c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentsOf(folder / "out"), contentsOf(folder / "err")};
+}
+
+/// A phantom file made once for all tests of a program run: 72 voxels an edge, anisotropic on request.
+inline std::string phantomFile(const std::string& name, const std::string& options) {
+    static const Folder folder;
+    const std::string path = folder / name;
+    if (!std::filesystem::exists(path)) {
+        const Outcome made = runProgram("phantom \"" + path + "\" " + options);
+        EXPECT_EQ(made.status, 0) << made.errors;
+    }
+    return path;
+}
+inline std::string shapesFile() { return phantomFile("shapes.mha", "--scene shapes --size 110x100x120 --seed 5"); }
+
+inline nlohmann::json otfOf(const std::string& volume, const std::string& options = {}) {
+    const Outcome outcome = runProgram("otf \"" + volume + "\" --json - " + options);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+}
+
+/// An 8-bit MetaImage of one value.
+inline void writeConstantVolume(const std::string& path, int edge, char value) {
+    const std::string size = std::to_string(edge);
+    write(path, "ObjectType = Image\nNDims = 3\nDimSize = " + size + " " + size + " " + size +
+                    "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                    std::string(static_cast<std::size_t>(edge) * edge * edge, value));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace echolucent {
+namespace {
+
+struct Row {
+    std::string arguments;  ///< VOLUME stands for a file that can be read, FOLDER for an empty folder
+    int status;
+    std::string says;  ///< part of the message
+};
+
+std::string replaced(std::string text, const std::string& word, const std::string& with) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word))
+        text.replace(at, word.size(), with);
+    return text;
+}
+
+class ExitStatus : public testing::TestWithParam<Row> {};
+
+TEST_P(ExitStatus, AndOneSentenceForAPerson) {
+    const Folder folder;
+    const Outcome outcome =
+        runProgram(replaced(replaced(GetParam().arguments, "VOLUME", shapesFile()), "FOLDER", folder / ""));
+    EXPECT_EQ(outcome.status, GetParam().status) << GetParam().arguments << "\n" << outcome.errors;
+    EXPECT_NE(outcome.errors.find(GetParam().says), std::string::npos) << outcome.errors;
+    if (GetParam().status >= 3) {
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Otf, ExitStatus,
+    testing::Values(
+        Row{"", 2, ""}, Row{"nonsense", 2, ""}, Row{"otf", 2, "VOLUME"}, Row{"otf VOLUME --nonsense", 2, "nonsense"},
+        Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"}, Row{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
+        Row{"otf VOLUME --cell-size 99", 2, "cell size"}, Row{"otf VOLUME --cell-size five", 2, "cell-size"},
+        Row{"otf VOLUME --strength -1", 2, "strength"}, Row{"otf VOLUME --strength nan", 2, "strength"},
+        Row{"otf VOLUME --tube-spacing -3", 2, "tube spacing"},
+        Row{"otf VOLUME --opacity-scale -1", 2, "--opacity-scale"},
+        Row{"otf VOLUME --significance 2", 2, "significance"}, Row{"otf VOLUME --finest-scale 9", 2, "scales"},
+        Row{"otf VOLUME --floor-quantile 1.5", 2, "floor quantile"},
+        Row{"otf VOLUME --initial cubic", 2, "is not an opacity curve"},
+        Row{"otf VOLUME --initial manual:", 2, "is not an opacity curve"},
+        Row{"otf VOLUME --beam-axis w", 2, "--beam-axis"}, Row{"otf VOLUME --near -1", 2, "--near"},
+        Row{"otf VOLUME --view-azimuth inf", 2, "--view-azimuth"}, Row{"otf VOLUME --phase 4", 2, "--phase"},
+        Row{"otf VOLUME --json - --csv -", 2, "standard output"}, Row{"otf VOLUME --threads 0", 2, "threads"},
+        Row{"otf FOLDER/missing.mha", 3, "missing.mha"}, Row{"otf FOLDER", 3, ""},
+        Row{"otf VOLUME --initial manual:FOLDER/missing.json", 3, "missing.json"},
+        Row{"otf VOLUME --json FOLDER/none/otf.json", 4, "otf.json"},
+        Row{"otf VOLUME --csv FOLDER/none/o.csv", 4, "o.csv"},
+        Row{"otf VOLUME --json /dev/full/otf.json", 4, "otf.json"}));
+
+TEST(Usage, EveryCommandHasHelpWithAnExample) {
+    const Outcome program = runProgram("--help");
+    EXPECT_EQ(program.status, 0);
+    for (const std::string command : {"info", "otf", "render", "phantom"}) {
+        EXPECT_NE(program.output.find(command), std::string::npos);
+        const Outcome help = runProgram(command + " --help");
+        EXPECT_EQ(help.status, 0);
+        EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
+        EXPECT_NE(help.output.find("echolucent-cli " + command), std::string::npos) << command;
+    }
+}
+
+TEST(Usage, SaysItsVersion) {
+    const Outcome outcome = runProgram("--version");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.output.find("echolucent-cli 0."), 0u) << outcome.output;
+}
+
+TEST(Usage, ThreadsMayStandBeforeOrAfterTheCommand) {
+    EXPECT_EQ(runProgram("--threads 1 otf \"" + shapesFile() + "\"").status, 0);
+    EXPECT_EQ(runProgram("otf \"" + shapesFile() + "\" --threads 1").status, 0);
+}
+
+}  // namespace
+}  // namespace echolucent

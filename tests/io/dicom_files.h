@@ -1,0 +1,74 @@
+// Small DICOM files written by DCMTK, an independent writer, for the readers to read.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/geometry.h"
+
+namespace echolucent {
+
+enum class TestSyntax {
+    implicitLittle,
+    explicitLittle,
+    explicitBig,
+    deflated,
+    rle,
+    jpegLossless,
+    jpegBaseline,
+    jpegLs
+};
+
+struct TestPalette {
+    std::vector<std::uint16_t> red, green, blue;
+    int first = 0;
+    int bits = 16;
+};
+
+/// One frame's place in functional groups.
+struct TestFrame {
+    Vec3 position{0, 0, 0};
+    std::optional<double> seconds;
+    std::string dataType;
+};
+
+/// Everything a test may want to say in a DICOM file.
+struct TestImage {
+    int columns = 4;
+    int rows = 3;
+    int frames = 0;  ///< 0: no Number of Frames
+    int samples = 1;
+    int bitsAllocated = 8;
+    int bitsStored = 8;
+    bool isSigned = false;
+    int planar = 0;
+    std::string photometric = "MONOCHROME2";
+    std::string series = "1.2.3";
+    int instance = 1;
+    std::vector<std::uint8_t> pixels8;
+    std::vector<std::uint16_t> pixels16;
+    std::optional<Vec3> position;
+    std::optional<std::array<double, 6>> orientation;
+    std::optional<std::array<double, 2>> pixelSpacing;  ///< as in the tag: between rows, between columns
+    std::optional<double> spacingBetweenSlices;
+    std::vector<double> gridOffsets;
+    std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
+    bool patientFrame = false;                ///< Plane Position (Patient) instead
+    std::optional<TestPalette> palette;
+    bool frameTime = false;  ///< frames are said to follow each other in time
+};
+
+/// Throws std::runtime_error where DCMTK cannot write it.
+void writeDicom(const std::string& path, const TestImage& image, TestSyntax syntax = TestSyntax::explicitLittle);
+
+/// The bytes of an explicit little-endian file with sequences nested `depth` deep, written by hand. Defined lengths,
+/// where asked for, are too short to be true but let a parser in.
+[[nodiscard]] std::string nestedDicom(int depth, bool implicitVr);
+
+/// One grey 8-bit JPEG 2000 frame as a multi-frame file of two equal frames.
+void writeJpeg2000Dicom(const std::string& path, int columns, int rows, const std::vector<std::uint8_t>& pixels);
+
+}  // namespace echolucent

@@ -1,0 +1,147 @@
+// VolumeOptions and the info command, run in this process.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+struct Outcome {
+    int status = 0;
+    std::string text;
+    std::string sentence;
+};
+
+Outcome runInfo(std::vector<std::string> arguments) {
+    CLI::App program{"test"};
+    program.require_subcommand(1);
+    cli::Action action;
+    cli::addInfoCommand(program, action);
+    arguments.insert(arguments.begin(), "info");
+    std::reverse(arguments.begin(), arguments.end());
+    Outcome outcome;
+    testing::internal::CaptureStdout();
+    try {
+        program.parse(arguments);
+        const auto done = action();
+        if (!done) outcome = {cli::exitStatus(done.error()), "", done.error().sentence()};
+    } catch (const CLI::ParseError& error) {
+        outcome = {error.get_exit_code() == 0 ? 0 : 2, "", error.what()};
+    }
+    outcome.text = testing::internal::GetCapturedStdout();
+    return outcome;
+}
+
+std::string movingVolume(const TemporaryFolder& folder) {
+    return folder.write("v.mha",
+                        "NDims = 4\nDimSize = 2 1 1 3\nElementSpacing = 0.1 0.2 0.3 0.05\nElementType = MET_USHORT\n"
+                        "WhiteLevel = 4095\nElementDataFile = LOCAL\n" +
+                            bytesFrom<std::uint16_t>({1, 2, 3, 4, 5, 6}));
+}
+
+TEST(InfoCommand, JsonSaysWhatTheVolumeIs) {
+    const TemporaryFolder folder;
+    const auto outcome = runInfo({movingVolume(folder), "--phase", "1", "--all-voxels", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.sentence;
+    const json object = json::parse(outcome.text);
+    const json& volume = object.at("volume");
+    EXPECT_EQ(volume.at("size"), json({2, 1, 1}));
+    EXPECT_EQ(volume.at("spacing_mm"), json({0.1, 0.2, 0.3}));
+    EXPECT_EQ(volume.at("spacing_known"), true);
+    EXPECT_EQ(volume.at("type"), "uint16");
+    EXPECT_EQ(volume.at("white_level"), 4095);
+    EXPECT_EQ(volume.at("phases"), 3);
+    EXPECT_EQ(volume.at("phase"), 1);
+    EXPECT_EQ(volume.at("phase_seconds"), 0.05);
+    EXPECT_EQ(volume.at("stored_range"), json({3, 4}));
+    EXPECT_EQ(volume.at("no_data_share"), 0);
+    EXPECT_EQ(object.at("view").at("beam_axis"), "+z");
+    EXPECT_EQ(object.at("facts").at(0), json({{"name", "format"}, {"value", "MetaImage"}, {"source", ""}}));
+    EXPECT_TRUE(object.at("warnings").is_array());
+}
+
+TEST(InfoCommand, TextNamesSizeSpacingAndDirection) {
+    const TemporaryFolder folder;
+    const auto outcome = runInfo({movingVolume(folder)});
+    EXPECT_THAT(outcome.text, HasSubstr("2 x 1 x 1 voxels"));
+    EXPECT_THAT(outcome.text, HasSubstr("0.1 x 0.2 x 0.3 mm  [ElementSpacing]"));
+    EXPECT_THAT(outcome.text, HasSubstr("4095  [WhiteLevel]"));
+    EXPECT_THAT(outcome.text, HasSubstr("+z"));
+}
+
+TEST(InfoCommand, ExitStatusesFollowWhatWentWrong) {
+    const TemporaryFolder folder;
+    const std::string volume = movingVolume(folder);
+    const auto outOfRange = runInfo({volume, "--phase", "3"});
+    EXPECT_EQ(outOfRange.status, 2);
+    EXPECT_THAT(outOfRange.sentence, HasSubstr("--phase is 3, but the volume has 3 phase(s). Choose 0 to 2."));
+    EXPECT_EQ(runInfo({volume, "--phase", "-1"}).status, 2);
+    EXPECT_EQ(runInfo({volume, "--no-such-option"}).status, 2);
+    EXPECT_EQ(runInfo({}).status, 2);
+    EXPECT_EQ(runInfo({folder.file("none.mha")}).status, 3);
+    EXPECT_EQ(cli::exitStatus(fail(FailureKind::unwritable, "", "", "").value()), 4);
+}
+
+TEST(InfoCommand, HelpHoldsAnExample) {
+    CLI::App program{"test"};
+    cli::Action action;
+    cli::addInfoCommand(program, action);
+    EXPECT_THAT(program.get_subcommand("info")->help(), HasSubstr("Example:\n  echolucent-cli info"));
+}
+
+TEST(VolumeOptions, DescribeARawFile) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("v.raw", "HHH" + bytesFrom<std::uint16_t>({10, 20, 30, 40}, true));
+    const auto outcome = runInfo({file, "--raw-size", "2x2x1", "--raw-type", "uint16", "--raw-byte-order", "big",
+                                  "--raw-header-bytes", "3", "--raw-spacing", "0.5x0.5x2", "--all-voxels", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.sentence;
+    const json volume = json::parse(outcome.text).at("volume");
+    EXPECT_EQ(volume.at("size"), json({2, 2, 1}));
+    EXPECT_EQ(volume.at("spacing_mm"), json({0.5, 0.5, 2.0}));
+    EXPECT_EQ(volume.at("spacing_known"), true);
+    EXPECT_EQ(volume.at("stored_range"), json({10, 40}));
+    EXPECT_EQ(json::parse(runInfo({file, "--raw-size", "11x1x1", "--json"}).text)["volume"]["spacing_known"], false);
+}
+
+TEST(VolumeOptions, WrongRawOptionsAreWrongUsage) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("v.raw", "abcd");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
+        {{"--raw-size", "2x2"}, "--raw-size must be 3 numbers"},
+        {{"--raw-size", "2x2xtwo"}, "--raw-size must be 3 numbers"},
+        {{"--raw-size", "2xx2x1"}, "--raw-size must be 3 numbers"},
+        {{"--raw-size", "2x2x0"}, "--raw-size must be three whole numbers"},
+        {{"--raw-size", "2x2x1.5"}, "--raw-size must be three whole numbers"},
+        {{"--raw-size", "2x2x1", "--raw-spacing", "1x0x1"}, "--raw-spacing must be three numbers above 0"},
+        {{"--raw-size", "2x2x1", "--raw-spacing", "1xnanx1"}, "--raw-spacing must be three numbers above 0"},
+        {{"--raw-spacing", "1x1x1"}, "--raw-size is missing"},
+        {{"--raw-size", "2x2x1", "--raw-type", "int12"}, "--raw-type"},
+        {{"--raw-size", "2x2x1", "--raw-byte-order", "middle"}, "--raw-byte-order"},
+        {{"--raw-size", "2x2x1", "--raw-header-bytes", "-1"}, "--raw-header-bytes"}};
+    for (const auto& [options, words] : rows) {
+        std::vector<std::string> arguments{file};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const auto outcome = runInfo(arguments);
+        EXPECT_EQ(outcome.status, 2) << words;
+        EXPECT_THAT(outcome.sentence, HasSubstr(words));
+    }
+    EXPECT_EQ(runInfo({file, "--raw-size", "2x2x2"}).status, 3);
+}
+
+TEST(ParseNumbers, TakesXAndCommas) {
+    EXPECT_EQ(cli::parseNumbers("15x15", 2, "--a").value(), (std::vector<double>{15, 15}));
+    EXPECT_EQ(cli::parseNumbers("1.5,2,1e3", 3, "--a").value(), (std::vector<double>{1.5, 2, 1000}));
+    for (const char* text : {"", "x", "1", "1x", "x1", "1x2x3", "1 2", "0x1x2"})
+        EXPECT_FALSE(cli::parseNumbers(text, 2, "--a")) << text;
+    EXPECT_THAT(cli::parseNumbers("1", 2, "--grid").error().sentence(), HasSubstr("--grid must be 2 numbers"));
+}
+
+}  // namespace
+}  // namespace echolucent

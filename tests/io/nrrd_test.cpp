@@ -1,0 +1,194 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "temporary_folder.h"
+#include "zlib_bytes.h"
+
+namespace echolucent {
+namespace {
+
+using testing::ElementsAre;
+
+std::string nrrd(const std::string& fields) { return "NRRD0004\n# comment\n" + fields + "\n"; }
+std::string cube(const std::string& type, const std::string& more) {
+    return nrrd("type: " + type + "\ndimension: 3\nsizes: 2 1 2\n" + more);
+}
+
+struct TypeRow {
+    std::vector<std::string> names;
+    std::function<std::string(bool)> bytes;
+};
+template <typename T>
+TypeRow typeRow(std::vector<std::string> names) {
+    return {std::move(names), [](bool big) { return bytesFrom<T>({1, 2, 3, 100}, big); }};
+}
+
+TEST(Nrrd, EveryTypeNameByteOrderAndEncodingGivesTheSameValues) {
+    const TemporaryFolder folder;
+    const std::vector<TypeRow> rows{
+        typeRow<std::uint8_t>({"uchar", "unsigned char", "uint8", "uint8_t"}),
+        typeRow<std::int8_t>({"signed char", "int8", "int8_t"}),
+        typeRow<std::uint16_t>({"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}),
+        typeRow<std::int16_t>({"short", "short int", "signed short", "signed short int", "int16", "int16_t"}),
+        typeRow<std::uint32_t>({"uint", "unsigned int", "uint32", "uint32_t"}),
+        typeRow<std::int32_t>({"int", "signed int", "int32", "int32_t"}),
+        typeRow<std::uint64_t>({"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}),
+        typeRow<std::int64_t>({"longlong", "long long", "long long int", "int64", "int64_t"}),
+        typeRow<float>({"float"}),
+        typeRow<double>({"double"})};
+    for (const TypeRow& row : rows)
+        for (const std::string& name : row.names)
+            for (const bool big : {false, true})
+                for (const std::string encoding : {"raw", "gzip", "gz"}) {
+                    const std::string voxels = encoding == "raw" ? row.bytes(big) : deflated(row.bytes(big), 31);
+                    const auto file = folder.write(
+                        "v.nrrd", cube(name, "spacings: 1 2 3\nendian: " + std::string(big ? "big" : "little") +
+                                                 "\nencoding: " + encoding + "\n") +
+                                      voxels);
+                    const auto study = readStudy(file, withoutGuess());
+                    ASSERT_TRUE(study) << study.error().sentence();
+                    EXPECT_THAT(storedValues(*study->phases[0]), ElementsAre(1, 2, 3, 100)) << name << big << encoding;
+                    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 2, 3));
+                }
+}
+
+TEST(Nrrd, DetachedDataAreReadWithSkips) {
+    const TemporaryFolder folder;
+    const std::string voxels = "abcd";
+    folder.write("plain.raw", voxels);
+    folder.write("skip.raw", "one line\nsecond\nXY" + voxels);
+    folder.write("end.raw", "anything" + voxels);
+    folder.write("packed.raw.gz", deflated("1234" + voxels, 31));
+    const auto expectRead = [&](const std::string& name, const std::string& more) {
+        const auto study = readStudy(folder.write(name, cube("uchar", more)), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_THAT(storedValues(*study->phases[0]), ElementsAre('a', 'b', 'c', 'd')) << more;
+    };
+    expectRead("a.nhdr", "encoding: raw\ndata file: plain.raw\n");
+    expectRead("b.nhdr", "encoding: raw\ndatafile: ./plain.raw\n");
+    expectRead("c.nhdr", "encoding: raw\nline skip: 2\nbyte skip: 2\ndata file: skip.raw\n");
+    expectRead("d.nhdr", "encoding: raw\nbyte skip: -1\ndata file: end.raw\n");
+    expectRead("e.nhdr", "encoding: gzip\nbyte skip: 4\ndata file: packed.raw.gz\n");
+}
+
+VolumeGeometry geometryOf(const std::string& more) {
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.nrrd", cube("uchar", more + "encoding: raw\n") + "abcd"));
+    EXPECT_TRUE(study) << (study ? "" : study.error().sentence());
+    return study ? study->phases[0]->geometry() : VolumeGeometry();
+}
+
+TEST(Nrrd, SpaceDirectionsGiveSpacingAndDirection) {
+    const auto geometry = geometryOf(
+        "space: left-posterior-superior\nspace directions: (0,2,0) (0,0,3) (4,0,0)\n"
+        "space origin: (1,-2,3)\n");
+    EXPECT_EQ(geometry.spacing, Vec3(2, 3, 4));
+    EXPECT_EQ(geometry.patientFromVoxel({1, 1, 1}), Vec3(1 + 4, -2 + 2, 3 + 3));
+    EXPECT_TRUE(geometry.spacingKnown);
+}
+
+TEST(Nrrd, OtherFramesAreTurnedIntoLps) {
+    const std::string place = "space directions: (1,0,0) (0,2,0) (0,0,3)\nspace origin: (10,20,30)\n";
+    const Vec3 corner(1, 1, 1);
+    EXPECT_EQ(geometryOf("space: right-anterior-superior\n" + place).patientFromVoxel(corner), Vec3(-11, -22, 33));
+    EXPECT_EQ(geometryOf("space: RAS\n" + place).patientFromVoxel(corner), Vec3(-11, -22, 33));
+    EXPECT_EQ(geometryOf("space: left-anterior-superior\n" + place).patientFromVoxel(corner), Vec3(11, -22, 33));
+    EXPECT_EQ(geometryOf("space: LPS\n" + place).patientFromVoxel(corner), Vec3(11, 22, 33));
+    EXPECT_EQ(geometryOf("space: scanner-xyz\n" + place).patientFromVoxel(corner), Vec3(11, 22, 33));
+}
+
+TEST(Nrrd, UnitsOtherThanMillimetresAreConverted) {
+    EXPECT_EQ(geometryOf("spacings: 1 2 3\nunits: \"cm\" \"mm\" \"um\"\n").spacing, Vec3(10, 2, 0.003));
+    EXPECT_EQ(geometryOf("space dimension: 3\nspace units: \"cm\" \"cm\" \"cm\"\n"
+                         "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\n")
+                  .patientFromVoxel({1, 1, 1}),
+              Vec3(20, 30, 40));
+}
+
+TEST(Nrrd, ObliqueVectorsWithSpacesAndNegativeSpacing) {
+    const auto oblique = geometryOf("space: LPS\nspace directions: ( 3, 4, 0 ) (-4 , 3, 0) (0,0,-2)\n");
+    EXPECT_EQ(oblique.spacing, Vec3(5, 5, 2));
+    EXPECT_NEAR(oblique.direction(0, 0), 0.6, 1e-15);
+    EXPECT_NEAR(oblique.direction(2, 2), -1, 1e-15);
+    EXPECT_EQ(geometryOf("spacings: 1 1 -2\n").patientFromVoxel({0, 0, 1}), Vec3(0, 0, -2));
+}
+
+TEST(Nrrd, WithoutSpacingItIsMarkedUnknown) { EXPECT_FALSE(geometryOf("").spacingKnown); }
+
+/// 4D: two phases of 2 x 1 x 1, values 10, 11 and 20, 21.
+Result<Study> readMoving(const std::string& sizes, const std::string& more, const std::vector<std::uint8_t>& values) {
+    const TemporaryFolder folder;
+    return readStudy(
+        folder.write("v.nrrd", nrrd("type: uint8\ndimension: 4\nsizes: " + sizes + "\n" + more + "encoding: raw\n") +
+                                   bytesFrom(values)),
+        withoutGuess());
+}
+
+TEST(Nrrd, TimeAxisMayBeLastOrFirst) {
+    const std::vector<std::uint8_t> slowest{10, 11, 20, 21};
+    const std::vector<std::uint8_t> fastest{10, 20, 11, 21};
+    const std::vector<Result<Study>> studies{
+        readMoving("2 1 1 2", "spacings: 1 2 3 NaN\nkinds: domain domain domain time\n", slowest),
+        readMoving("2 1 1 2", "spacings: 1 2 3 NaN\nkinds: space space space list\n", slowest),
+        readMoving("2 1 1 2", "spacings: 1 2 3 1\n", slowest),
+        readMoving("2 1 1 2", "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3) none\n", slowest),
+        readMoving("2 2 1 1", "spacings: NaN 1 2 3\nkinds: time domain domain domain\n", fastest),
+        readMoving("2 2 1 1", "spacings: 0 1 2 3\nkinds: list domain domain domain\n", fastest),
+        readMoving("2 2 1 1", "space: LPS\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n", fastest),
+    };
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const auto& study = studies[i];
+        ASSERT_TRUE(study) << study.error().sentence();
+        ASSERT_EQ(study->phases.size(), 2U) << i;
+        EXPECT_THAT(storedValues(*study->phases[0]), ElementsAre(10, 11)) << i;
+        EXPECT_THAT(storedValues(*study->phases[1]), ElementsAre(20, 21)) << i;
+        EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 2, 3)) << i;
+        EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{2, 1, 1})) << i;
+        EXPECT_FALSE(study->phaseSeconds) << i;
+    }
+}
+
+TEST(Nrrd, TimeStepIsReadWithItsUnit) {
+    const std::vector<std::uint8_t> values{10, 11, 20, 21};
+    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 40\nunits: \"mm\" \"mm\" \"mm\" \"ms\"\n", values)->phaseSeconds,
+              0.04);
+    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 1\nunits: \"mm\" \"mm\" \"mm\" \"s\"\n", values)->phaseSeconds,
+              1.0);
+    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 0.5\n", values)->phaseSeconds, 0.5);
+}
+
+TEST(Nrrd, ColourAxisIsReducedToLuma) {
+    const auto study =
+        readMoving("3 2 1 1", "spacings: NaN 1 1 1\nkinds: RGB-color domain domain domain\n", {200, 100, 50, 9, 9, 9});
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_THAT(storedValues(*study->phases[0]), ElementsAre(124, 9));
+}
+
+TEST(Nrrd, WhiteLevelKeyAndOtherKeysAreAllowed) {
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.nrrd", cube("ushort",
+                                                             "endian: little\nencoding: raw\ncontent: x\n"
+                                                             "WhiteLevel:=1023\nsome key:=some value\n") +
+                                                            bytesFrom<std::uint16_t>({1, 2, 3, 4})));
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->whiteLevel(), 1023);
+}
+
+TEST(Nrrd, PicturesOverTimeAreTakenAsSlicesOnlyWhenAsked) {
+    const TemporaryFolder folder;
+    const auto file =
+        folder.write("v.nrrd", cube("uchar", "kinds: domain domain time\nspacings: 1 1 NaN\nencoding: raw\n") + "abcd");
+    const auto refused = readStudy(file);
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().framesCouldBeSlices);
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
+    const auto study = readStudy(file, options);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
+}
+
+}  // namespace
+}  // namespace echolucent

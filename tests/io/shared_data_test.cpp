@@ -1,0 +1,151 @@
+// Real files beside the source tree; skipped where they are not there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
+
+#define SKIP_WITHOUT_DATA() \
+    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "the shared data are not here: " << data
+
+struct VolumeRow {
+    const char* name;
+    std::array<std::int64_t, 3> size;
+    Vec3 spacing;
+    const char* type;
+    std::size_t phases = 1;
+};
+
+class SharedVolumes : public testing::TestWithParam<VolumeRow> {};
+
+TEST_P(SharedVolumes, LoadWithTheirSizeAndSpacing) {
+    SKIP_WITHOUT_DATA();
+    const VolumeRow& row = GetParam();
+    const auto study = readStudy(data + "/volumes/" + row.name, withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    ASSERT_EQ(study->phases.size(), row.phases);
+    EXPECT_FALSE(study->phaseSeconds);
+    for (const auto& phase : study->phases) {
+        EXPECT_EQ(phase->geometry().size, row.size);
+        EXPECT_LT(length(phase->geometry().spacing - row.spacing), 1e-9);
+        EXPECT_TRUE(phase->geometry().spacingKnown);
+        EXPECT_EQ(phase->typeName(), row.type);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SharedVolumes,
+    testing::Values(
+        VolumeRow{"fetal_chest_600x614x66.nrrd", {600, 614, 66}, {0.076036, 0.076036, 0.5}, "uint8"},
+        VolumeRow{"fetal_chest_iso0.3mm.mha", {152, 156, 110}, {0.3, 0.3, 0.3}, "uint8"},
+        VolumeRow{"fetal_heart_4d_128x128x128x20.nrrd", {128, 128, 128}, {2, 2, 2}, "uint8", 20},
+        VolumeRow{"adult_heart_256.nrrd", {256, 256, 256}, {1, 1, 1}, "uint8"},
+        VolumeRow{"adult_heart_4d_56x52x56x3_float.nrrd", {56, 52, 56}, {3.77657, 3.72161, 3.28731}, "float32", 3},
+        VolumeRow{"spine_phantom_freehand.mha", {147, 106, 104}, {0.5, 0.5, 0.5}, "uint8"},
+        VolumeRow{"reconstruction_lnmax.mha", {147, 106, 105}, {0.5, 0.5, 0.5}, "uint8"},
+        VolumeRow{"prostate_trus.nrrd", {44, 59, 41}, {0.4, 0.4, 0.4}, "uint8"},
+        VolumeRow{"odd_nan.mha", {78, 110, 64}, {1, 1, 1}, "float32"}),
+    [](const auto& row) {
+        std::string name = row.param.name;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+        return name;
+    });
+
+TEST(SharedVolumesAll, NoFileIsLeftOut) {
+    SKIP_WITHOUT_DATA();
+    for (const auto& entry : std::filesystem::directory_iterator(data + "/volumes"))
+        EXPECT_TRUE(readStudy(entry.path().string(), withoutGuess())) << entry.path();
+}
+
+TEST(SharedVolumesAll, OutsideTheScanConeIsNoDataUnlessTheGuessIsOff) {
+    SKIP_WITHOUT_DATA();
+    const auto guessed = readStudy(data + "/volumes/adult_heart_256.nrrd");
+    ASSERT_TRUE(guessed);
+    const Volume& volume = *guessed->phases[0];
+    EXPECT_FALSE(volume.hasData(0));
+    std::int64_t zerosWithData = 0;
+    std::int64_t echoesWithoutData = 0;
+    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i) {
+        zerosWithData += volume.hasData(i) && volume.storedValue(i) == 0 ? 1 : 0;
+        echoesWithoutData += !volume.hasData(i) && volume.storedValue(i) != 0 ? 1 : 0;
+    }
+    EXPECT_GT(zerosWithData, 0) << "fluid inside the cone must stay data";
+    EXPECT_LT(echoesWithoutData, volume.geometry().voxelCount() / 1000) << "only single noisy voxels outside the cone";
+    EXPECT_TRUE(readStudy(data + "/volumes/adult_heart_256.nrrd", withoutGuess())->phases[0]->dataMask().empty());
+}
+
+TEST(SharedVolumesAll, NaNVoxelsAreNoData) {
+    SKIP_WITHOUT_DATA();
+    const auto study = readStudy(data + "/volumes/odd_nan.mha", withoutGuess());
+    ASSERT_TRUE(study);
+    const Volume& volume = *study->phases[0];
+    std::int64_t notFinite = 0;
+    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i) {
+        const bool finite = std::isfinite(volume.storedValue(i));
+        notFinite += finite ? 0 : 1;
+        ASSERT_EQ(volume.hasData(i), finite);
+    }
+    EXPECT_GT(notFinite, 0);
+}
+
+/// Every DICOM file, alone and as the only two pictures of a folder, with frames taken as slices: a study or a
+/// sentence.
+TEST(SharedDicom, EveryFileEndsInAStudyOrASentence) {
+    SKIP_WITHOUT_DATA();
+    int studies = 0;
+    for (const char* folder : {"/dicom", "/bad"})
+        for (const auto& entry : std::filesystem::directory_iterator(data + folder)) {
+            const TemporaryFolder pair;
+            std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), pair.file("a.dcm"));
+            std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), pair.file("b.dcm"));
+            ReadOptions options = withoutGuess();
+            options.framesAsSlices = true;
+            for (const std::string& path : {entry.path().string(), pair.path()}) {
+                const auto study = readStudy(path, options);
+                studies += study ? 1 : 0;
+                if (study) {
+                    EXPECT_FALSE(study->phases.empty()) << path;
+                } else {
+                    EXPECT_FALSE(study.error().problem.empty()) << path;
+                }
+            }
+        }
+    EXPECT_GE(studies, 40);
+}
+
+TEST(SharedDicom, PublicCinesAreRefusedAsCines) {
+    SKIP_WITHOUT_DATA();
+    for (const char* name : {"dcm4che_US-PAL-8-10x-echo.dcm", "godicom_I_000016.dcm", "orthanc_Issue16.dcm",
+                             "pydicom_examples_ybr_color.dcm", "dicomParser_IM00001.implicit_little_endian.dcm"}) {
+        const auto study = readStudy(data + "/dicom/" + name);
+        ASSERT_FALSE(study) << name;
+        EXPECT_TRUE(study.error().framesCouldBeSlices) << name;
+        EXPECT_THAT(study.error().sentence(), testing::HasSubstr("2D cine")) << name;
+    }
+}
+
+/// The same pictures, stored by different makers' encoders, must give the same grey values.
+TEST(SharedDicom, TransferSyntaxesOfTheSamePicturesAgree) {
+    SKIP_WITHOUT_DATA();
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
+    for (const auto& [one, other] :
+         {std::pair{"dcm4che_US-PAL-8-10x-echo.dcm", "dcm4che_jpeg-ls-Palette.dcm"},
+          std::pair{"pydicomdata_OBXXXX1A_expb_2frame.dcm", "pydicomdata_OBXXXX1A_rle_2frame.dcm"}}) {
+        const auto a = readStudy(data + "/dicom/" + one, options);
+        const auto b = readStudy(data + "/dicom/" + other, options);
+        ASSERT_TRUE(a && b);
+        EXPECT_EQ(a->phases[0]->voxels(), b->phases[0]->voxels()) << one;
+    }
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,95 @@
+// echolucent-pictures FOLDER [FILE [--beam-axis AXIS] [--near MM] NAME]...: opens each volume (the word "simulated" for the
+// built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive OTF.
+#include <QApplication>
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFile>
+#include <QScreen>
+#include <QTemporaryDir>
+#include <cstdio>
+
+#include "app/main_window.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/view_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+using namespace echolucent;
+
+namespace {
+
+struct Wanted {
+    QString file, name;
+    QString beamAxis = "+z";
+    double nearMm = 0;
+};
+
+QList<Wanted> parse(const QStringList& arguments) {
+    QList<Wanted> wanted;
+    Wanted next;
+    for (int i = 2; i < arguments.size(); ++i) {
+        const QString& argument = arguments[i];
+        if (argument == "--beam-axis")
+            next.beamAxis = arguments.value(++i);
+        else if (argument == "--near")
+            next.nearMm = arguments.value(++i).toDouble();
+        else if (next.file.isEmpty())
+            next.file = argument;
+        else {
+            next.name = argument;
+            wanted << next;
+            next = {};
+        }
+    }
+    return wanted;
+}
+
+void waitUntilIdle(MainWindow& window) {
+    while (!(window.idle() && window.volumeView().pictureIsFine()))
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
+    QCoreApplication::processEvents();
+}
+
+void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
+    bool opened = false;
+    QObject::connect(&window.session(), &Session::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
+    if (wanted.file == "simulated")
+        window.openSimulatedScan();
+    else
+        window.open(wanted.file);
+    while (!opened) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
+    waitUntilIdle(window);
+    auto* panel = window.findChild<ViewPanel*>();
+    if (const auto axis = beamAxisFromName(wanted.beamAxis.toStdString()); axis && *axis != BeamAxis::plusZ) {
+        panel->setBeamAxis(*axis);
+        emit panel->beamAxisChanged(*axis);
+    }
+    if (wanted.nearMm > 0) {
+        panel->setNearCutMm(wanted.nearMm);
+        emit panel->nearCutChanged(wanted.nearMm);
+    }
+    const std::pair<CurveKind, const char*> kinds[] = {
+        {CurveKind::linear, "linear"}, {CurveKind::parabolic, "parabolic"}, {CurveKind::adaptive, "adaptive"}};
+    for (const auto& [kind, name] : kinds) {
+        window.otfEditor().setActive(kind);
+        waitUntilIdle(window);
+        const QString path = QString("%1/%2-%3.png").arg(folder, wanted.name, name);
+        QGuiApplication::primaryScreen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()).save(path);
+        std::printf("%s\n", qPrintable(path));
+    }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle("Fusion");
+    QFile theme(":/dark.qss");
+    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    const QTemporaryDir settings;
+    MainWindow window(settings.filePath("settings.ini"));
+    window.show();
+    const QStringList words = QCoreApplication::arguments();
+    for (const Wanted& wanted : parse(words)) take(window, wanted, words[1]);
+    return 0;
+}

@@ -1,0 +1,138 @@
+#include "processing/tube_core/cell_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace echolucent {
+namespace {
+
+std::vector<SlabSums> slabsOf(const std::vector<std::vector<std::uint16_t>>& values) {
+    std::vector<SlabSums> slabs;
+    for (const auto& slab : values) {
+        SlabSums sums;
+        for (const std::uint64_t value : slab) {
+            ++sums.count;
+            sums.sum += value;
+            sums.sumOfSquares += value * value;
+        }
+        slabs.push_back(sums);
+    }
+    return slabs;
+}
+
+/// n sum (x - mean)^2 * n = sum over pairs (x_i - x_j)^2, in integers by the definition.
+std::uint64_t scaledVarianceByPairs(const std::vector<std::uint16_t>& values) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::int64_t difference = static_cast<std::int64_t>(values[i]) - values[j];
+            sum += static_cast<std::uint64_t>(difference * difference);
+        }
+    return sum;
+}
+
+TEST(CellStatistics, VarianceOf16BitVoxelsOfMean65000IsExact) {
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> around(64990, 65010);
+    std::vector<std::vector<std::uint16_t>> values(30, std::vector<std::uint16_t>(25));
+    for (auto& slab : values)
+        for (auto& value : slab) value = static_cast<std::uint16_t>(around(random));
+    values[20].assign(25, 65535);
+    CellStatistics cells;
+    cellsFrom(slabsOf(values), 5, 1.0, cells);
+    EXPECT_EQ(cells.firstCell, 0);
+    ASSERT_EQ(cells.lastCell, 25);
+    for (std::size_t i = 0; i < 26; ++i) {
+        std::vector<std::uint16_t> all;
+        std::uint64_t sum = 0, squares = 0;
+        for (std::size_t k = i; k < i + 5; ++k)
+            for (const std::uint64_t value : values[k]) {
+                all.push_back(static_cast<std::uint16_t>(value));
+                sum += value;
+                squares += value * value;
+            }
+        const std::uint64_t exact = scaledVarianceByPairs(all);
+        ASSERT_EQ(scaledVariance(125, sum, squares), exact);
+        EXPECT_DOUBLE_EQ(cells.variances[i], static_cast<double>(exact) / (125.0 * 125.0));
+        EXPECT_DOUBLE_EQ(cells.means[i], static_cast<double>(sum) / 125.0);
+    }
+}
+
+TEST(CellStatistics, TheLargestCellOfTheLargestVoxelsDoesNotOverflow) {
+    const std::uint64_t samples = std::uint64_t{largestCellSize} * largestCellSize * largestCellSize;
+    const std::uint64_t half = samples / 2, high = 65535;
+    // Half at 0, half at 65535: variance (65535 / 2)^2.
+    EXPECT_EQ(scaledVariance(samples, half * high, half * high * high), half * half * high * high);
+    EXPECT_EQ(scaledVariance(samples, samples * high, samples * high * high), 0u);
+}
+
+TEST(CellStatistics, MomentsAgreeWithSumsAndSurviveALargeMean) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> around(0.9, 1e-9);
+    std::vector<SlabMoments> slabs;
+    std::vector<std::vector<double>> values(12, std::vector<double>(9));
+    for (auto& slab : values) {
+        SlabMoments moments;
+        for (double& value : slab) moments.mean += (value = around(random)) / 9;
+        for (const double value : slab) moments.squaredDeviations += (value - moments.mean) * (value - moments.mean);
+        moments.count = 9;
+        slabs.push_back(moments);
+    }
+    CellStatistics cells;
+    cellsFrom(slabs, 3, cells);
+    ASSERT_EQ(cells.lastCell, 9);
+    for (std::size_t i = 0; i < 10; ++i) {
+        long double mean = 0, variance = 0;
+        for (std::size_t k = i; k < i + 3; ++k)
+            for (const double value : values[k]) mean += value / 27.0L;
+        for (std::size_t k = i; k < i + 3; ++k)
+            for (const double value : values[k]) variance += (value - mean) * (value - mean) / 27.0L;
+        EXPECT_NEAR(cells.variances[i] / static_cast<double>(variance), 1.0, 1e-6);
+    }
+}
+
+TEST(CellStatistics, BeginsAtTheFirstSlabAndEndsAtTheLastThatIsHalfData) {
+    std::vector<SlabSums> slabs(20, SlabSums{0, 0, 0});
+    for (std::size_t k = 4; k <= 15; ++k) slabs[k] = {25, 250, 2500};
+    slabs[3] = {12, 120, 1200};
+    slabs[16] = {13, 130, 1300};
+    CellStatistics cells;
+    cellsFrom(slabs, 5, 255, cells);
+    EXPECT_EQ(cells.firstCell, 4);
+    EXPECT_EQ(cells.lastCell, 12);
+    for (int i = cells.firstCell; i <= cells.lastCell; ++i)
+        EXPECT_EQ(cells.variances[static_cast<std::size_t>(i)], 0.0);
+}
+
+TEST(CellStatistics, HoldsItsValuesAcrossAHole) {
+    std::vector<SlabSums> slabs;
+    for (std::uint64_t k = 0; k < 30; ++k) slabs.push_back({25, 25 * k, 25 * k * k});
+    for (std::size_t k = 10; k < 18; ++k) slabs[k] = {0, 0, 0};
+    CellStatistics cells;
+    cellsFrom(slabs, 5, 1, cells);
+    EXPECT_EQ(cells.lastCell, 25);
+    EXPECT_EQ(cells.complete[7], 1);
+    for (std::size_t i = 8; i <= 15; ++i) {  // cell 8 holds samples 8 and 9, cell 15 samples 18 and 19: less than half
+        EXPECT_EQ(cells.complete[i], 0);
+        EXPECT_EQ(cells.means[i], cells.means[7]);
+        EXPECT_EQ(cells.variances[i], cells.variances[7]);
+    }
+    EXPECT_EQ(cells.complete[16], 1);
+    EXPECT_EQ(cells.means[7], 8.0) << "of the samples 7, 8 and 9";
+    EXPECT_EQ(cells.means[16], 19.0) << "of the samples 18, 19 and 20";
+}
+
+TEST(CellStatistics, SaysSoWhereThereIsNoCell) {
+    CellStatistics cells;
+    cellsFrom(std::vector<SlabSums>(4, SlabSums{25, 25, 25}), 5, 255, cells);
+    EXPECT_LT(cells.lastCell, cells.firstCell);
+    EXPECT_TRUE(cells.anyData);
+    cellsFrom(std::vector<SlabSums>{}, 5, 255, cells);
+    EXPECT_LT(cells.lastCell, cells.firstCell);
+    EXPECT_FALSE(cells.anyData);
+}
+
+}  // namespace
+}  // namespace echolucent

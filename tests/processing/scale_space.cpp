@@ -1,0 +1,112 @@
+#include "processing/tube_core/scale_space.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "processing/tube_core/surface_detection.h"
+
+namespace echolucent {
+namespace {
+
+std::vector<double> smoothed(const GaussianKernel& kernel, const std::vector<double>& function) {
+    std::vector<double> result, padded;
+    kernel.smooth(function, result, padded);
+    return result;
+}
+
+TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) {
+    const auto kernels = scaleSpaceKernels(7, 3, 0.25, 3.0);
+    ASSERT_EQ(kernels.size(), 5u);
+    const double sigmas[] = {32, 16, 8, 4, 2};
+    for (std::size_t level = 0; level < kernels.size(); ++level) {
+        const GaussianKernel& kernel = kernels[level];
+        const double sigma = sigmas[level];
+        ASSERT_EQ(kernel.radius(), static_cast<int>(3 * sigma));
+        double sum = kernel.weight(0), secondMoment = 0;
+        for (int i = 1; i <= kernel.radius(); ++i) {
+            sum += 2 * kernel.weight(i);
+            secondMoment += 2.0 * i * i * kernel.weight(i);
+            const double end = std::exp(-0.5 * std::pow((kernel.radius() + 1) / sigma, 2));
+            EXPECT_NEAR(kernel.weight(i) / kernel.weight(0), (std::exp(-i * i / (2 * sigma * sigma)) - end) / (1 - end),
+                        1e-14);
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-14);
+        // Lowered to reach zero behind 3 sigma, it keeps most of a Gaussian's variance.
+        EXPECT_NEAR(secondMoment / (sigma * sigma), 0.945, 0.035);
+    }
+}
+
+TEST(ScaleSpace, EqualsTheConvolutionWrittenOut) {
+    std::vector<double> function;
+    for (int i = 0; i < 37; ++i) function.push_back(std::fmod(i * i * 0.37 + 0.11 * i, 1.0));
+    for (const double sigma : {2.0, 8.0, 32.0}) {
+        const GaussianKernel kernel(sigma, 3.0);
+        const auto result = smoothed(kernel, function);
+        ASSERT_EQ(result.size(), function.size());
+        for (int i = 0; i < 37; ++i) {
+            long double expected = 0;
+            for (int j = -kernel.radius(); j <= kernel.radius(); ++j) {
+                int at = i + j;
+                if (at < 0) at = -1 - at;  // mirrored in front
+                if (at >= 37) continue;    // zero behind
+                expected +=
+                    static_cast<long double>(kernel.weight(std::abs(j))) * function[static_cast<std::size_t>(at)];
+            }
+            EXPECT_NEAR(result[static_cast<std::size_t>(i)], static_cast<double>(expected), 1e-15);
+        }
+    }
+}
+
+TEST(ScaleSpace, SmoothingTwiceAddsTheVariances) {
+    // The semigroup of Gaussians; kernels cut far out, so that only sampling is left as error.
+    std::vector<double> impulse(401, 0.0);
+    impulse[200] = 1.0;
+    const auto twice = smoothed(GaussianKernel(8.0, 8.0), smoothed(GaussianKernel(6.0, 8.0), impulse));
+    const auto once = smoothed(GaussianKernel(10.0, 8.0), impulse);
+    for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], once[i], 1e-13);
+}
+
+TEST(ScaleSpace, DoesNotShiftAPeak) {
+    std::vector<double> impulse(301, 0.0);
+    impulse[150] = 1.0;
+    for (const auto& kernel : scaleSpaceKernels(7, 3, 0.25, 3.0))
+        EXPECT_EQ(firstSignificantMaximum(smoothed(kernel, impulse), {0, 300}, 0.4), 150);
+}
+
+TEST(ScaleSpace, CreatesNoMaximumFromAConstantOrAFallingRamp) {
+    for (const double value : {1.0, 0.1, 1.0 / 3.0, 6.0221e-7}) {
+        std::vector<double> constant(195, value), falling(195);
+        for (std::size_t i = 0; i < falling.size(); ++i) falling[i] = value * static_cast<double>(falling.size() - i);
+        for (const auto& kernel : scaleSpaceKernels(7, 3, 0.25, 3.0)) {
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(kernel, constant), {0, 194}, 0.0)) << value;
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(kernel, falling), {0, 194}, 0.0)) << value;
+        }
+    }
+}
+
+TEST(ScaleSpace, NeverAddsMaximaAsItGetsCoarser) {
+    std::vector<double> noise;
+    std::uint32_t state = 12345;
+    for (int i = 0; i < 400; ++i) noise.push_back(((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0);
+    const auto maxima = [](const std::vector<double>& function) {
+        int count = 0;
+        for (IndexRange range{0, static_cast<int>(function.size()) - 1};;) {
+            const auto next = firstSignificantMaximum(function, range, 0.0);
+            if (!next) return count;
+            ++count;
+            range.first = *next + 1;
+        }
+    };
+    int finer = maxima(noise);
+    EXPECT_GT(finer, 100);
+    for (const double sigma : {2.0, 4.0, 8.0, 16.0, 32.0}) {
+        const int coarser = maxima(smoothed(GaussianKernel(sigma, 6.0), noise));
+        EXPECT_LE(coarser, finer) << sigma;
+        finer = coarser;
+    }
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,114 @@
+#include "processing/tube_core/tube_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace echolucent {
+namespace {
+
+VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, Vec3 spacing) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    return geometry;
+}
+
+TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
+    const auto geometry = geometryOf({199, 197, 199}, {0.5, 0.5, 0.5});
+    const auto spacing = tubeSpacingUnits(geometry, View{}, AdaptiveOtfConfig{});
+    EXPECT_EQ(spacing[0], 13.0);
+    EXPECT_EQ(spacing[1], 13.0);
+}
+
+TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
+    // 90 mm across y at a unit of 0.5 mm are 180 units, although there are 60 voxels.
+    const auto geometry = geometryOf({120, 60, 200}, {0.5, 1.5, 0.5});
+    const View straight, turned{.azimuthDegrees = 40, .elevationDegrees = -20, .rollDegrees = 10};
+    for (const View& view : {straight, turned}) {
+        const auto spacing = tubeSpacingUnits(geometry, view, AdaptiveOtfConfig{});
+        EXPECT_EQ(spacing[0], 8.0);
+        EXPECT_EQ(spacing[1], 12.0);
+    }
+    AdaptiveOtfConfig asked;
+    asked.tubeSpacing = 7.5;
+    EXPECT_EQ(tubeSpacingUnits(geometry, straight, asked)[0], 7.5);
+    EXPECT_EQ(tubeSpacingUnits(geometryOf({20, 20, 20}, {1, 1, 1}), straight, AdaptiveOtfConfig{})[0], 5.0)
+        << "never less than a cell";
+}
+
+TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
+    const auto geometry = geometryOf({100, 80, 60}, {0.4, 0.6, 0.9});
+    const View view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 25, .elevationDegrees = 15};
+    AdaptiveOtfConfig config;
+    config.tubeColumns = 4;
+    config.tubeRows = 3;
+    config.tubeSpacing = 10;
+    const auto axes = tubeAxes(geometry, view, config);
+    ASSERT_EQ(axes.size(), 12u);
+    const ViewFrame frame = frameOf(view);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        EXPECT_EQ(axes[i].column, static_cast<int>(i % 4));
+        EXPECT_EQ(axes[i].row, static_cast<int>(i / 4));
+        const Vec3 fromCentre = axes[i].pointMm - geometry.centreMm();
+        EXPECT_NEAR(fromCentre.dot(frame.right), (axes[i].column - 1.5) * 10 * 0.4, 1e-12);
+        EXPECT_NEAR(fromCentre.dot(frame.down), (axes[i].row - 1.0) * 10 * 0.4, 1e-12);
+        EXPECT_NEAR(fromCentre.dot(frame.forward), 0.0, 1e-12);
+        EXPECT_NEAR(length(axes[i].directionMm - frame.forward), 0.0, 1e-15);
+    }
+}
+
+TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
+    for (const std::int64_t size : {50, 51}) {
+        for (const int cellSize : {5, 4}) {
+            AdaptiveOtfConfig config;
+            config.cellSize = cellSize;
+            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), View{}, config);
+            for (const TubeAxis& axis : axes) {
+                if (!axis.entryVoxel) continue;
+                const double outermost = (*axis.entryVoxel)[0] - (cellSize - 1) / 2.0;
+                EXPECT_NEAR(outermost, std::round(outermost), 1e-9);
+                EXPECT_NEAR((*axis.entryVoxel)[2], -0.5, 1e-9);
+                EXPECT_NEAR(*axis.lengthUnits, static_cast<double>(size), 1e-9);
+            }
+        }
+    }
+}
+
+TEST(TubeGrid, EntersWhereThePictureBegins) {
+    const auto geometry = geometryOf({100, 100, 100}, {0.5, 0.5, 0.5});
+    const View cut{.nearCutMm = 10.0};
+    for (const TubeAxis& axis : tubeAxes(geometry, cut, AdaptiveOtfConfig{})) {
+        ASSERT_TRUE(axis.entryVoxel);
+        EXPECT_NEAR((*axis.entryVoxel)[2], 19.5, 1e-9) << "20 voxels of 0.5 mm are cut off";
+        EXPECT_NEAR(*axis.lengthUnits, 80.0, 1e-9);
+    }
+    const View beyond{.nearCutMm = 60.0};
+    for (const TubeAxis& axis : tubeAxes(geometry, beyond, AdaptiveOtfConfig{})) EXPECT_FALSE(axis.entryVoxel);
+}
+
+TEST(TubeGrid, ObliqueAxesEnterAndLeaveTheBox) {
+    const auto geometry = geometryOf({60, 80, 40}, {0.7, 0.5, 1.0});
+    const View view{.azimuthDegrees = 30, .elevationDegrees = 20};
+    int inside = 0;
+    for (const TubeAxis& axis : tubeAxes(geometry, view, AdaptiveOtfConfig{})) {
+        if (!axis.entryVoxel) continue;
+        ++inside;
+        const Vec3 entryMm = geometry.gridMmFromVoxel(*axis.entryVoxel);
+        const Vec3 exitMm = entryMm + axis.directionMm * (*axis.lengthUnits * geometry.unit());
+        for (const Vec3& end : {entryMm, exitMm}) {
+            double toFace = 1e9;
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_GE(end[i], geometry.boxMinMm()[i] - 1e-9);
+                EXPECT_LE(end[i], geometry.boxMaxMm()[i] + 1e-9);
+                toFace = std::min({toFace, end[i] - geometry.boxMinMm()[i], geometry.boxMaxMm()[i] - end[i]});
+            }
+            EXPECT_NEAR(toFace, 0.0, 1e-9);
+        }
+        EXPECT_NEAR(length((entryMm - axis.pointMm).cross(axis.directionMm)), 0.0, 1e-9) << "on the axis";
+    }
+    EXPECT_GT(inside, 100);
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,109 @@
+#include "processing/tube_core/tube_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace echolucent {
+namespace {
+
+CellStatistics cellsWith(std::vector<double> means) {
+    CellStatistics cells;
+    cells.variances.assign(means.size(), 0.0);
+    cells.complete.assign(means.size(), 1);
+    cells.lastCell = static_cast<int>(means.size()) - 1;
+    cells.means = std::move(means);
+    return cells;
+}
+
+TEST(DescribeSurface, ReadsPriorCellsSurfaceCellAndSlope) {
+    std::vector<double> means;
+    for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
+    means[3] = 0.9;
+    TubeCore tube;
+    ASSERT_TRUE(describeSurface(cellsWith(means), 20, 5, 5, tube));
+    EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
+    EXPECT_EQ(*tube.lowIntensityMax, 0.9);
+    EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.2);
+    EXPECT_NEAR(*tube.slope, 0.01, 1e-15) << "per unit";
+}
+
+TEST(DescribeSurface, ShortensTheSlopeAtTheTubesEnds) {
+    std::vector<double> means;
+    for (int i = 0; i < 12; ++i) means.push_back(0.01 * i * i);
+    TubeCore tube;
+    ASSERT_TRUE(describeSurface(cellsWith(means), 9, 5, 5, tube));
+    EXPECT_NEAR(*tube.slope, (0.01 * 121 - 0.01 * 16) / 7, 1e-15) << "from cell 4 to cell 11, the last";
+}
+
+TEST(DescribeSurface, NeedsACellThatEndsBeforeTheSurface) {
+    TubeCore tube;
+    CellStatistics cells = cellsWith(std::vector<double>(20, 0.5));
+    EXPECT_FALSE(describeSurface(cells, 4, 5, 5, tube));
+    EXPECT_TRUE(describeSurface(cells, 5, 5, 5, tube));
+    cells.firstCell = 3;
+    EXPECT_FALSE(describeSurface(cells, 7, 5, 5, tube));
+    EXPECT_TRUE(describeSurface(cells, 8, 5, 5, tube));
+    std::fill(cells.complete.begin(), cells.complete.begin() + 4, std::uint8_t{0});
+    EXPECT_FALSE(describeSurface(cells, 8, 5, 5, tube)) << "cells of too little data do not count";
+}
+
+TEST(ScatterOf, IsTheStandardDeviationOfNoiseAndIgnoresAWall) {
+    std::mt19937 random(9);
+    std::normal_distribution<double> noise(0.3, 0.02);
+    std::vector<double> means(4000);
+    for (double& mean : means) mean = noise(random);
+    EXPECT_NEAR(*scatterOf(means, 5), 0.02, 0.001);
+    for (std::size_t i = 0; i < 800; ++i) means[i] += 0.4;
+    EXPECT_NEAR(*scatterOf(means, 5), 0.02, 0.001);
+    EXPECT_FALSE(scatterOf(std::vector<double>(9, 0.1), 5));
+    EXPECT_EQ(scatterOf(std::vector<double>(10, 0.1), 5), 0.0);
+}
+
+TubeCore tubeWith(double lowMax, double slope) {
+    TubeCore tube;
+    tube.status = TubeStatus::surface;
+    tube.lowIntensity = 0.1;
+    tube.highIntensity = 0.5;
+    tube.lowIntensityMax = lowMax;
+    tube.slope = slope;
+    tube.edgeToNoise = 10;
+    return tube;
+}
+
+TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
+    std::vector<TubeCore> tubes{
+        tubeWith(0.1, 0.03), tubeWith(0.2, 0.01), tubeWith(0.2, 0.02), tubeWith(0.4, -0.05), {}, {}};
+    tubes[4].status = TubeStatus::none;
+    weighTubes(tubes, 5, 0.03, 6.0);
+    EXPECT_DOUBLE_EQ(tubes[0].intensityWeight, 1 - 1 / 5.0);
+    EXPECT_DOUBLE_EQ(tubes[1].intensityWeight, 1 - 3 / 5.0) << "ties count together";
+    EXPECT_DOUBLE_EQ(tubes[2].intensityWeight, 1 - 3 / 5.0);
+    EXPECT_DOUBLE_EQ(tubes[3].intensityWeight, 1 - 4 / 5.0);
+    EXPECT_DOUBLE_EQ(tubes[0].slopeWeight, 3 / 5.0) << "the falling one is in no histogram of slopes";
+    EXPECT_DOUBLE_EQ(tubes[1].slopeWeight, 1 / 5.0);
+    EXPECT_DOUBLE_EQ(tubes[2].slopeWeight, 2 / 5.0);
+    EXPECT_EQ(tubes[3].slopeWeight, 0.0);
+    EXPECT_DOUBLE_EQ(tubes[0].d, 0.03 * 0.8 * 0.6);
+    EXPECT_EQ(tubes[3].d, 0.0);
+    EXPECT_EQ(tubes[4].d, 0.0);
+    EXPECT_EQ(tubes[5].d, 0.0);
+}
+
+TEST(WeighTubes, NoWeightWithoutARiseOrAnEdgeThatStandsOut) {
+    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.2, 0.02), tubeWith(0.3, 0.01), tubeWith(0.4, 0.01)};
+    tubes[0].highIntensity = 0.1;
+    tubes[1].edgeToNoise = 5.9;
+    tubes[2].edgeToNoise = std::nullopt;
+    weighTubes(tubes, 5, 1.0, 6.0);
+    for (std::size_t t = 0; t < 3; ++t) EXPECT_EQ(tubes[t].d, 0.0);
+    EXPECT_GT(tubes[3].d, 0.0);
+    weighTubes(tubes, 5, 1.0, 0.0);
+    EXPECT_EQ(tubes[0].d, 0.0) << "I_H = I_L";
+    EXPECT_GT(tubes[1].d, 0.0);
+    EXPECT_GT(tubes[2].d, 0.0);
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,114 @@
+#include <QTest>
+#include <cmath>
+
+#include "tests/volume_view/test_volumes.h"
+#include "widgets/volume_view/scene/camera_pose.h"
+#include "widgets/volume_view/scene/pointed_sample.h"
+
+using namespace echolucent;
+using echolucent::testing::geometryOf;
+using echolucent::testing::volumeOf;
+
+namespace {
+
+PictureRequest requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const View& view = {},
+                          Projection projection = Projection::parallel) {
+    PictureRequest request{std::move(volume), curve, {}};
+    request.settings.width = 300;
+    request.settings.height = 200;
+    request.settings.camera = cameraFor(fittedPose(request.volume->geometry(), view, projection, 1.5));
+    request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view, request.volume->geometry());
+    return request;
+}
+
+/// Slabs across z: 40 before z = 10, 200 from there on; anisotropic.
+std::shared_ptr<const Volume> slabs() {
+    return volumeOf(geometryOf(20, 20, 20, {1, 1, 2}), [](double, double, double z) { return z < 10 ? 40 : 200; });
+}
+
+}  // namespace
+
+class PointedSampleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void firstOpaqueSurfaceIsSeen_data() {
+        QTest::addColumn<Projection>("projection");
+        QTest::newRow("parallel") << Projection::parallel;
+        QTest::newRow("perspective") << Projection::perspective;
+    }
+    void firstOpaqueSurfaceIsSeen() {
+        QFETCH(Projection, projection);
+        const OpacityCurve surface = ManualCurve{{{0.5, 0.0}, {0.5, 0.9}}};
+        const auto sample = samplePointedAt(requestFor(slabs(), surface, {}, projection), 150, 100);
+        QVERIFY(sample);
+        QVERIFY(sample->intensity > 0.5);
+        QCOMPARE(sample->opacity, 0.9);
+        QVERIFY2(std::abs(sample->gridMm[2] - 19) < 1.1, qPrintable(QString::number(sample->gridMm[2])));
+    }
+
+    void fluidIsSeenWhereItIsOpaque() {
+        const auto sample = samplePointedAt(requestFor(slabs(), ManualCurve{{{0.0, 0.95}}}), 150, 100);
+        QVERIFY(sample);
+        QCOMPARE(sample->intensity, 40 / 255.0);
+        QCOMPARE(sample->opacity, 0.95);
+    }
+
+    void mostContributingSampleOfAFaintRay() {
+        // Two faint peaks: at 100/255 stronger than at 200/255, neither reaching one half.
+        const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
+            return z == 8 ? 200 : z == 20 ? 100 : 0;
+        });
+        const OpacityCurve curve = ManualCurve{{{0.3, 0}, {100 / 255.0, 0.30}, {0.5, 0}, {0.7, 0}, {200 / 255.0, 0.1}, {1, 0}}};
+        PictureRequest request = requestFor(volume, curve);
+        request.settings.interpolation = Interpolation::nearest;
+        const auto sample = samplePointedAt(request, 150, 100);
+        QVERIFY(sample);
+        QCOMPARE(sample->intensity, 100 / 255.0);
+        QVERIFY(std::abs(sample->gridMm[2] - 20) <= 0.5);
+    }
+
+    void nearCutHidesWhatLiesBeforeIt() {
+        const OpacityCurve opaque = ManualCurve{{{0.0, 1.0}}};
+        PictureRequest request = requestFor(slabs(), opaque, {BeamAxis::plusZ, 0, 0, 0, 30});
+        const auto sample = samplePointedAt(request, 150, 100);
+        QVERIFY(sample);
+        QCOMPARE(sample->intensity, 200 / 255.0);
+        QVERIFY(sample->gridMm[2] >= 29);
+    }
+
+    void thePixelChoosesTheRay() {
+        // One bright voxel column; right is +x, down is +y.
+        const auto volume = volumeOf(geometryOf(21, 11, 5), [](double x, double y, double) {
+            return x == 15 && y == 3 ? 255 : 0;
+        });
+        PictureRequest request = requestFor(volume, ManualCurve{{{0.9, 0}, {0.9, 1}}});
+        request.settings.interpolation = Interpolation::nearest;
+        const double pixelsPerMm = request.settings.height / request.settings.camera.heightMm;
+        const double x = 150 + (15 - 10) * pixelsPerMm, y = 100 + (3 - 5) * pixelsPerMm;
+        const auto sample = samplePointedAt(request, x, y);
+        QVERIFY(sample);
+        QCOMPARE(sample->intensity, 1.0);
+        QVERIFY(!samplePointedAt(request, 300 - x, y));
+        QVERIFY(!samplePointedAt(request, x, 200 - y));
+    }
+
+    void nothingWhereNothingIsVisible() {
+        QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{}), 150, 100));
+        QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{{{0.0, 1.0}}}), 1, 100));  // beside the volume
+        QVERIFY(!samplePointedAt({}, 1, 1));
+    }
+
+    void noDataIsTransparent() {
+        const auto volume = slabs();
+        std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
+        std::fill(mask.begin(), mask.begin() + 20 * 20 * 10, std::uint8_t{0});
+        const auto masked = std::make_shared<const Volume>(volume->withDataMask(mask));
+        const auto sample = samplePointedAt(requestFor(masked, ManualCurve{{{0.0, 1.0}}}), 150, 100);
+        QVERIFY(sample);
+        QCOMPARE(sample->intensity, 200 / 255.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(PointedSampleTest)
+#include "test_pointed_sample.moc"

@@ -1,0 +1,271 @@
+// What the 3D view shows: the ray caster's pixels on the screen, made when needed and not otherwise.
+#include <QApplication>
+#include <QProcess>
+#include <QScreen>
+#include <QSignalSpy>
+#include <QTest>
+#include <chrono>
+#include <ctime>
+
+#include "tests/volume_view/shown_view.h"
+
+using namespace echolucent;
+using namespace echolucent::testing;
+
+class ViewPictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void screenShowsWhatTheRayCasterMade() {
+        ShownView s;
+        QVERIFY(s.ready);
+        const auto expected = castRays(*s.volume, wall, s.view.settings());
+        QVERIFY(expected);
+        const QImage screen = s.view.screenImage();
+        QCOMPARE(screen.size(), QSize(330, 250));
+        QVERIFY2(largestDifference(screen, *expected) <= 2, qPrintable(QString::number(largestDifference(screen, *expected))));
+        // The ball lies in the corner of small x and y: upper left when looking along +z.
+        const QPointF centre = brightCentre(*expected);
+        QVERIFY(centre.x() < -0.1 && centre.y() < -0.1);
+        QVERIFY(s.view.picture()->rgba == expected->rgba);
+    }
+
+    void whatThePersonSeesIsThere() {
+        // Not from the render window but from the display itself.
+        ShownView s;
+        QVERIFY(s.ready);
+        const auto shown = [&] {
+            const QImage grabbed = s.view.screen()->grabWindow(s.view.winId()).toImage();
+            return grabbed.size() == QSize(330, 250) && largestDifference(grabbed, *s.view.picture()) <= 2;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(shown(), patience);
+    }
+
+    void everyFrameReachesTheDisplay() {
+        // With no swap interval and nothing drawn twice the newest frame must not hang one behind.
+        ShownView s;
+        QVERIFY(s.ready);
+        for (const double opacity : {0.02, 1.0, 0.1}) {
+            s.view.setCurve(ManualCurve{{{0.5, 0}, {0.5, opacity}}});
+            QVERIFY(s.awaitIdle());
+            QTRY_VERIFY_WITH_TIMEOUT(largestDifference(s.view.screen()->grabWindow(s.view.winId()).toImage(),
+                                                       *s.view.picture()) <= 2, patience);
+        }
+    }
+
+    void unchangedViewCastsNothing() {
+        ShownView s;
+        QVERIFY(s.ready);
+        QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
+        QSignalSpy busyChanges(&s.view, &VolumeViewWidget::busyChanged);
+        const QImage before = s.view.screenImage();
+        s.view.setCurve(wall);
+        s.view.setLook(s.view.look());
+        s.view.setNearCut(0);
+        s.view.setView(s.view.view());
+        s.view.setVolume(s.volume);
+        s.view.update();
+        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QCOMPARE(s.view.screenImage(), before);
+        QCoreApplication::processEvents();
+        QCOMPARE(deliveries.size(), 0);
+        QVERIFY(s.view.pictureIsFine());
+    }
+
+    void severalChangesMakeOnePicture() {
+        ShownView s;
+        QVERIFY(s.ready);
+        QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
+        s.view.setNearCut(3);
+        s.view.setCurve(PowerCurve{2, 1.0});
+        s.view.setView({BeamAxis::plusZ, 20, 10, 0, 2});
+        Look look;
+        look.colourMap = ColourMap::ice;
+        s.view.setLook(look);
+        QVERIFY(s.view.busy());
+        QVERIFY(s.awaitIdle());
+        QVERIFY(deliveries.size() <= 2);  // coarse, where one is needed, and fine
+        QVERIFY(s.view.picture()->rgba == castRays(*s.volume, PowerCurve{2, 1.0}, s.view.settings())->rgba);
+    }
+
+    void hundredCurveChangesEndWithTheLast() {
+        ShownView s;
+        QVERIFY(s.ready);
+        for (int i = 1; i <= 100; ++i) {
+            s.view.setCurve(ManualCurve{{{0.3, 0}, {0.9, i / 100.0}}});
+            QCoreApplication::processEvents();
+        }
+        QVERIFY(s.awaitIdle());
+        const auto expected = castRays(*s.volume, ManualCurve{{{0.3, 0}, {0.9, 1.0}}}, s.view.settings());
+        QVERIFY(s.view.picture()->rgba == expected->rgba);
+        QVERIFY(largestDifference(s.view.screenImage(), *expected) <= 2);
+    }
+
+    void nearCutRemovesWhatLiesBefore() {
+        ShownView s;
+        QVERIFY(s.ready);
+        s.view.setNearCut(16);  // the ball ends at 15.5 mm behind the foremost face
+        QCOMPARE(s.view.view().nearCutMm, 16.0);
+        QVERIFY(s.awaitIdle());
+        const auto alphaSum = [&] {
+            double sum = 0;
+            for (std::size_t i = 3; i < s.view.picture()->rgba.size(); i += 4) sum += s.view.picture()->rgba[i];
+            return sum;
+        };
+        QCOMPARE(alphaSum(), 0.0);
+        s.view.setNearCut(8);
+        QVERIFY(s.awaitIdle());
+        QVERIFY(alphaSum() > 100);
+        // The cut is measured along wherever one looks from: from behind, the ball is the last thing.
+        s.view.setView({BeamAxis::minusZ, 0, 0, 0, 16});
+        QVERIFY(s.awaitIdle());
+        QVERIFY(alphaSum() > 100);
+    }
+
+    void resizingKeepsThePictureRight_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("larger") << QSize(500, 400);
+        QTest::newRow("narrow") << QSize(200, 400);
+        QTest::newRow("wide") << QSize(600, 260);
+    }
+    void resizingKeepsThePictureRight() {
+        QFETCH(QSize, size);
+        ShownView s;
+        QVERIFY(s.ready);
+        s.view.resize(size);
+        QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.view.pictureIsFine() && s.view.picture()->width == size.width() &&
+                                     s.view.picture()->height == size.height() && !s.view.busy(), patience);
+        const auto expected = castRays(*s.volume, wall, s.view.settings());
+        QTRY_COMPARE_WITH_TIMEOUT(s.view.screenImage().size(), size, patience);
+        QVERIFY(largestDifference(s.view.screenImage(), *expected) <= 2);
+        // The whole volume is still in the picture.
+        QVERIFY(std::abs(s.view.settings().camera.heightMm -
+                         defaultCamera(s.volume->geometry(), {}, static_cast<double>(size.width()) / size.height()).heightMm) <
+                1e-9);
+    }
+
+    void projectionAndColoursReachThePicture() {
+        ShownView s;
+        QVERIFY(s.ready);
+        Look look;
+        look.projection = Projection::perspective;
+        look.colourMap = ColourMap::ice;
+        look.shaded = true;
+        look.step = 0.5;
+        s.view.setLook(look);
+        QCOMPARE(s.view.look(), look);
+        QVERIFY(s.awaitIdle());
+        const RayCastSettings settings = s.view.settings();
+        QCOMPARE(settings.camera.projection, Projection::perspective);
+        QVERIFY(settings.shading.has_value());
+        QVERIFY(largestDifference(s.view.screenImage(), *castRays(*s.volume, wall, settings)) <= 2);
+    }
+
+    void unknownSpacingIsSaid() {
+        VolumeGeometry geometry = geometryOf(40, 36, 32);
+        ShownView known(volumeOf(geometry, [](double, double, double) { return 200; }));
+        QVERIFY(known.ready);
+        QVERIFY(known.view.scaleText().endsWith(" mm"));
+        geometry.spacingKnown = false;
+        ShownView unknown(volumeOf(geometry, [](double, double, double) { return 200; }));
+        QVERIFY(unknown.ready);
+        QVERIFY(unknown.view.scaleText().contains("unknown"));
+        QVERIFY(unknown.view.screenImage() != known.view.screenImage());
+    }
+
+    void emptyViewIsBlackAndIdle() {
+        ShownView s;
+        QVERIFY(s.ready);
+        s.view.setVolume(nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QVERIFY(!s.view.picture());
+        QVERIFY(!s.view.pictureIsFine());
+        const QImage screen = s.view.screenImage();
+        for (int x = 0; x < screen.width(); x += 3)
+            for (int y = 0; y < screen.height(); y += 3) QCOMPARE(screen.pixel(x, y) & 0xffffff, 0u);
+        s.drag(Qt::LeftButton, {}, {10, 10}, {60, 60});  // nothing to turn
+        QCOMPARE(s.view.view(), View{});
+        s.view.setVolume(s.volume);
+        QVERIFY(s.awaitIdle());
+    }
+
+    void busyIsToldOnceEachWay() {
+        ShownView s;
+        QVERIFY(s.ready);
+        QSignalSpy changes(&s.view, &VolumeViewWidget::busyChanged);
+        s.view.setNearCut(2);
+        QVERIFY(s.view.busy());
+        QVERIFY(s.awaitIdle());
+        QCOMPARE(changes.size(), 2);
+        QCOMPARE(changes[0][0].toBool(), true);
+        QCOMPARE(changes[1][0].toBool(), false);
+    }
+
+    void closingWhileCasting() {
+        for (int round = 0; round < 10; ++round) {
+            ShownView s;
+            QVERIFY(s.ready);
+            s.view.setCurve(PowerCurve{2, 0.01 * (round + 1)});
+            for (int i = 0; i < round; ++i) QCoreApplication::processEvents();
+        }
+    }
+
+    void hiddenViewCastsNothing() {
+        VolumeViewWidget view;
+        QSignalSpy deliveries(&view, &VolumeViewWidget::pictureDelivered);
+        view.setVolume(ballInTheCorner());
+        view.setCurve(wall);
+        QCoreApplication::processEvents();
+        QVERIFY(!view.busy());
+        QCOMPARE(deliveries.size(), 0);
+        QVERIFY(view.screenImage().isNull());
+    }
+
+    void onlyOneQtIsLoaded() {
+        QProcess ldd;
+        ldd.start("ldd", {QCoreApplication::applicationFilePath()});
+        QVERIFY(ldd.waitForFinished(patience));
+        const QString libraries = ldd.readAllStandardOutput();
+        QVERIFY(libraries.contains("libQt6Widgets"));
+        QVERIFY(libraries.contains("libvtkRenderingOpenGL2"));
+        QVERIFY2(!libraries.contains("libQt5"), "Qt 5 is loaded beside Qt 6");
+    }
+
+    void timeOnTheWayToTheScreen_data() {
+        QTest::addColumn<int>("edge");
+        QTest::newRow("512") << 512;
+        QTest::newRow("1000") << 1000;
+    }
+    /// Prints figures; asserts only that every frame came. Nothing is visible, so that next to nothing is cast.
+    void timeOnTheWayToTheScreen() {
+        QFETCH(int, edge);
+        constexpr int wanted = 60;
+        ShownView s;
+        s.view.setCurve(ManualCurve{});
+        s.view.resize(edge, edge);
+        QVERIFY(QTest::qWaitFor([&] { return s.view.settings().width == edge && !s.view.busy(); }, patience));
+        int frames = 0;
+        double castMilliseconds = 0;
+        connect(&s.view, &VolumeViewWidget::pictureDelivered, this, [&](bool, double milliseconds) {
+            castMilliseconds += milliseconds;
+            if (++frames < wanted) s.view.setView({BeamAxis::plusZ, 0.5 * frames, 0, 0, 0});
+        });
+        const auto begin = std::chrono::steady_clock::now();
+        const auto processorBegin = std::clock();
+        s.view.setView({BeamAxis::plusZ, 45, 0, 0, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(frames >= wanted && !s.view.busy(), patience);
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+        const double processor = 1000.0 * static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC;
+        disconnect(&s.view, &VolumeViewWidget::pictureDelivered, this, nullptr);
+        qInfo("%d x %d: %.1f ms a frame, %.1f ms of it casting; %.1f ms of processor time", edge, edge,
+              taken.count() / frames, castMilliseconds / frames, processor / frames);
+    }
+};
+
+int main(int argc, char** argv) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(argc, argv);
+    ViewPictureTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_view_picture.moc"

@@ -1,0 +1,263 @@
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "widgets/newest_wins_thread.h"
+
+using echolucent::NewestWinsThread;
+using echolucent::Progress;
+using WhenSuperseded = NewestWinsThread::WhenSuperseded;
+
+namespace {
+
+constexpr int patience = 20000;  // ms, a bound for broken programs
+
+/// A door that a job waits at until the test opens it, and that tells the test when a job stands before it.
+class Gate {
+public:
+    void passThrough() {
+        std::unique_lock lock(m_mutex);
+        ++m_arrived;
+        m_changed.notify_all();
+        m_changed.wait(lock, [&] { return m_open; });
+    }
+    void awaitArrivals(int count) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [&] { return m_arrived >= count; });
+    }
+    int arrived() {
+        const std::lock_guard lock(m_mutex);
+        return m_arrived;
+    }
+    void open() {
+        const std::lock_guard lock(m_mutex);
+        m_open = true;
+        m_changed.notify_all();
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    int m_arrived = 0;
+    bool m_open = false;
+};
+
+/// A job that ends only when it is cancelled.
+NewestWinsThread::Job untilCancelled(const std::shared_ptr<Gate>& started, std::atomic<int>* cancelled = nullptr) {
+    started->open();
+    return [started, cancelled](const Progress& progress) -> NewestWinsThread::Deliver {
+        started->passThrough();
+        while (!progress.cancelled()) std::this_thread::yield();
+        if (cancelled) ++*cancelled;
+        return {};
+    };
+}
+
+}  // namespace
+
+class NewestWinsThreadTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void deliversInTheThreadItLivesIn() {
+        NewestWinsThread thread("test");
+        QThread* ranIn = nullptr;
+        QThread* deliveredIn = nullptr;
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver {
+            ranIn = QThread::currentThread();
+            return [&] { deliveredIn = QThread::currentThread(); };
+        });
+        QVERIFY(thread.busy());
+        QTRY_VERIFY_WITH_TIMEOUT(deliveredIn != nullptr, patience);
+        QCOMPARE(deliveredIn, QThread::currentThread());
+        QVERIFY(ranIn != nullptr && ranIn != QThread::currentThread());
+        QVERIFY(!thread.busy());
+    }
+
+    void onlyTheNewestOfManyIsDelivered() {
+        NewestWinsThread thread("test");
+        auto gate = std::make_shared<Gate>();
+        std::vector<int> delivered;
+        std::atomic<int> ran = 0;
+        const auto job = [&](int number) {
+            return [&, number, gate](const Progress&) -> NewestWinsThread::Deliver {
+                ++ran;
+                gate->passThrough();
+                return [&delivered, number] { delivered.push_back(number); };
+            };
+        };
+        thread.submit(job(0));
+        gate->awaitArrivals(1);
+        for (int number = 1; number <= 50; ++number) thread.submit(job(number));
+        gate->open();
+        QTRY_VERIFY_WITH_TIMEOUT(!thread.busy(), patience);
+        QCOMPARE(delivered, std::vector<int>{50});
+        QCOMPARE(ran.load(), 2);  // the first and the newest; those between never started
+    }
+
+    void twoHundredRestartsDeliverTheLast() {
+        NewestWinsThread thread("test");
+        int staleDelivered = 0;
+        for (int restart = 0; restart < 200; ++restart) {
+            auto started = std::make_shared<Gate>();
+            auto endless = untilCancelled(started);
+            thread.submit([endless, &staleDelivered](const Progress& progress) -> NewestWinsThread::Deliver {
+                endless(progress);
+                return [&staleDelivered] { ++staleDelivered; };
+            });
+            // Every third runs when the next replaces it; the others are replaced while they wait.
+            if (restart % 3 == 0) QTRY_COMPARE_WITH_TIMEOUT(started->arrived(), 1, patience);
+        }
+        bool last = false;
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { last = true; }; });
+        QTRY_VERIFY_WITH_TIMEOUT(last, patience);
+        QCOMPARE(staleDelivered, 0);
+        QVERIFY(!thread.busy());
+    }
+
+    void aStaleResultIsNotDeliveredAlthoughItWasFinished() {
+        NewestWinsThread thread("test");
+        Gate finished;
+        finished.open();
+        int first = 0, second = 0;
+        // Ends without looking at the flag; its result is on the way when the newer job comes.
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver {
+            finished.passThrough();
+            return [&] { ++first; };
+        });
+        finished.awaitArrivals(1);
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { ++second; }; });
+        QTRY_COMPARE_WITH_TIMEOUT(second, 1, patience);
+        QCOMPARE(first, 0);
+    }
+
+    void finishJobsAreDeliveredUnderAStreamOfRequests() {
+        NewestWinsThread thread("test");
+        std::vector<int> delivered;
+        int next = 0;
+        // Every delivery finds a newer request already waiting: a stream that never pauses.
+        std::function<void()> request = [&] {
+            const int number = next++;
+            thread.submit(
+                [&, number](const Progress& progress) -> NewestWinsThread::Deliver {
+                    return [&, number, cancelled = progress.cancelled()] {
+                        QVERIFY(!cancelled);
+                        delivered.push_back(number);
+                        if (next < 100) request();
+                    };
+                },
+                WhenSuperseded::finish);
+        };
+        request();
+        request();
+        QTRY_VERIFY_WITH_TIMEOUT(!thread.busy() && next >= 100, patience);
+        QCOMPARE(delivered.size(), std::size_t{100});
+        QVERIFY(std::is_sorted(delivered.begin(), delivered.end()));
+    }
+
+    void aFinishJobRunsOnWhenSupersededAndIsDeliveredFirst() {
+        NewestWinsThread thread("test");
+        Gate gate;
+        std::vector<QString> delivered;
+        bool sawCancel = true;
+        thread.submit(
+            [&](const Progress& progress) -> NewestWinsThread::Deliver {
+                gate.passThrough();
+                return [&, cancelled = progress.cancelled()] {
+                    sawCancel = cancelled;
+                    delivered.push_back("coarse");
+                };
+            },
+            WhenSuperseded::finish);
+        gate.awaitArrivals(1);
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { delivered.push_back("next"); }; });
+        gate.open();
+        QTRY_COMPARE_WITH_TIMEOUT(delivered, (std::vector<QString>{"coarse", "next"}), patience);
+        QVERIFY(!sawCancel);
+    }
+
+    void cancelDropsWhatRunsAndWhatWaits() {
+        NewestWinsThread thread("test");
+        QSignalSpy busyChanges(&thread, &NewestWinsThread::busyChanged);
+        Gate gate;
+        int delivered = 0;
+        const auto job = [&](const Progress&) -> NewestWinsThread::Deliver {
+            gate.passThrough();
+            return [&] { ++delivered; };
+        };
+        thread.submit(job, WhenSuperseded::finish);
+        gate.awaitArrivals(1);
+        thread.submit(job, WhenSuperseded::finish);
+        thread.cancel();
+        gate.open();
+        QTRY_VERIFY_WITH_TIMEOUT(!thread.busy(), patience);
+        QCOMPARE(delivered, 0);
+        QCOMPARE(busyChanges.size(), 2);
+        QCOMPARE(busyChanges.at(0).at(0).toBool(), true);
+        QCOMPARE(busyChanges.at(1).at(0).toBool(), false);
+    }
+
+    void worksAgainAfterCancel() {
+        NewestWinsThread thread("test");
+        auto started = std::make_shared<Gate>();
+        thread.submit(untilCancelled(started));
+        started->awaitArrivals(1);
+        thread.cancel();
+        bool delivered = false;
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { delivered = true; }; });
+        QTRY_VERIFY_WITH_TIMEOUT(delivered, patience);
+    }
+
+    void closingWhileRunningCancelsAndWaits() {
+        for (int round = 0; round < 50; ++round) {
+            std::atomic<int> cancelled = 0;
+            int delivered = 0;
+            {
+                NewestWinsThread thread("test");
+                auto started = std::make_shared<Gate>();
+                auto endless = untilCancelled(started, &cancelled);
+                thread.submit([&, endless](const Progress& progress) -> NewestWinsThread::Deliver {
+                    endless(progress);
+                    return [&] { ++delivered; };
+                });
+                started->awaitArrivals(1);
+                thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { ++delivered; }; });
+            }
+            QCOMPARE(cancelled.load(), 1);  // already here: the destructor has waited
+            QCoreApplication::processEvents();
+            QCOMPARE(delivered, 0);
+        }
+    }
+
+    void closingBeforeTheJobStartedIsSafe() {
+        for (int round = 0; round < 200; ++round) {
+            int delivered = 0;
+            {
+                NewestWinsThread thread("test");
+                thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { ++delivered; }; });
+            }
+            QCoreApplication::processEvents();
+            QCOMPARE(delivered, 0);
+        }
+    }
+
+    void progressIsToldInThisThread() {
+        NewestWinsThread thread("test");
+        QSignalSpy shares(&thread, &NewestWinsThread::progressed);
+        thread.submit([](const Progress& progress) -> NewestWinsThread::Deliver {
+            progress.at(0.25);
+            return {};
+        });
+        QTRY_COMPARE_WITH_TIMEOUT(shares.size(), 1, patience);
+        QCOMPARE(shares.at(0).at(0).toDouble(), 0.25);
+    }
+};
+
+QTEST_GUILESS_MAIN(NewestWinsThreadTest)
+#include "test_newest_wins_thread.moc"

@@ -1,0 +1,159 @@
+// What the plot paints, read back from its pixels.
+#include <QTest>
+#include <cmath>
+#include <memory>
+
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/curve_style.h"
+
+using namespace echolucent;
+
+namespace {
+
+const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
+
+double distance(const QColor& left, const QColor& right) {
+    return std::hypot(left.red() - right.red(), left.green() - right.green(), left.blue() - right.blue());
+}
+
+}  // namespace
+
+class TestOtfEditorPainting : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void hiddenCurveIsNotPainted_data();
+    void hiddenCurveIsNotPainted();
+    void activeCurveIsHeavier();
+    void histogramIsPaintedBehind();
+    void cursorIntensityIsMarked();
+
+private:
+    [[nodiscard]] QPoint pixelOf(const CurveNode& value) const { return m_canvas->axes().positionOf(value).toPoint(); }
+    [[nodiscard]] QImage picture() const { return m_canvas->grab().toImage(); }
+    [[nodiscard]] double shareOfPathPainted(CurveKind kind) const;
+
+    std::unique_ptr<OtfEditorModel> m_model;
+    std::unique_ptr<CurveCanvas> m_canvas;
+};
+
+void TestOtfEditorPainting::init() {
+    m_model = std::make_unique<OtfEditorModel>();
+    OtfEditorState state;
+    state.manual = threeNodes;
+    state.active = CurveKind::manual;
+    for (int i = 0; i < 256; ++i) state.adaptive.opacities.push_back(std::min(1.0, 0.9 * std::sqrt(i / 255.0)));
+    m_model->setState(state);
+    m_canvas = std::make_unique<CurveCanvas>(*m_model);
+    QPalette dark;
+    dark.setColor(QPalette::Window, QColor(0x1e, 0x22, 0x26));
+    dark.setColor(QPalette::WindowText, QColor(0xd8, 0xdd, 0xe2));
+    m_canvas->setPalette(dark);
+    m_canvas->resize(520, 340);
+    m_canvas->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
+}
+
+void TestOtfEditorPainting::cleanup() {
+    m_canvas.reset();
+    m_model.reset();
+}
+
+/// Of the columns of pixels, the share in which the curve's own colour lies on its path.
+double TestOtfEditorPainting::shareOfPathPainted(CurveKind kind) const {
+    const QImage image = picture();
+    const OpacityCurve curve = curveOf(m_model->state(), kind);
+    int columns = 0;
+    int painted = 0;
+    for (int x = static_cast<int>(m_canvas->axes().rect.left()) + 5; x < m_canvas->axes().rect.right() - 5; ++x) {
+        const double intensity = m_canvas->axes().valueAt({x + 0.5, 0.0}).intensity;
+        const double opacity = opacityAt(curve, intensity);
+        if (opacity < 0.05 || opacity > 0.97) continue;
+        const double y = m_canvas->axes().positionOf({intensity, opacity}).y();
+        ++columns;
+        for (int row = static_cast<int>(y) - 2; row <= static_cast<int>(y) + 2; ++row)
+            if (distance(image.pixelColor(x, row), curveColor(kind)) < 60) {
+                ++painted;
+                break;
+            }
+    }
+    return columns > 0 ? static_cast<double>(painted) / columns : 0.0;
+}
+
+void TestOtfEditorPainting::hiddenCurveIsNotPainted_data() {
+    QTest::addColumn<CurveKind>("kind");
+    QTest::addColumn<double>("leastShare");  // dashes leave gaps
+    QTest::newRow("adaptive") << CurveKind::adaptive << 0.95;
+    QTest::newRow("manual") << CurveKind::manual << 0.95;
+    QTest::newRow("linear") << CurveKind::linear << 0.5;
+    QTest::newRow("parabolic") << CurveKind::parabolic << 0.3;
+    QTest::newRow("quartic") << CurveKind::quartic << 0.4;
+}
+
+void TestOtfEditorPainting::hiddenCurveIsNotPainted() {
+    QFETCH(CurveKind, kind);
+    QFETCH(double, leastShare);
+    m_model->setActive(kind);
+    const double shown = shareOfPathPainted(kind);
+    QVERIFY2(shown > leastShare, qPrintable(QString::number(shown)));
+    m_model->setVisible(kind, false);
+    const double hidden = shareOfPathPainted(kind);
+    QVERIFY2(hidden < 0.1, qPrintable(QString::number(hidden)));  // where another curve of like colour crosses
+    m_model->setVisible(kind, true);
+    QCOMPARE(shareOfPathPainted(kind), shown);
+}
+
+void TestOtfEditorPainting::activeCurveIsHeavier() {
+    const auto pixelsLike = [&] {
+        const QImage image = picture();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (distance(image.pixelColor(x, y), curveColor(CurveKind::quartic)) < 40) ++count;
+        return count;
+    };
+    const int inactive = pixelsLike();
+    m_model->setActive(CurveKind::quartic);
+    QVERIFY(pixelsLike() > 1.4 * inactive);
+}
+
+void TestOtfEditorPainting::histogramIsPaintedBehind() {
+    IntensityHistogram histogram;
+    histogram.counts.fill(10);
+    histogram.counts[200] = 100'000;
+    m_canvas->setHistogram(histogram);
+    for (const CurveKind kind : allCurveKinds) m_model->setVisible(kind, false);
+    // Between two grid lines, at a height that log(11) / log(100001) = 0.21 reaches and 10 / 100000 does not.
+    const QPoint inside = pixelOf({0.3, 0.1});
+    const QPoint above = pixelOf({0.3, 0.5});
+    const QImage logarithmic = picture();
+    QVERIFY(logarithmic.pixelColor(inside) != logarithmic.pixelColor(above));
+    m_canvas->setHistogramScale(HistogramScale::linear);
+    const QImage linear = picture();
+    QCOMPARE(linear.pixelColor(inside), linear.pixelColor(above));
+    QCOMPARE(linear.pixelColor(above), logarithmic.pixelColor(above));
+    const QPoint peak = pixelOf({200.5 / 256.0, 0.5});
+    QVERIFY(linear.pixelColor(peak) != linear.pixelColor(above));
+}
+
+void TestOtfEditorPainting::cursorIntensityIsMarked() {
+    const QImage without = picture();
+    m_canvas->setCursorIntensity(0.66);
+    const QImage with = picture();
+    const int x = pixelOf({0.66, 0.0}).x();
+    int changed = 0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int column = 0; column < with.width(); ++column)
+            if (with.pixelColor(column, y) != without.pixelColor(column, y)) {
+                QVERIFY(std::abs(column - x) <= 6);
+                ++changed;
+            }
+    QVERIFY(changed > m_canvas->axes().rect.height() / 2);
+    m_canvas->setCursorIntensity(std::nullopt);
+    QCOMPARE(picture(), without);
+}
+
+QTEST_MAIN(TestOtfEditorPainting)
+#include "test_otf_editor_painting.moc"

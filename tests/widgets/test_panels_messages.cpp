@@ -1,0 +1,227 @@
+// What the program tells: study facts, run status, the message bar; and the names of every control.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/motion_panel.h"
+#include "widgets/panels/raw_layout_dialog.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/view_panel.h"
+
+using namespace echolucent;
+
+namespace {
+
+template <typename Widget>
+Widget* child(QWidget& panel, const char* name) {
+    auto* found = panel.findChild<Widget*>(name);
+    if (found == nullptr) qFatal("no %s", name);
+    return found;
+}
+
+bool isControl(const QWidget* widget) {
+    const bool input = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+                       qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+    for (const QWidget* parent = widget->parentWidget(); parent; parent = parent->parentWidget()) {
+        // Scroll bars, corner buttons and pop-up lists are parts of another control.
+        if (qobject_cast<const QAbstractScrollArea*>(parent) || qobject_cast<const QComboBox*>(parent)) return false;
+    }
+    return input;
+}
+
+}  // namespace
+
+class TestPanelsMessages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void everyControlHasItsNames_data() {
+        QTest::addColumn<QString>("prefix");
+        QTest::addColumn<int>("leastControls");
+        for (const auto& [prefix, count] : {std::pair{"adaptive", 15},
+                                            {"view", 10},
+                                            {"motion", 6},
+                                            {"status", 1},
+                                            {"message", 3},
+                                            {"rawLayout", 13}}) {
+            QTest::newRow(prefix) << prefix << count;
+        }
+    }
+    void everyControlHasItsNames() {
+        QFETCH(QString, prefix);
+        QFETCH(int, leastControls);
+        const std::unique_ptr<QWidget> panel = create(prefix);
+        QCOMPARE(panel->objectName(), prefix);
+        QSet<QString> names;
+        for (const QWidget* widget : panel->findChildren<QWidget*>()) {
+            if (!isControl(widget)) continue;
+            const QString name = widget->objectName();
+            QVERIFY2(name.startsWith(prefix + '.'), qPrintable(name + " of " + widget->metaObject()->className()));
+            QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(name));
+            QVERIFY2(widget->focusPolicy() & Qt::TabFocus, qPrintable(name));
+            QVERIFY2(!names.contains(name), qPrintable(name));
+            names.insert(name);
+        }
+        QVERIFY2(names.size() >= leastControls, qPrintable(QString::number(names.size())));
+    }
+
+    void studyFactsAreShownAndCannotBeEdited() {
+        StudyPanel panel;
+        panel.setStudy({{"size", "2 x 3 x 4", "DimSize"}, {"<b>spacing</b>", "0.30 mm", "assumed"}},
+                       {"Spacing guessed."});
+        panel.show();
+        auto* table = child<QTableWidget>(panel, "study.facts");
+        auto* warnings = child<QLabel>(panel, "study.warnings");
+        QCOMPARE(table->rowCount(), 2);
+        QCOMPARE(table->item(1, 0)->text(), "<b>spacing</b>");
+        QCOMPARE(table->item(1, 1)->text(), "0.30 mm");
+        QCOMPARE(table->item(1, 2)->text(), "assumed");
+        QVERIFY(warnings->text().contains("Spacing guessed."));
+        table->setCurrentCell(1, 1);
+        QTest::keyClicks(table, "9");
+        QTest::keyClick(table, Qt::Key_Return);
+        QCOMPARE(table->item(1, 1)->text(), "0.30 mm");
+        panel.setStudy({}, {});
+        QCOMPARE(table->rowCount(), 0);
+        QVERIFY(!warnings->isVisible());
+    }
+
+    void statusLine() {
+        RunStatus status;
+        status.show();
+        status.setRenderer("software renderer");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer");
+        status.setRenderer("software renderer", 23.7);
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 24 ms");
+        auto* otf = child<QLabel>(status, "status.otf");
+        QVERIFY(!otf->isVisible());
+        status.setOtf(1.62, 176, 225);
+        QCOMPARE(otf->text(), "OTF 1.6 ms, 176 of 225 tubes");
+        QVERIFY(otf->isVisible());
+        status.clearOtf();
+        QVERIFY(!otf->isVisible());
+        status.setNotes({"lossy compression", "spacing unknown"});
+        QCOMPARE(child<QLabel>(status, "status.notes")->text(), "lossy compression · spacing unknown");
+        auto* pointed = child<QLabel>(status, "status.pointed");
+        status.setPointed(0.424, 0.176);
+        QCOMPARE(pointed->text(), "intensity 0.42  opacity 0.18");
+        status.setPointed(std::nullopt, std::nullopt);
+        QVERIFY(!pointed->isVisible());
+    }
+
+    void progressIsShownOnlyAfterTheDelay() {
+        RunStatus status;
+        status.show();
+        auto* progress = child<QProgressBar>(status, "status.progress");
+        auto* cancel = child<QToolButton>(status, "status.cancel");
+        status.beginProgress("Loading");
+        QVERIFY(!progress->isVisible());
+        status.endProgress();
+
+        status.setProgressDelay(0);
+        status.beginProgress("Loading");
+        QTRY_VERIFY(progress->isVisible());
+        QVERIFY(cancel->isVisible());
+        QCOMPARE(child<QLabel>(status, "status.activity")->text(), "Loading");
+        QCOMPARE(progress->maximum(), 0);  // busy: no share is known yet
+        status.setProgress(0.25);
+        QCOMPARE(4 * progress->value(), progress->maximum());
+        status.setProgress(7);
+        QCOMPARE(progress->value(), progress->maximum());
+        QSignalSpy spy(&status, &RunStatus::cancelRequested);
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QCOMPARE(spy.count(), 1);
+        status.endProgress();
+        QVERIFY(!progress->isVisible());
+        status.setProgress(0.5);  // a late report of what has ended
+        QVERIFY(!progress->isVisible());
+    }
+
+    void endedBeforeTheDelayIsNeverShown() {
+        RunStatus status;
+        status.show();
+        status.setProgressDelay(0);
+        status.beginProgress("Loading");
+        status.endProgress();
+        QCoreApplication::processEvents();
+        QVERIFY(!child<QProgressBar>(status, "status.progress")->isVisible());
+    }
+
+    void messageWithWaysOut() {
+        QWidget window;
+        auto* bar = new MessageBar(&window);
+        window.show();
+        QVERIFY(!bar->isVisible());
+        QStringList order;
+        connect(bar, &MessageBar::closed, this, [&] { order << "closed"; });
+        bar->showMessage(MessageKind::error, "cine.dcm: no geometry <b>",
+                         {{"As slices", [&] { order << "slices"; }}, {"Other file", [&] { order << "other"; }}});
+        QVERIFY(bar->isVisible());
+        QCOMPARE(child<QLabel>(window, "message.text")->text(), "cine.dcm: no geometry <b>");
+        QCOMPARE(child<QLabel>(window, "message.text")->textFormat(), Qt::PlainText);
+        QCOMPARE(bar->kind(), MessageKind::error);
+        QCOMPARE(bar->accessibleDescription(), "cine.dcm: no geometry <b>");
+        QTest::mouseClick(child<QPushButton>(window, "message.action.0"), Qt::LeftButton);
+        QCOMPARE(order, (QStringList{"closed", "slices"}));
+        QVERIFY(!bar->isVisible());
+        QVERIFY(bar->text().isEmpty());
+        QVERIFY(!window.findChild<QPushButton*>("message.action.0"));
+    }
+
+    void anActionMayShowTheNextMessage() {
+        MessageBar bar;
+        bar.showMessage(MessageKind::error, "first", {{"go on", [&] {
+                                                           bar.showMessage(MessageKind::info, "second", {{"end", {}}});
+                                                       }}});
+        QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
+        QCOMPARE(bar.text(), "second");
+        QVERIFY(bar.isVisible());
+        QCOMPARE(child<QPushButton>(bar, "message.action.0")->text(), "end");
+        QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
+        QVERIFY(!bar.isVisible());
+    }
+
+    void newerMessageReplacesActions() {
+        MessageBar bar;
+        bool ran = false;
+        bar.showMessage(MessageKind::error, "first", {{"a", [&] { ran = true; }}, {"b", {}}});
+        bar.showMessage(MessageKind::info, "second", {{"c", {}}});
+        QCOMPARE(bar.findChildren<QPushButton*>().size(), 1);
+        QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
+        QVERIFY(!ran);
+    }
+
+    void messageIsClosedByButtonKeyAndProgram() {
+        MessageBar bar;
+        QSignalSpy spy(&bar, &MessageBar::closed);
+        bar.showMessage(MessageKind::info, "one");
+        QTest::mouseClick(child<QToolButton>(bar, "message.close"), Qt::LeftButton);
+        QCOMPARE(spy.count(), 1);
+        bar.showMessage(MessageKind::info, "two");
+        QTest::keyClick(child<QToolButton>(bar, "message.close"), Qt::Key_Escape);
+        QCOMPARE(spy.count(), 2);
+        bar.showMessage(MessageKind::info, "three");
+        bar.dismiss();
+        QCOMPARE(spy.count(), 2);  // nobody closed it but the program
+        QVERIFY(!bar.isVisible());
+    }
+
+private:
+    static std::unique_ptr<QWidget> create(const QString& prefix) {
+        if (prefix == "adaptive") return std::make_unique<MethodPanel>();
+        if (prefix == "view") return std::make_unique<ViewPanel>();
+        if (prefix == "motion") return std::make_unique<MotionPanel>();
+        if (prefix == "status") return std::make_unique<RunStatus>();
+        if (prefix == "rawLayout") return std::make_unique<RawLayoutDialog>("a.raw", 100);
+        auto bar = std::make_unique<MessageBar>();
+        bar->showMessage(MessageKind::info, "text", {{"one", {}}, {"two", {}}});
+        return bar;
+    }
+};
+
+QTEST_MAIN(TestPanelsMessages)
+#include "test_panels_messages.moc"

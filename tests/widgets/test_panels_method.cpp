@@ -1,0 +1,251 @@
+// The panel of the method's parameters: what a person does comes out once, what is set comes back and makes no noise.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "widgets/panels/method_panel.h"
+
+using namespace echolucent;
+
+namespace {
+
+AdaptiveOtfConfig onlyConfigOf(QSignalSpy& spy) {
+    return spy.count() == 1 ? spy.first().first().value<AdaptiveOtfConfig>() : AdaptiveOtfConfig{.tubeColumns = -1};
+}
+
+template <typename Widget>
+Widget* child(QWidget& panel, const char* name) {
+    auto* found = panel.findChild<Widget*>(name);
+    if (found == nullptr) qFatal("no %s", name);
+    return found;
+}
+
+TubeCore tubeWith(double d, double low, double high) {
+    TubeCore tube;
+    tube.status = TubeStatus::surface;
+    tube.d = d;
+    tube.lowIntensity = low;
+    tube.highIntensity = high;
+    return tube;
+}
+
+}  // namespace
+
+class TestPanelsMethod : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void startsWithTheDefaults() {
+        const MethodPanel panel;
+        QCOMPARE(panel.config(), AdaptiveOtfConfig{});
+        QCOMPARE(panel.initialKind(), InitialKind::parabolic);
+        QCOMPARE(panel.opacityScale(), 1.0);
+    }
+
+    void sliderKeyGivesOneStepOnce() {
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        QTest::keyClick(child<QSlider>(panel, "adaptive.strength"), Qt::Key_Right);
+        QCOMPARE(onlyConfigOf(spy), AdaptiveOtfConfig{.strength = 7.0});
+        QCOMPARE(child<QDoubleSpinBox>(panel, "adaptive.strength.value")->value(), 7.0);
+    }
+
+    void sliderReachesBothEnds() {
+        MethodPanel panel;
+        auto* slider = child<QSlider>(panel, "adaptive.strength");
+        QTest::keyClick(slider, Qt::Key_End);
+        QCOMPARE(panel.config().strength, 40.0);
+        QTest::keyClick(slider, Qt::Key_Home);
+        QCOMPARE(panel.config().strength, 0.0);
+    }
+
+    void typedStrengthIsTakenExactlyAndOnce() {
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        auto* spinBox = child<QDoubleSpinBox>(panel, "adaptive.strength.value");
+        spinBox->selectAll();
+        QTest::keyClicks(spinBox, "12.34");
+        QTest::keyClick(spinBox, Qt::Key_Return);
+        QCOMPARE(onlyConfigOf(spy), AdaptiveOtfConfig{.strength = 12.34});
+        QCOMPARE(child<QSlider>(panel, "adaptive.strength")->value(), 49);  // 12.34 / 0.25, rounded
+    }
+
+    void spinBoxKeyChangesOneField_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<AdaptiveOtfConfig>("expected");
+        QTest::newRow("columns") << "tubeColumns" << AdaptiveOtfConfig{.tubeColumns = 16};
+        QTest::newRow("rows") << "tubeRows" << AdaptiveOtfConfig{.tubeRows = 16};
+        QTest::newRow("spacing") << "tubeSpacing" << AdaptiveOtfConfig{.tubeSpacing = 1.0};
+        QTest::newRow("cell") << "cellSize" << AdaptiveOtfConfig{.cellSize = 6};
+        QTest::newRow("coarsest") << "coarsestScale" << AdaptiveOtfConfig{.coarsestScale = 8};
+        QTest::newRow("finest") << "finestScale" << AdaptiveOtfConfig{.finestScale = 4};
+        QTest::newRow("significance") << "significance" << AdaptiveOtfConfig{.significance = 0.45};
+        QTest::newRow("slope") << "slopeHalfStep" << AdaptiveOtfConfig{.slopeHalfStep = 6};
+        QTest::newRow("scale") << "opacityScale" << AdaptiveOtfConfig{.initial = PowerCurve{2, 1.05}};
+    }
+    void spinBoxKeyChangesOneField() {
+        QFETCH(QString, name);
+        QFETCH(AdaptiveOtfConfig, expected);
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        QTest::keyClick(child<QAbstractSpinBox>(panel, ("adaptive." + name).toLatin1()), Qt::Key_Up);
+        QCOMPARE(onlyConfigOf(spy), expected);
+        QCOMPARE(panel.config(), expected);
+    }
+
+    void spacingZeroReadsAutomatic() {
+        MethodPanel panel;
+        QCOMPARE(child<QDoubleSpinBox>(panel, "adaptive.tubeSpacing")->text(), "automatic");
+    }
+
+    void theFinestScaleNeverExceedsTheCoarsest() {
+        MethodPanel panel;
+        panel.setConfig({.coarsestScale = 4, .finestScale = 4});
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.coarsestScale"), Qt::Key_Down);
+        QCOMPARE(onlyConfigOf(spy), (AdaptiveOtfConfig{.coarsestScale = 3, .finestScale = 3}));
+        spy.clear();
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.finestScale"), Qt::Key_Up);
+        QCOMPARE(onlyConfigOf(spy), (AdaptiveOtfConfig{.coarsestScale = 4, .finestScale = 4}));
+    }
+
+    void initialFunctionByKeyboard() {
+        MethodPanel panel;
+        const OpacityCurve linear = LinearCurve{0.1, 2.0, 0.9};
+        panel.setConfig({.initial = linear});
+        QCOMPARE(panel.initialKind(), InitialKind::linear);
+        panel.setConfig({.initial = PowerCurve{2, 0.5}});
+        auto* comboBox = child<QComboBox>(panel, "adaptive.initial");
+        auto* scale = child<QDoubleSpinBox>(panel, "adaptive.opacityScale");
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+
+        QTest::keyClick(comboBox, Qt::Key_Down);
+        QCOMPARE(onlyConfigOf(spy).initial, OpacityCurve(PowerCurve{4, 0.5}));
+        QVERIFY(scale->isEnabled());
+        spy.clear();
+        QTest::keyClick(comboBox, Qt::Key_Down);
+        QCOMPARE(onlyConfigOf(spy).initial, linear);  // the last linear curve that the panel was given
+        QVERIFY(!scale->isEnabled());
+        spy.clear();
+        QTest::keyClick(comboBox, Qt::Key_Down);
+        QCOMPARE(onlyConfigOf(spy).initial, OpacityCurve(ManualCurve{}));
+        QCOMPARE(panel.initialKind(), InitialKind::manual);
+    }
+
+    void settingEmitsNothingAndComesBack() {
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        AdaptiveOtfConfig config{.tubeColumns = 20,
+                                 .tubeRows = 3,
+                                 .tubeSpacing = 7.25,
+                                 .cellSize = 9,
+                                 .coarsestScale = 6,
+                                 .finestScale = 2,
+                                 .sigmaPerKernelSize = 0.31,
+                                 .kernelCut = 2.5,
+                                 .significance = 0.123456,
+                                 .slopeHalfStep = 2,
+                                 .strength = 6.754321,
+                                 .initial = PowerCurve{4, 0.3333}};
+        panel.setConfig(config);
+        QCOMPARE(panel.config(), config);
+        QCOMPARE(spy.count(), 0);
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Up);
+        config.cellSize = 10;  // and no other field is rounded to what its control shows
+        QCOMPARE(onlyConfigOf(spy), config);
+    }
+
+    void settingBeyondTheRangeClamps() {
+        MethodPanel panel;
+        panel.setConfig({.tubeColumns = 0,
+                         .cellSize = 1,
+                         .coarsestScale = 40,
+                         .finestScale = -1,
+                         .significance = 2,
+                         .strength = 1e6});
+        QCOMPARE(panel.config(), (AdaptiveOtfConfig{.tubeColumns = 1,
+                                                    .cellSize = 2,
+                                                    .coarsestScale = 10,
+                                                    .finestScale = 1,
+                                                    .significance = 1,
+                                                    .strength = 40}));
+    }
+
+    void resetGoesBackOnce() {
+        MethodPanel panel;
+        panel.setConfig({.cellSize = 9, .strength = 1, .initial = ManualCurve{{{0, 0}, {1, 1}}}});
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        auto* reset = child<QPushButton>(panel, "adaptive.reset");
+        QTest::mouseClick(reset, Qt::LeftButton);
+        QCOMPARE(onlyConfigOf(spy), AdaptiveOtfConfig{});
+        QTest::mouseClick(reset, Qt::LeftButton);
+        QCOMPARE(spy.count(), 1);  // nothing was left to change
+    }
+
+    void computeAsksAndChangesNothing() {
+        MethodPanel panel;
+        QSignalSpy compute(&panel, &MethodPanel::computeRequested);
+        QSignalSpy changes(&panel, &MethodPanel::configChanged);
+        QTest::keyClick(child<QPushButton>(panel, "adaptive.compute"), Qt::Key_Space);
+        QCOMPARE(compute.count(), 1);
+        QCOMPARE(changes.count(), 0);
+    }
+
+    void advancedOpensByKeyboard() {
+        MethodPanel panel;
+        panel.show();
+        auto* cellSize = child<QSpinBox>(panel, "adaptive.cellSize");
+        QVERIFY(!cellSize->isVisible());
+        QTest::keyClick(child<QToolButton>(panel, "adaptive.advanced"), Qt::Key_Space);
+        QVERIFY(cellSize->isVisible());
+    }
+
+    void resultIsSummedUp() {
+        MethodPanel panel;
+        panel.show();
+        auto* summary = child<QLabel>(panel, "adaptive.summary");
+        auto* message = child<QLabel>(panel, "adaptive.message");
+        AdaptiveOtf result;
+        result.tubesMeetingVolume = 225;
+        result.tubesWithSurface = 2;
+        result.tubes = {tubeWith(1, 0.10, 0.30), tubeWith(3, 0.22, 0.50), tubeWith(0, 0.90, 1.0), TubeCore{}};
+        panel.showResult(result);
+        // (1 x 0.10 + 3 x 0.22) / 4 = 0.19 and (1 x 0.30 + 3 x 0.50) / 4 = 0.45; d = 0 counts for nothing
+        QCOMPARE(summary->text(), "2 of 225 tube cores · I_L 0.19 · I_H 0.45");
+        QVERIFY(!message->isVisible());
+
+        result.tubesWithSurface = 0;
+        result.message = "No surface found: the initial function is used.";
+        panel.showResult(result);
+        QCOMPARE(summary->text(), "0 of 225 tube cores");
+        QCOMPARE(message->text(), "No surface found: the initial function is used.");
+        QVERIFY(message->isVisible());
+        panel.clearResult();
+        QVERIFY(!message->isVisible());
+    }
+
+    void wheelChangesOnlyTheFocusedControl() {
+        MethodPanel panel;
+        panel.show();
+        QApplication::setActiveWindow(&panel);  // no window manager gives the focus on a virtual display
+        auto* slider = child<QSlider>(panel, "adaptive.strength");
+        child<QComboBox>(panel, "adaptive.initial")->setFocus();
+        turnWheel(slider);
+        QCOMPARE(panel.config().strength, 6.75);
+        slider->setFocus();
+        turnWheel(slider);
+        QVERIFY(panel.config().strength > 6.75);
+    }
+
+private:
+    static void turnWheel(QWidget* widget) {
+        const QPointF middle = QRectF(widget->rect()).center();
+        QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(widget, &event);
+    }
+};
+
+QTEST_MAIN(TestPanelsMethod)
+#include "test_panels_method.moc"

@@ -1,0 +1,274 @@
+// The panels of the picture and of the transducer motion: real keys and clicks, each heard once; setters are silent.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "widgets/panels/motion_panel.h"
+#include "widgets/panels/view_panel.h"
+
+using namespace echolucent;
+
+namespace {
+
+template <typename Widget>
+Widget* child(QWidget& panel, const char* name) {
+    auto* found = panel.findChild<Widget*>(name);
+    if (found == nullptr) qFatal("no %s", name);
+    return found;
+}
+
+/// How often any signal declared by this object itself was emitted.
+class AllSignals {
+public:
+    explicit AllSignals(QObject& object) {
+        const QMetaObject* type = object.metaObject();
+        for (int i = type->methodOffset(); i < type->methodCount(); ++i) {
+            if (type->method(i).methodType() != QMetaMethod::Signal) continue;
+            m_spies.push_back(std::make_unique<QSignalSpy>(&object, type->method(i)));
+        }
+    }
+    [[nodiscard]] qsizetype count() const {
+        qsizetype sum = 0;
+        for (const auto& spy : m_spies) sum += spy->count();
+        return sum;
+    }
+
+private:
+    std::vector<std::unique_ptr<QSignalSpy>> m_spies;
+};
+
+}  // namespace
+
+class TestPanelsPictureAndMotion : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void nearCutBySliderAndByNumber() {
+        ViewPanel panel;
+        panel.setNearCutRange(46.84);
+        AllSignals all(panel);
+        QSignalSpy spy(&panel, &ViewPanel::nearCutChanged);
+        QTest::keyClick(child<QSlider>(panel, "view.nearCut"), Qt::Key_Right);
+        QCOMPARE(spy.takeFirst().first().toDouble(), 0.1);
+        auto* number = child<QDoubleSpinBox>(panel, "view.nearCut.value");
+        number->selectAll();
+        QTest::keyClicks(number, "18");
+        QTest::keyClick(number, Qt::Key_Return);
+        QCOMPARE(spy.takeFirst().first().toDouble(), 18.0);
+        QCOMPARE(child<QSlider>(panel, "view.nearCut")->value(), 180);
+        QTest::keyClick(child<QSlider>(panel, "view.nearCut"), Qt::Key_End);
+        QCOMPARE(spy.takeFirst().first().toDouble(), 46.8);  // one decimal, within the range
+        QCOMPARE(panel.nearCutMm(), 46.8);
+        QCOMPARE(all.count(), 3);
+    }
+
+    void nearCutRangeClampsSilently() {
+        ViewPanel panel;
+        panel.setNearCutRange(50);
+        panel.setNearCutMm(40);
+        AllSignals all(panel);
+        panel.setNearCutRange(30);
+        QCOMPARE(panel.nearCutMm(), 30.0);
+        panel.setNearCutMm(99);
+        QCOMPARE(panel.nearCutMm(), 30.0);
+        panel.setNearCutRange(-1);
+        QCOMPARE(panel.nearCutMm(), 0.0);
+        QCOMPARE(all.count(), 0);
+    }
+
+    void unknownSpacingIsSaid() {
+        ViewPanel panel;
+        auto* number = child<QDoubleSpinBox>(panel, "view.nearCut.value");
+        panel.setNearCutRange(10, false);
+        QVERIFY(number->text().contains("guess"));
+        panel.setNearCutRange(10, true);
+        QCOMPARE(number->text(), "0.0 mm");
+    }
+
+    void choicesGiveTheirValueOnce_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("keysDown");
+        QTest::newRow("colour map") << "view.colourMap" << 2;
+        QTest::newRow("interpolation") << "view.interpolation" << 1;
+        QTest::newRow("projection") << "view.projection" << 1;
+        QTest::newRow("beam axis") << "view.beamAxis" << 1;
+    }
+    void choicesGiveTheirValueOnce() {
+        QFETCH(QString, name);
+        QFETCH(int, keysDown);
+        ViewPanel panel;
+        AllSignals all(panel);
+        auto* comboBox = child<QComboBox>(panel, name.toLatin1());
+        for (int i = 0; i < keysDown; ++i) QTest::keyClick(comboBox, Qt::Key_Down);
+        QCOMPARE(all.count(), keysDown);
+    }
+
+    void choicesSayWhatTheyShow() {
+        ViewPanel panel;
+        QCOMPARE(panel.colourMap(), ColourMap::sepia);
+        QCOMPARE(panel.interpolation(), Interpolation::trilinear);
+        QCOMPARE(panel.projection(), Projection::parallel);
+        QCOMPARE(panel.beamAxis(), BeamAxis::plusZ);
+        QSignalSpy colour(&panel, &ViewPanel::colourMapChanged);
+        QSignalSpy interpolation(&panel, &ViewPanel::interpolationChanged);
+        QSignalSpy projection(&panel, &ViewPanel::projectionChanged);
+        QSignalSpy beam(&panel, &ViewPanel::beamAxisChanged);
+        QTest::keyClicks(child<QComboBox>(panel, "view.colourMap"), "I");
+        QTest::keyClicks(child<QComboBox>(panel, "view.interpolation"), "N");
+        QTest::keyClicks(child<QComboBox>(panel, "view.projection"), "Pe");
+        QTest::keyClicks(child<QComboBox>(panel, "view.beamAxis"), "+y");
+        QCOMPARE(colour.last().first().value<ColourMap>(), ColourMap::ice);
+        QCOMPARE(interpolation.last().first().value<Interpolation>(), Interpolation::nearest);
+        QCOMPARE(projection.last().first().value<Projection>(), Projection::perspective);
+        QCOMPARE(beam.last().first().value<BeamAxis>(), BeamAxis::plusY);
+    }
+
+    void beamAxesReadAsWhatTheyAre() {
+        ViewPanel panel;
+        auto* comboBox = child<QComboBox>(panel, "view.beamAxis");
+        const QList<std::pair<BeamAxis, QString>> axes{{BeamAxis::plusX, "+x"}, {BeamAxis::minusX, "−x"},
+                                                       {BeamAxis::plusY, "+y"}, {BeamAxis::minusY, "−y"},
+                                                       {BeamAxis::plusZ, "+z"}, {BeamAxis::minusZ, "−z"}};
+        for (const auto& [axis, text] : axes) {
+            panel.setBeamAxis(axis);
+            QCOMPARE(comboBox->currentText(), text);
+            QCOMPARE(panel.beamAxis(), axis);
+        }
+    }
+
+    void lightAndButtons() {
+        ViewPanel panel;
+        AllSignals all(panel);
+        QSignalSpy light(&panel, &ViewPanel::shadedChanged);
+        QSignalSpy reset(&panel, &ViewPanel::resetRequested);
+        QSignalSpy save(&panel, &ViewPanel::savePictureRequested);
+        QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
+        QCOMPARE(light.takeFirst().first().toBool(), false);
+        QTest::mouseClick(child<QPushButton>(panel, "view.reset"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>(panel, "view.savePicture"), Qt::LeftButton);
+        QCOMPARE(reset.count(), 1);
+        QCOMPARE(save.count(), 1);
+        QCOMPARE(all.count(), 3);
+    }
+
+    void phaseSelectorAppearsWithPhases() {
+        ViewPanel panel;
+        panel.show();
+        auto* slider = child<QSlider>(panel, "view.phase");
+        auto* number = child<QSpinBox>(panel, "view.phase.value");
+        QVERIFY(!slider->isVisible());
+        AllSignals all(panel);
+        panel.setPhaseCount(12);
+        QVERIFY(slider->isVisible());
+        panel.setPhase(11);
+        QCOMPARE(number->text(), "12 of 12");
+        QCOMPARE(all.count(), 0);
+
+        QSignalSpy spy(&panel, &ViewPanel::phaseChanged);
+        QTest::keyClick(slider, Qt::Key_Left);
+        QCOMPARE(spy.takeFirst().first().toInt(), 10);
+        QTest::keyClick(number, Qt::Key_Down);
+        QCOMPARE(spy.takeFirst().first().toInt(), 9);
+        QCOMPARE(panel.phase(), 9);
+        QCOMPARE(all.count(), 2);
+
+        panel.setPhaseCount(5);
+        QCOMPARE(panel.phase(), 0);
+        panel.setPhaseCount(1);
+        QVERIFY(!slider->isVisible());
+        QCOMPARE(all.count(), 2);
+    }
+
+    void viewSettersAreSilent() {
+        ViewPanel panel;
+        AllSignals all(panel);
+        panel.setShaded(false);
+        panel.setColourMap(ColourMap::grey);
+        panel.setInterpolation(Interpolation::nearest);
+        panel.setProjection(Projection::perspective);
+        panel.setBeamAxis(BeamAxis::minusY);
+        panel.setNearCutMm(5);
+        QCOMPARE(all.count(), 0);
+        QCOMPARE(panel.shaded(), false);
+        QCOMPARE(panel.colourMap(), ColourMap::grey);
+        QCOMPARE(panel.interpolation(), Interpolation::nearest);
+        QCOMPARE(panel.projection(), Projection::perspective);
+        QCOMPARE(panel.nearCutMm(), 5.0);
+    }
+
+    void playAsksAndWaitsForTheAnswer() {
+        MotionPanel panel;
+        auto* play = child<QPushButton>(panel, "motion.play");
+        QSignalSpy spy(&panel, &MotionPanel::playRequested);
+        QTest::mouseClick(play, Qt::LeftButton);
+        QCOMPARE(spy.takeFirst().first().toBool(), true);
+        QCOMPARE(panel.playing(), false);  // only the player knows whether it plays
+        panel.setPlaying(true);
+        QCOMPARE(play->text(), "Pause");
+        QCOMPARE(play->accessibleName(), "Pause");
+        QTest::keyClick(play, Qt::Key_Space);
+        QCOMPARE(spy.takeFirst().first().toBool(), false);
+        QCOMPARE(spy.count(), 0);
+    }
+
+    void angleInWholeDegrees() {
+        MotionPanel panel;
+        auto* slider = child<QSlider>(panel, "motion.angle");
+        auto* readOut = child<QLabel>(panel, "motion.angle.value");
+        QSignalSpy spy(&panel, &MotionPanel::angleChanged);
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(spy.takeFirst().first().toDouble(), 1.0);
+        QCOMPARE(readOut->text(), "+1°");
+        QTest::keyClick(slider, Qt::Key_Home);
+        QCOMPARE(spy.takeFirst().first().toDouble(), -45.0);
+        QCOMPARE(readOut->text(), "−45°");
+        QTest::keyClick(slider, Qt::Key_End);
+        QCOMPARE(spy.takeFirst().first().toDouble(), 45.0);
+        QTest::keyClick(slider, Qt::Key_PageDown);  // from mark to mark
+        QCOMPARE(spy.takeFirst().first().toDouble(), 30.0);
+    }
+
+    void axisModeAndRepeat() {
+        MotionPanel panel;
+        AllSignals all(panel);
+        QSignalSpy axis(&panel, &MotionPanel::axisChanged);
+        QSignalSpy otf(&panel, &MotionPanel::otfChanged);
+        QSignalSpy pingPong(&panel, &MotionPanel::pingPongChanged);
+        QTest::keyClick(child<QComboBox>(panel, "motion.axis"), Qt::Key_Up);
+        QCOMPARE(axis.takeFirst().first().value<MotionAxis>(), MotionAxis::x);
+        QTest::keyClick(child<QRadioButton>(panel, "motion.mode.eachView"), Qt::Key_Space);
+        QCOMPARE(otf.takeFirst().first().value<MotionOtf>(), MotionOtf::eachView);
+        QTest::keyClick(child<QRadioButton>(panel, "motion.mode.static"), Qt::Key_Space);
+        QCOMPARE(otf.takeFirst().first().value<MotionOtf>(), MotionOtf::oneOtf);
+        QTest::keyClick(child<QCheckBox>(panel, "motion.pingPong"), Qt::Key_Space);
+        QCOMPARE(pingPong.takeFirst().first().toBool(), false);
+        QCOMPARE(all.count(), 4);
+    }
+
+    void motionSettersAreSilent() {
+        MotionPanel panel;
+        AllSignals all(panel);
+        panel.setPlaying(true);
+        panel.setAngle(-7.4);
+        panel.setAxis(MotionAxis::z);
+        panel.setOtf(MotionOtf::eachView);
+        panel.setOtf(MotionOtf::oneOtf);
+        panel.setOtf(MotionOtf::eachView);
+        panel.setPingPong(false);
+        panel.setFrameRate(24.4);
+        QCOMPARE(all.count(), 0);
+        QCOMPARE(panel.angle(), -7.0);
+        QCOMPARE(panel.axis(), MotionAxis::z);
+        QCOMPARE(panel.otf(), MotionOtf::eachView);
+        QCOMPARE(panel.pingPong(), false);
+        QCOMPARE(child<QLabel>(panel, "motion.frameRate")->text(), "24 frames/s");
+        panel.setFrameRate(std::nullopt);
+        QCOMPARE(child<QLabel>(panel, "motion.frameRate")->text(), "");
+        panel.setAngle(1000);
+        QCOMPARE(panel.angle(), 45.0);
+    }
+};
+
+QTEST_MAIN(TestPanelsPictureAndMotion)
+#include "test_panels_picture_and_motion.moc"

@@ -1,0 +1,129 @@
+// The dialog for headerless files: its arithmetic in 64 bits, and OK only where the layout fits the file.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "widgets/panels/raw_layout_dialog.h"
+
+using namespace echolucent;
+
+namespace {
+
+template <typename Widget>
+Widget* child(QWidget& panel, const char* name) {
+    auto* found = panel.findChild<Widget*>(name);
+    if (found == nullptr) qFatal("no %s", name);
+    return found;
+}
+
+void type(QAbstractSpinBox* spinBox, const QString& text) {
+    spinBox->selectAll();
+    QTest::keyClicks(spinBox, text);
+    QTest::keyClick(spinBox, Qt::Key_Tab);
+}
+
+constexpr std::int64_t huge = std::int64_t{1} << 31;
+
+}  // namespace
+
+class TestPanelsRawLayout : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void bytesOfALayout_data() {
+        QTest::addColumn<RawLayoutValues>("layout");
+        QTest::addColumn<qlonglong>("bytes");  // -1: none
+        const auto row = [](const char* name, RawLayoutValues layout, qlonglong bytes) {
+            QTest::newRow(name) << layout << bytes;
+        };
+        row("bytes", {.size = {2, 3, 4}}, 24);
+        row("int8", {.size = {2, 3, 4}, .type = "int8"}, 24);
+        row("uint16 and header", {.size = {2, 3, 4}, .type = "uint16", .headerBytes = 10}, 58);
+        row("int16", {.size = {2, 3, 4}, .type = "int16"}, 48);
+        row("uint32", {.size = {2, 3, 4}, .type = "uint32"}, 96);
+        row("int32", {.size = {2, 3, 4}, .type = "int32"}, 96);
+        row("float32", {.size = {2, 3, 4}, .type = "float32"}, 96);
+        row("float64", {.size = {2, 3, 4}, .type = "float64"}, 192);
+        row("beyond 32 bits", {.size = {3000, 2000, 1000}, .type = "uint16"}, 12000000000);
+        row("2^62", {.size = {huge, huge, 1}}, qlonglong{1} << 62);
+        row("2^63", {.size = {huge, huge, 2}}, -1);
+        row("2^62 times 2", {.size = {huge, huge, 1}, .type = "int16"}, -1);
+        row("2^93", {.size = {huge, huge, huge}}, -1);
+        row("wraps to 0 in 64 bits", {.size = {huge, huge, 4}}, -1);
+        row("header too long", {.size = {huge, huge, 1}, .headerBytes = std::numeric_limits<std::int64_t>::max()}, -1);
+        row("largest", {.size = {1, 1, 1}, .headerBytes = std::numeric_limits<std::int64_t>::max() - 1},
+            std::numeric_limits<std::int64_t>::max());
+        row("no voxels", {.size = {2, 0, 4}}, -1);
+        row("negative", {.size = {-2, -3, 4}}, -1);
+        row("negative header", {.size = {2, 3, 4}, .headerBytes = -1}, -1);
+        row("unknown type", {.size = {2, 3, 4}, .type = "uint7"}, -1);
+    }
+    void bytesOfALayout() {
+        QFETCH(RawLayoutValues, layout);
+        QFETCH(qlonglong, bytes);
+        QCOMPARE(bytesNeeded(layout).value_or(-1), bytes);
+    }
+
+    void okOnlyWhereItFits() {
+        RawLayoutDialog dialog("heart.raw", 58);
+        auto* ok = child<QPushButton>(dialog, "rawLayout.ok");
+        auto* fit = child<QLabel>(dialog, "rawLayout.fit");
+        QVERIFY(!ok->isEnabled());  // no size yet
+        type(child<QSpinBox>(dialog, "rawLayout.sizeX"), "2");
+        type(child<QSpinBox>(dialog, "rawLayout.sizeY"), "3");
+        type(child<QSpinBox>(dialog, "rawLayout.sizeZ"), "4");
+        QVERIFY(fit->text().contains("34 are left over"));
+        QVERIFY(ok->isEnabled());
+        child<QComboBox>(dialog, "rawLayout.type")->setCurrentText("uint16");
+        QVERIFY(fit->text().contains("10 are left over"));
+        QTest::mouseClick(child<QPushButton>(dialog, "rawLayout.headerFit"), Qt::LeftButton);
+        QVERIFY(ok->isEnabled());
+        QVERIFY(!fit->text().contains("left over"));
+        QVERIFY(!child<QPushButton>(dialog, "rawLayout.headerFit")->isEnabled());
+        QCOMPARE(dialog.values().headerBytes, 10);
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.headerBytes"), "11");
+        QVERIFY(fit->text().contains("1 are missing"));
+        QVERIFY(!ok->isEnabled());
+    }
+
+    void valuesComeBack() {
+        RawLayoutDialog dialog("heart.raw", 1000);
+        const RawLayoutValues values{.size = {152, 156, 110},
+                                     .type = "float32",
+                                     .bigEndian = true,
+                                     .headerBytes = (std::int64_t{1} << 40) + 1,
+                                     .spacing = {0.3, 0.123456789, 2.5},
+                                     .spacingKnown = true};
+        dialog.setValues(values);
+        QCOMPARE(dialog.values(), values);
+        QCOMPARE(child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->text(), "0.3");
+    }
+
+    void unknownSpacingIsOne() {
+        RawLayoutDialog dialog("heart.raw", 1000);
+        dialog.setValues({.size = {1, 1, 1}, .spacing = {0.3, 0.3, 0.3}, .spacingKnown = true});
+        QTest::keyClick(child<QCheckBox>(dialog, "rawLayout.spacingUnknown"), Qt::Key_Space);
+        QVERIFY(!child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->isEnabled());
+        QCOMPARE(dialog.values(), (RawLayoutValues{.size = {1, 1, 1}}));
+    }
+
+    void hugeSizesEndInASentence() {
+        RawLayoutDialog dialog("heart.raw", 1000);
+        constexpr std::int64_t largest = std::numeric_limits<int>::max();
+        dialog.setValues({.size = {largest, largest, largest}, .type = "float64"});
+        QVERIFY(child<QLabel>(dialog, "rawLayout.fit")->text().contains("more than 2⁶³ bytes"));
+        QVERIFY(!dialog.fits());
+        QVERIFY(!child<QPushButton>(dialog, "rawLayout.headerFit")->isEnabled());
+    }
+
+    void fileBeyondFourGigabytes() {
+        RawLayoutDialog dialog("heart.raw", 12000000000);
+        dialog.setValues({.size = {3000, 2000, 1000}, .type = "int16"});
+        QVERIFY(dialog.fits());
+        QVERIFY(child<QLabel>(dialog, "rawLayout.fit")->text().contains("12,000,000,000"));
+    }
+};
+
+QTEST_MAIN(TestPanelsRawLayout)
+#include "test_panels_raw_layout.moc"

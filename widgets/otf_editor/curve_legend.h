@@ -1,0 +1,28 @@
+// Which curve is rendered and which are drawn.
+#pragma once
+
+#include <QCheckBox>
+#include <QRadioButton>
+#include <QWidget>
+#include <array>
+
+#include "widgets/otf_editor/otf_editor_model.h"
+
+namespace echolucent {
+
+/// A column per curve: a radio button makes it the rendered one, a check box beside a piece of its line draws it.
+class CurveLegend : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CurveLegend(OtfEditorModel& model, QWidget* parent = nullptr);
+
+private:
+    void showState();
+
+    OtfEditorModel& m_model;
+    std::array<QRadioButton*, 5> m_active{};
+    std::array<QCheckBox*, 5> m_visible{};
+};
+
+}  // namespace echolucent

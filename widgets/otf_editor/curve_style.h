@@ -1,0 +1,37 @@
+// One look per curve, everywhere: colour and line style, so that no meaning rests on colour alone.
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QPen>
+#include <QSize>
+#include <QString>
+
+#include "widgets/otf_editor/otf_editor_state.h"
+
+namespace echolucent {
+
+/// The accent of the program: what is active.
+inline constexpr QColor accentColor{0x4f, 0xb3, 0xbf};
+
+/// The part of object names that stands for a kind: "adaptive", "manual", "linear", "parabolic", "quartic".
+[[nodiscard]] QString curveKey(CurveKind kind);
+/// The name in a legend: "Adaptive", "Manual", "Linear", "x²", "x⁴".
+[[nodiscard]] QString curveShortName(CurveKind kind);
+/// The name in a sentence: "adaptive", "manual", "linear", "parabolic", "quartic".
+[[nodiscard]] QString curveName(CurveKind kind);
+
+[[nodiscard]] QColor curveColor(CurveKind kind);
+/// Colour, width and dashes; the active curve is drawn heavier.
+[[nodiscard]] QPen curvePen(CurveKind kind, bool active);
+inline constexpr QSize curveSampleSize{25, 12};  ///< pixels
+/// A short piece of the line, with a square node for the manual curve.
+[[nodiscard]] QIcon curveSample(CurveKind kind);
+
+/// The square of a manual curve's node around `centre`; `side` in pixels.
+void paintNode(QPainter& painter, QPointF centre, double side, const QColor& fill, const QColor& outline);
+
+/// An arrow bent to the left (undo) or to the right (redo).
+[[nodiscard]] QIcon bentArrowIcon(bool toTheLeft, const QColor& color, const QColor& disabledColor);
+
+}  // namespace echolucent

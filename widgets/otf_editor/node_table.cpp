@@ -1,0 +1,89 @@
+#include "widgets/otf_editor/node_table.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <algorithm>
+#include <utility>
+
+namespace echolucent {
+
+namespace {
+
+bool beginsNumber(const QKeyEvent& event) {
+    const QString text = event.text();
+    return text.size() == 1 && QString("0123456789.,").contains(text) &&
+           !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+}
+
+}  // namespace
+
+NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent), m_editorModel(model), m_rows(model) {
+    setObjectName("otfEditor.nodeTable");
+    setAccessibleName(tr("Nodes of the manual curve"));
+    setModel(&m_rows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setSelectionBehavior(QAbstractItemView::SelectItems);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                    QAbstractItemView::AnyKeyPressed);
+    setTabKeyNavigation(false);  // Tab goes on to the next control, arrows move within
+    setWordWrap(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setHighlightSections(false);
+    verticalHeader()->setHighlightSections(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(&m_rows, &NodeTableModel::refused, this, &NodeTable::refused);
+    connect(&m_rows, &QAbstractItemModel::modelReset, this, &NodeTable::showSelectedNode);
+    connect(&m_editorModel, &OtfEditorModel::selectedNodeChanged, this, &NodeTable::showSelectedNode);
+}
+
+void NodeTable::setWhiteLevel(double whiteLevel) {
+    m_rows.setWhiteLevel(whiteLevel);
+    setColumnHidden(NodeTableModel::storedColumn, !(whiteLevel > 1.0));
+}
+
+bool NodeTable::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool moves = key.key() == Qt::Key_Left || key.key() == Qt::Key_Right;
+        if (beginsNumber(key) || key.key() == Qt::Key_Delete || moves) {  // digits choose a curve elsewhere
+            event->accept();
+            return true;
+        }
+    }
+    return QTableView::event(event);
+}
+
+void NodeTable::keyPressEvent(QKeyEvent* event) {
+    const bool typing = state() == QAbstractItemView::EditingState;
+    if (!typing && event->key() == Qt::Key_Delete && currentIndex().isValid()) {
+        m_editorModel.removeNode(currentIndex().row());
+        return;
+    }
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!typing && enters && currentIndex().isValid()) {
+        edit(currentIndex());
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+void NodeTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    QTableView::currentChanged(current, previous);
+    if (!m_following && current.isValid()) m_editorModel.selectNode(current.row());
+}
+
+void NodeTable::showSelectedNode() {
+    const bool outer = std::exchange(m_following, true);
+    const int node = m_editorModel.selectedNode();
+    if (node < 0 || node >= m_rows.rowCount()) {
+        setCurrentIndex({});
+        clearSelection();
+    } else if (currentIndex().row() != node) {
+        setCurrentIndex(m_rows.index(node, std::max(0, currentIndex().column())));
+    }
+    m_following = outer;
+}
+
+}  // namespace echolucent

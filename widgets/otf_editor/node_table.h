@@ -1,0 +1,37 @@
+// The table of exact node values.
+#pragma once
+
+#include <QTableView>
+
+#include "widgets/otf_editor/node_table_model.h"
+
+namespace echolucent {
+
+/// Its current row is the editor's selected node; Delete removes it; Return, F2 or a digit begins typing.
+class NodeTable : public QTableView {
+    Q_OBJECT
+
+public:
+    explicit NodeTable(OtfEditorModel& model, QWidget* parent = nullptr);
+
+    /// Stored value at intensity 1; at 1 or less the column of stored values is hidden.
+    void setWhiteLevel(double whiteLevel);
+
+signals:
+    /// A sentence about an input that was not taken.
+    void refused(const QString& reason);
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+
+private:
+    void showSelectedNode();
+
+    OtfEditorModel& m_editorModel;
+    NodeTableModel m_rows;
+    bool m_following = false;  // the selection comes from the model
+};
+
+}  // namespace echolucent

@@ -1,0 +1,118 @@
+#include "widgets/otf_editor/node_table_model.h"
+
+#include <QLocale>
+
+namespace echolucent {
+
+namespace {
+
+QString exactText(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
+
+/// Four decimals, six significant digits for stored values, no trailing zeros.
+QString roundedText(double value, bool stored) {
+    if (stored) return QString::number(value, 'g', 6);
+    return QString::number(value, 'f', 4);
+}
+
+}  // namespace
+
+NodeTableModel::NodeTableModel(OtfEditorModel& model, QObject* parent)
+    : QAbstractTableModel(parent), m_model(model), m_nodes(model.state().manual.nodes) {
+    connect(&m_model, &OtfEditorModel::manualEdited, this, &NodeTableModel::takeNodes);
+}
+
+void NodeTableModel::setWhiteLevel(double whiteLevel) {
+    m_whiteLevel = whiteLevel > 0.0 ? whiteLevel : 1.0;
+    if (!m_nodes.empty()) emit dataChanged(index(0, storedColumn), index(rowCount() - 1, storedColumn));
+}
+
+void NodeTableModel::takeNodes() {
+    const std::vector<CurveNode>& nodes = m_model.state().manual.nodes;
+    if (nodes.size() != m_nodes.size()) {
+        beginResetModel();
+        m_nodes = nodes;
+        endResetModel();
+        return;
+    }
+    m_nodes = nodes;
+    if (!m_nodes.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, storedColumn));
+}
+
+int NodeTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_nodes.size());
+}
+
+int NodeTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 3; }
+
+double NodeTableModel::valueAt(const QModelIndex& index) const {
+    const CurveNode& node = m_nodes[static_cast<std::size_t>(index.row())];
+    if (index.column() == opacityColumn) return node.opacity;
+    return index.column() == storedColumn ? node.intensity * m_whiteLevel : node.intensity;
+}
+
+NodeTableModel::Range NodeTableModel::rangeAt(const QModelIndex& index) const {
+    if (index.column() == opacityColumn) return {0.0, 1.0};
+    const double scale = index.column() == storedColumn ? m_whiteLevel : 1.0;
+    const auto row = static_cast<std::size_t>(index.row());
+    return {row > 0 ? m_nodes[row - 1].intensity * scale : 0.0,
+            row + 1 < m_nodes.size() ? m_nodes[row + 1].intensity * scale : scale};
+}
+
+QString NodeTableModel::rangeText(const QModelIndex& index) const {
+    const Range range = rangeAt(index);
+    return tr("%1 of node %2 lies between %3 and %4")
+        .arg(headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString())
+        .arg(index.row() + 1)
+        .arg(range.lower, 0, 'g', 4)
+        .arg(range.upper, 0, 'g', 4);
+}
+
+QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) return {};
+    switch (role) {
+        case Qt::DisplayRole: return roundedText(valueAt(index), index.column() == storedColumn);
+        case Qt::EditRole: return exactText(valueAt(index));
+        case Qt::ToolTipRole: return rangeText(index);
+        case Qt::TextAlignmentRole: return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+        default: return {};
+    }
+}
+
+bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !index.isValid()) return false;
+    const QString text = value.toString().trimmed();
+    if (text == exactText(valueAt(index))) return false;  // looked at, not changed
+    bool isNumber = false;
+    const double number = QString(text).replace(',', '.').toDouble(&isNumber);
+    const Range range = rangeAt(index);
+    if (!isNumber || !(number >= range.lower && number <= range.upper)) {
+        emit refused(rangeText(index));
+        return false;
+    }
+    CurveNode node = m_nodes[static_cast<std::size_t>(index.row())];
+    switch (index.column()) {
+        case intensityColumn: node.intensity = number; break;
+        case opacityColumn: node.opacity = number; break;
+        default: node.intensity = number / m_whiteLevel;
+    }
+    m_model.moveNode(index.row(), node);
+    return true;
+}
+
+QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role == Qt::TextAlignmentRole && orientation == Qt::Horizontal)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    if (role != Qt::DisplayRole) return {};
+    if (orientation == Qt::Vertical) return section + 1;
+    switch (section) {
+        case intensityColumn: return tr("Intensity");
+        case opacityColumn: return tr("Opacity");
+        default: return tr("Stored");
+    }
+}
+
+Qt::ItemFlags NodeTableModel::flags(const QModelIndex& index) const {
+    return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
+}
+
+}  // namespace echolucent

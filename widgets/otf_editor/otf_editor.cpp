@@ -1,0 +1,342 @@
+#include "widgets/otf_editor/otf_editor.h"
+
+#include <QActionGroup>
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/curve_legend.h"
+#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/node_reduction.h"
+#include "widgets/otf_editor/node_table.h"
+#include "widgets/otf_editor/parameter_panel.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr int shownNodeRows = 4;  // of the node table, without scrolling
+
+QToolButton* buttonFor(QAction* action, const QString& objectName, Qt::ToolButtonStyle style) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setObjectName(objectName);
+    button->setAccessibleName(action->text().remove('&'));
+    button->setToolButtonStyle(style);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+/// The lowest of 256 intensities at which the curve reaches an opacity; nothing where it never does.
+std::optional<double> intensityReaching(const OpacityCurve& curve, double opacity) {
+    const std::vector<double> opacities = sampledOpacities(curve, 256);
+    const auto reached = std::ranges::find_if(opacities, [opacity](double value) { return value >= opacity; });
+    if (reached == opacities.end()) return std::nullopt;
+    return static_cast<double>(reached - opacities.begin()) / 255.0;
+}
+
+QLabel* secondaryLabel(const QString& text = {}) {
+    auto* label = new QLabel(text);
+    label->setProperty("secondary", true);
+    return label;
+}
+
+}  // namespace
+
+OtfEditor::OtfEditor(QWidget* parent) : QWidget(parent) {
+    setObjectName("otfEditor");
+    setAccessibleName(tr("Opacity transfer function"));
+    makeActions();
+    makePresets();
+    m_canvas = new CurveCanvas(m_model);
+    m_readout = secondaryLabel();
+    m_readout->setObjectName("otfEditor.readout");
+    m_readout->setAccessibleName(tr("Values under the pointer"));
+    m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
+    column->addLayout(makeToolRow());
+    column->addWidget(m_canvas, 1);
+    column->addWidget(m_readout);
+    column->addWidget(new CurveLegend(m_model));
+    column->addWidget(m_pages = makePages());
+    column->addLayout(makeFileRow());
+    connectModel();
+    paintIcons();
+    showState();
+}
+
+OtfEditor::~OtfEditor() {
+    // A number still being typed is committed as the focus goes, and the table refers to the model: both first.
+    hide();
+    undoStack()->disconnect(this);
+    qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+}
+
+void OtfEditor::makeActions() {
+    const auto make = [this](QAction*& action, const QString& text, const QString& name) {
+        action = new QAction(text, this);
+        action->setObjectName("otfEditor.action." + name);
+        addAction(action);
+    };
+    make(m_undo, tr("Undo"), "undo");
+    make(m_redo, tr("Redo"), "redo");
+    make(m_reset, tr("Reset"), "reset");
+    make(m_copyAdaptive, tr("Copy adaptive into nodes"), "copyAdaptive");
+    make(m_openCurve, tr("Open curve…"), "openCurve");
+    make(m_saveCurve, tr("Save curve…"), "saveCurve");
+    make(m_addNode, tr("Add node"), "addNode");
+    make(m_deleteNode, tr("Delete node"), "deleteNode");
+    m_undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+    m_redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+    m_reset->setShortcut(QKeySequence(Qt::Key_C));
+    m_copyAdaptive->setToolTip(
+        tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
+    m_openCurve->setToolTip(tr("Open a manual curve from a file"));
+    m_saveCurve->setToolTip(tr("Save the manual curve to a file"));
+    m_addNode->setToolTip(tr("Add a node on the curve, after the selected one"));
+    m_deleteNode->setToolTip(tr("Delete the selected node (Delete)"));
+    connect(m_undo, &QAction::triggered, undoStack(), &QUndoStack::undo);
+    connect(m_redo, &QAction::triggered, undoStack(), &QUndoStack::redo);
+    connect(m_reset, &QAction::triggered, &m_model, &OtfEditorModel::resetActiveCurve);
+    connect(m_copyAdaptive, &QAction::triggered, &m_model, &OtfEditorModel::copyAdaptiveIntoNodes);
+    connect(m_openCurve, &QAction::triggered, this, &OtfEditor::openCurveRequested);
+    connect(m_saveCurve, &QAction::triggered, this, [this] { emit saveCurveRequested(state().manual); });
+    connect(m_addNode, &QAction::triggered, &m_model, &OtfEditorModel::addNodeInGap);
+    connect(m_deleteNode, &QAction::triggered, this, [this] { m_model.removeNode(m_model.selectedNode()); });
+    auto* group = new QActionGroup(this);
+    for (const CurveKind kind : allCurveKinds) {
+        QAction*& action = m_activate[indexOf(kind)];
+        make(action, tr("Render %1").arg(curveName(kind)), "active." + curveKey(kind));
+        action->setCheckable(true);
+        action->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(indexOf(kind))));
+        group->addAction(action);
+        connect(action, &QAction::triggered, &m_model, [this, kind] { m_model.setActive(kind); });
+    }
+}
+
+void OtfEditor::makePresets() {
+    m_presets = new QMenu(tr("Presets"), this);
+    m_presets->setObjectName("otfEditor.presets.menu");
+    for (const CurvePreset& preset : curvePresets()) {
+        QAction* action = m_presets->addAction(preset.name);
+        action->setObjectName("otfEditor.presets." + preset.key);
+        connect(action, &QAction::triggered, &m_model,
+                [this, preset] { m_model.replaceManual(preset.curve, tr("preset %1").arg(preset.name)); });
+    }
+}
+
+QLayout* OtfEditor::makeToolRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(buttonFor(m_undo, "otfEditor.undo", Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(m_redo, "otfEditor.redo", Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(m_reset, "otfEditor.reset", Qt::ToolButtonTextOnly));
+    auto* presets = new QToolButton;
+    presets->setObjectName("otfEditor.presets");
+    presets->setText(m_presets->title());
+    presets->setAccessibleName(tr("Presets of the manual curve"));
+    presets->setToolTip(tr("Begin the manual curve from a preset"));
+    presets->setMenu(m_presets);
+    presets->setPopupMode(QToolButton::InstantPopup);
+    presets->setFocusPolicy(Qt::StrongFocus);
+    row->addWidget(presets);
+    row->addStretch(1);
+    auto* logarithmic = new QCheckBox(tr("Log histogram"));
+    logarithmic->setObjectName("otfEditor.histogramLog");
+    logarithmic->setToolTip(tr("Logarithmic heights show rare intensities too"));
+    logarithmic->setChecked(true);
+    connect(logarithmic, &QCheckBox::toggled, this, [this](bool on) {
+        m_canvas->setHistogramScale(on ? HistogramScale::logarithmic : HistogramScale::linear);
+    });
+    row->addWidget(logarithmic);
+    return row;
+}
+
+QStackedWidget* OtfEditor::makePages() {
+    auto* pages = new QStackedWidget;
+    pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // the plot must not jump when the page changes
+    pages->addWidget(makeAdaptivePage());                              // in the order of allCurveKinds
+    pages->addWidget(makeManualPage());
+    pages->addWidget(new LinearParameters(m_model));
+    pages->addWidget(new PowerParameters(m_model, CurveKind::parabolic));
+    pages->addWidget(new PowerParameters(m_model, CurveKind::quartic));
+    return pages;
+}
+
+QWidget* OtfEditor::makeAdaptivePage() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_adaptiveNote = secondaryLabel();
+    m_adaptiveNote->setObjectName("otfEditor.adaptive.note");
+    m_adaptiveNote->setWordWrap(true);
+    m_adaptiveNote->setTextFormat(Qt::RichText);
+    column->addWidget(m_adaptiveNote);
+    column->addStretch(1);
+    return page;
+}
+
+QWidget* OtfEditor::makeManualPage() {
+    auto* page = new QWidget;
+    auto* row = new QHBoxLayout(page);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_nodeTable = new NodeTable(m_model);
+    m_nodeTable->setFixedHeight((shownNodeRows + 1) * (fontMetrics().height() + 8) + 6);
+    row->addWidget(m_nodeTable, 1);
+    auto* buttons = new QVBoxLayout;
+    buttons->setSpacing(4);
+    for (QToolButton* button : {buttonFor(m_addNode, "otfEditor.addNode", Qt::ToolButtonTextOnly),
+                                buttonFor(m_deleteNode, "otfEditor.deleteNode", Qt::ToolButtonTextOnly)}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch(1);
+    row->addLayout(buttons);
+    return page;
+}
+
+QLayout* OtfEditor::makeFileRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(buttonFor(m_copyAdaptive, "otfEditor.copyAdaptive", Qt::ToolButtonTextOnly));
+    row->addStretch(1);
+    row->addWidget(buttonFor(m_openCurve, "otfEditor.openCurve", Qt::ToolButtonTextOnly));
+    row->addWidget(buttonFor(m_saveCurve, "otfEditor.saveCurve", Qt::ToolButtonTextOnly));
+    return row;
+}
+
+void OtfEditor::connectModel() {
+    connect(&m_model, &OtfEditorModel::changed, this, &OtfEditor::showState);
+    connect(&m_model, &OtfEditorModel::activeCurveChanged, this, &OtfEditor::activeCurveChanged);
+    connect(&m_model, &OtfEditorModel::activeChanged, this, &OtfEditor::activeChanged);
+    connect(&m_model, &OtfEditorModel::manualEdited, this, &OtfEditor::manualEdited);
+    connect(&m_model, &OtfEditorModel::manualModifiedChanged, this, &OtfEditor::manualModifiedChanged);
+    const auto showSteps = [this] {
+        m_undo->setEnabled(undoStack()->canUndo());
+        m_redo->setEnabled(undoStack()->canRedo());
+        m_undo->setText(undoStack()->canUndo() ? tr("Undo %1").arg(undoStack()->undoText()) : tr("Undo"));
+        m_redo->setText(undoStack()->canRedo() ? tr("Redo %1").arg(undoStack()->redoText()) : tr("Redo"));
+        m_undo->setToolTip(tr("%1 (Ctrl+Z)").arg(m_undo->text()));
+        m_redo->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(m_redo->text()));
+    };
+    connect(undoStack(), &QUndoStack::indexChanged, this, showSteps);
+    showSteps();
+    connect(m_canvas, &CurveCanvas::hovered, this, &OtfEditor::showHovered);
+    connect(m_nodeTable, &NodeTable::refused, m_readout, &QLabel::setText);
+}
+
+void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
+
+void OtfEditor::setWhiteLevel(double whiteLevel) {
+    m_whiteLevel = whiteLevel;
+    m_canvas->setWhiteLevel(whiteLevel);
+    m_nodeTable->setWhiteLevel(whiteLevel);
+    showState();
+}
+
+void OtfEditor::setCursorIntensity(std::optional<double> intensity) {
+    m_cursorIntensity = intensity;
+    m_canvas->setCursorIntensity(intensity);
+    showReadout();
+}
+
+void OtfEditor::openManualCurve(const ManualCurve& curve) {
+    m_model.replaceManual(curve, tr("open curve"));
+    m_model.setActive(CurveKind::manual);
+    m_model.setManualSaved();
+}
+
+void OtfEditor::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) paintIcons();
+    QWidget::changeEvent(event);
+}
+
+void OtfEditor::paintIcons() {
+    const QColor color = palette().color(QPalette::Active, QPalette::WindowText);
+    QColor faded = color;
+    faded.setAlphaF(0.35F);
+    m_undo->setIcon(bentArrowIcon(true, color, faded));
+    m_redo->setIcon(bentArrowIcon(false, color, faded));
+}
+
+void OtfEditor::showState() {
+    const OtfEditorState& shown = state();
+    const bool computed = !shown.adaptive.opacities.empty();
+    m_activate[indexOf(shown.active)]->setChecked(true);
+    m_pages->setCurrentIndex(static_cast<int>(indexOf(shown.active)));
+    m_copyAdaptive->setEnabled(computed);
+    m_reset->setEnabled(shown.active != CurveKind::adaptive);
+    m_reset->setToolTip(shown.active == CurveKind::adaptive
+                            ? tr("The adaptive curve comes from the volume")
+                            : tr("Reset the %1 curve (C)").arg(curveName(shown.active)));
+    m_deleteNode->setEnabled(m_model.selectedNode() >= 0 && m_model.canRemoveNode());
+    m_adaptiveNote->setText(computed ? adaptiveFacts() : tr("No adaptive curve yet: it is computed from the volume."));
+    if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;
+    if (m_hoveredNode >= 0) m_hovered = shown.manual.nodes[static_cast<std::size_t>(m_hoveredNode)];
+    showReadout();
+}
+
+QString OtfEditor::adaptiveFacts() const {
+    QString opacities;
+    QString intensities;
+    for (const double opacity : {0.01, 0.1, 0.5, 0.9}) {
+        const std::optional<double> intensity = intensityReaching(state().adaptive, opacity);
+        opacities += QString("<td align='right' width='62'>%1</td>").arg(opacity);
+        intensities += QString("<td align='right'>%1</td>").arg(intensity ? intensityText(*intensity) : tr("never"));
+    }
+    return tr("Computed from the volume. To edit it, copy it into nodes.") +
+           QString(
+               "<table cellspacing='0' cellpadding='1' style='margin-top:6px'><tr><td>%1</td>%2</tr>"
+               "<tr><td>%3</td>%4</tr></table>")
+               .arg(tr("Opacity reaches"), opacities, tr("at intensity"), intensities);
+}
+
+QString OtfEditor::intensityText(double intensity) const { return QString::number(intensity, 'f', 3); }
+
+QString OtfEditor::storedText(double intensity) const {
+    if (!(m_whiteLevel > 1.0)) return {};
+    const double stored = intensity * m_whiteLevel;
+    return m_whiteLevel >= 100.0 ? tr(" (stored %1)").arg(std::lround(stored))
+                                 : tr(" (stored %1)").arg(stored, 0, 'g', 3);
+}
+
+void OtfEditor::showHovered(std::optional<CurveNode> value, int node) {
+    m_hovered = value;
+    m_hoveredNode = node;
+    showReadout();
+}
+
+void OtfEditor::showReadout() {
+    const auto values = [this](const CurveNode& value) {
+        return tr("intensity %1%2   opacity %3")
+            .arg(intensityText(value.intensity), storedText(value.intensity))
+            .arg(value.opacity, 0, 'f', 3);
+    };
+    const auto onCurve = [this](double intensity) {
+        return tr("   %1 %2").arg(curveName(state().active)).arg(opacityAt(activeCurve(), intensity), 0, 'f', 3);
+    };
+    if (m_hovered && m_hoveredNode >= 0) {
+        m_readout->setText(tr("Node %1   %2").arg(m_hoveredNode + 1).arg(values(*m_hovered)));
+    } else if (m_hovered) {
+        m_readout->setText(values(*m_hovered) + onCurve(m_hovered->intensity));
+    } else if (m_cursorIntensity) {
+        m_readout->setText(tr("In the picture   intensity %1%2")
+                               .arg(intensityText(*m_cursorIntensity), storedText(*m_cursorIntensity)) +
+                           onCurve(*m_cursorIntensity));
+    } else {
+        m_readout->setText(tr("Double click adds a node, Delete removes it, the wheel zooms"));
+    }
+}
+
+}  // namespace echolucent

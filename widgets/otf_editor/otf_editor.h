@@ -1,0 +1,120 @@
+// The panel in which opacity transfer functions are seen and edited.
+#pragma once
+
+#include <QAction>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "processing/histogram.h"
+#include "widgets/otf_editor/otf_editor_model.h"
+
+class QLabel;
+class QMenu;
+class QStackedWidget;
+
+namespace echolucent {
+
+class CurveCanvas;
+class NodeTable;
+
+/// Composes the plot, the legend, the numbers of the active curve and the node table. Values in, values out: files are
+/// read and written by whoever answers openCurveRequested and saveCurveRequested.
+///
+/// Its actions own their shortcuts (Ctrl+Z, Ctrl+Shift+Z, C, 1 to 5), which work in the whole window: put the actions
+/// into menus and give those keys to nothing else.
+class OtfEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OtfEditor(QWidget* parent = nullptr);
+    ~OtfEditor() override;
+
+    [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }
+    /// Replaces everything; forgets the undo steps, and the manual curve counts as saved.
+    void setState(const OtfEditorState& state) { m_model.setState(state); }
+    /// What Reset goes back to.
+    void setDefaults(const OtfEditorState& defaults) { m_model.setDefaults(defaults); }
+
+    /// The curve to render now; activeCurveChanged tells every later one.
+    [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
+    void setActive(CurveKind kind) { m_model.setActive(kind); }
+    void setAdaptiveCurve(const SampledCurve& curve) { m_model.setAdaptiveCurve(curve); }
+    void setHistogram(const IntensityHistogram& histogram);
+    /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
+    void setWhiteLevel(double whiteLevel);
+    /// Marks an intensity in the plot, as under the cursor in the 3D view; nothing: no mark.
+    void setCursorIntensity(std::optional<double> intensity);
+
+    /// A curve read from a file: becomes the manual one and active, as one undo step, and counts as saved.
+    void openManualCurve(const ManualCurve& curve);
+    [[nodiscard]] bool isManualModified() const { return m_model.isManualModified(); }
+    /// The manual curve as it is now has been written.
+    void setManualSaved() { m_model.setManualSaved(); }
+
+    [[nodiscard]] OtfEditorModel& model() { return m_model; }
+    [[nodiscard]] QUndoStack* undoStack() { return m_model.undoStack(); }
+    [[nodiscard]] CurveCanvas& canvas() { return *m_canvas; }
+
+    [[nodiscard]] QAction* undoAction() const { return m_undo; }
+    [[nodiscard]] QAction* redoAction() const { return m_redo; }
+    [[nodiscard]] QAction* resetAction() const { return m_reset; }
+    [[nodiscard]] QAction* copyAdaptiveAction() const { return m_copyAdaptive; }
+    [[nodiscard]] QAction* openCurveAction() const { return m_openCurve; }
+    [[nodiscard]] QAction* saveCurveAction() const { return m_saveCurve; }
+    [[nodiscard]] QMenu* presetsMenu() const { return m_presets; }
+    /// Checkable, one of them checked; keys 1 to 5.
+    [[nodiscard]] QAction* activateAction(CurveKind kind) const { return m_activate[indexOf(kind)]; }
+
+signals:
+    /// As OtfEditorModel::activeCurveChanged.
+    void activeCurveChanged(const echolucent::OpacityCurve& curve);
+    void activeChanged(echolucent::CurveKind kind);
+    void manualEdited(const echolucent::ManualCurve& curve);
+    void manualModifiedChanged(bool modified);
+    void openCurveRequested();
+    void saveCurveRequested(const echolucent::ManualCurve& curve);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void makeActions();
+    void makePresets();
+    void connectModel();
+    [[nodiscard]] QLayout* makeToolRow();
+    [[nodiscard]] QStackedWidget* makePages();
+    [[nodiscard]] QWidget* makeAdaptivePage();
+    [[nodiscard]] QWidget* makeManualPage();
+    [[nodiscard]] QLayout* makeFileRow();
+    void paintIcons();
+    void showState();
+    [[nodiscard]] QString adaptiveFacts() const;
+    [[nodiscard]] QString intensityText(double intensity) const;
+    [[nodiscard]] QString storedText(double intensity) const;
+    void showHovered(std::optional<CurveNode> value, int node);
+    void showReadout();
+
+    OtfEditorModel m_model;
+    CurveCanvas* m_canvas = nullptr;
+    NodeTable* m_nodeTable = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    QLabel* m_readout = nullptr;
+    QLabel* m_adaptiveNote = nullptr;
+    QMenu* m_presets = nullptr;
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    QAction* m_reset = nullptr;
+    QAction* m_copyAdaptive = nullptr;
+    QAction* m_openCurve = nullptr;
+    QAction* m_saveCurve = nullptr;
+    QAction* m_addNode = nullptr;
+    QAction* m_deleteNode = nullptr;
+    std::array<QAction*, 5> m_activate{};
+    std::optional<CurveNode> m_hovered;
+    int m_hoveredNode = -1;
+    std::optional<double> m_cursorIntensity;
+    double m_whiteLevel = 255.0;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,287 @@
+#include "widgets/otf_editor/otf_editor_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/otf_editor/curve_edit_step.h"
+#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/node_reduction.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr int announceIntervalMs = 16;  // one frame of a 60 Hz screen
+
+double inUnitInterval(double value) { return value > 0.0 ? std::min(value, 1.0) : 0.0; }
+
+std::ptrdiff_t offset(int index) { return static_cast<std::ptrdiff_t>(index); }
+
+/// The middle of the gap that a new node should go into; gaps before the first and after the last node count.
+double middleOfGap(const std::vector<CurveNode>& nodes, int selected) {
+    const auto next = static_cast<std::size_t>(selected + 1);
+    if (selected >= 0 && next < nodes.size() && nodes[next].intensity > nodes[next - 1].intensity)
+        return (nodes[next - 1].intensity + nodes[next].intensity) / 2;
+    double widest = 0.0;
+    double middle = 0.5;
+    double left = 0.0;
+    for (std::size_t i = 0; i <= nodes.size(); ++i) {
+        const double right = i < nodes.size() ? nodes[i].intensity : 1.0;
+        if (right - left > widest) {
+            widest = right - left;
+            middle = (left + right) / 2;
+        }
+        left = right;
+    }
+    return middle;
+}
+
+}  // namespace
+
+OtfEditorModel::OtfEditorModel(QObject* parent)
+    : QObject(parent), m_savedManual(m_state.manual), m_announced(activeCurve()) {
+    m_announceTimer.setSingleShot(true);
+    m_announceTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_announceTimer, &QTimer::timeout, this, &OtfEditorModel::announceNow);
+}
+
+void OtfEditorModel::setState(const OtfEditorState& state) {
+    m_beforeDrag.reset();
+    m_undoStack.clear();
+    m_savedManual = state.manual;
+    selectNode(-1);
+    apply(state, Announce::now);
+}
+
+void OtfEditorModel::setActive(CurveKind kind) {
+    cancelDrag();
+    OtfEditorState next = m_state;
+    next.active = kind;
+    next.visible[indexOf(kind)] = true;
+    apply(next, Announce::now);
+}
+
+void OtfEditorModel::setVisible(CurveKind kind, bool visible) {
+    OtfEditorState next = m_state;
+    next.visible[indexOf(kind)] = visible;
+    apply(next, Announce::soon);
+}
+
+void OtfEditorModel::setAdaptiveCurve(const SampledCurve& curve) {
+    OtfEditorState next = m_state;
+    next.adaptive = curve;
+    apply(next, Announce::now);
+}
+
+OtfEditorState OtfEditorModel::withManualActive() const {
+    OtfEditorState next = m_state;
+    next.active = CurveKind::manual;
+    next.visible[indexOf(CurveKind::manual)] = true;
+    return next;
+}
+
+int OtfEditorModel::addNode(const CurveNode& node) {
+    cancelDrag();
+    const CurveNode clamped{inUnitInterval(node.intensity), inUnitInterval(node.opacity)};
+    OtfEditorState next = withManualActive();
+    auto& nodes = next.manual.nodes;
+    const auto after =
+        std::upper_bound(nodes.begin(), nodes.end(), clamped.intensity,
+                         [](double intensity, const CurveNode& other) { return intensity < other.intensity; });
+    const int index = static_cast<int>(after - nodes.begin());
+    nodes.insert(after, clamped);
+    edit(next, tr("add node"));
+    selectNode(index);
+    return index;
+}
+
+int OtfEditorModel::addNodeInGap() {
+    const double intensity = middleOfGap(m_state.manual.nodes, m_selectedNode);
+    return addNode({intensity, opacityAt(m_state.manual, intensity)});
+}
+
+void OtfEditorModel::moveNode(int index, const CurveNode& node, Gesture gesture) {
+    cancelDrag();
+    OtfEditorState next = withManualActive();
+    next.manual.nodes.at(static_cast<std::size_t>(index)) = clampedNode(index, node);
+    if (next.manual != m_state.manual) edit(next, tr("move node"), gesture);
+}
+
+void OtfEditorModel::removeNode(int index) {
+    cancelDrag();
+    if (!canRemoveNode() || index < 0 || index >= static_cast<int>(m_state.manual.nodes.size())) return;
+    OtfEditorState next = withManualActive();
+    next.manual.nodes.erase(next.manual.nodes.begin() + offset(index));
+    edit(next, tr("delete node"));
+    selectNode(std::min(index, static_cast<int>(m_state.manual.nodes.size()) - 1));
+}
+
+void OtfEditorModel::replaceManual(const ManualCurve& curve, const QString& what) {
+    cancelDrag();
+    OtfEditorState next = withManualActive();
+    next.manual = curve;
+    edit(next, what);
+}
+
+bool OtfEditorModel::copyAdaptiveIntoNodes() {
+    if (m_state.adaptive.opacities.empty()) return false;
+    replaceManual(reducedToNodes(m_state.adaptive, copiedCurveMaxError), tr("copy adaptive into nodes"));
+    return true;
+}
+
+void OtfEditorModel::setLinear(const LinearCurve& curve, Gesture gesture) {
+    cancelDrag();
+    OtfEditorState next = m_state;
+    next.linear.lower = inUnitInterval(curve.lower);
+    next.linear.upper = std::max(next.linear.lower, inUnitInterval(curve.upper));
+    next.linear.slope = std::isfinite(curve.slope) ? std::max(curve.slope, 0.0) : m_state.linear.slope;
+    edit(next, tr("change linear curve"), gesture);
+}
+
+void OtfEditorModel::setScale(CurveKind kind, double scale, Gesture gesture) {
+    cancelDrag();
+    if (!std::isfinite(scale)) return;
+    OtfEditorState next = m_state;
+    PowerCurve& power = kind == CurveKind::parabolic ? next.parabolic : next.quartic;
+    power.scale = std::max(scale, 0.0);
+    edit(next, tr("change scale"), gesture);
+}
+
+void OtfEditorModel::resetActiveCurve() {
+    cancelDrag();
+    OtfEditorState next = m_state;
+    switch (m_state.active) {
+        case CurveKind::adaptive: return;
+        case CurveKind::manual: next.manual = m_defaults.manual; break;
+        case CurveKind::linear: next.linear = m_defaults.linear; break;
+        case CurveKind::parabolic: next.parabolic = m_defaults.parabolic; break;
+        case CurveKind::quartic: next.quartic = m_defaults.quartic; break;
+    }
+    edit(next, tr("reset %1 curve").arg(curveName(m_state.active)));
+}
+
+void OtfEditorModel::beginDrag() {
+    if (!m_beforeDrag) m_beforeDrag = m_state;
+}
+
+void OtfEditorModel::dragNode(int index, const CurveNode& node) {
+    if (!m_beforeDrag) return;
+    OtfEditorState next = withManualActive();
+    next.manual.nodes.at(static_cast<std::size_t>(index)) = clampedNode(index, node);
+    // Until the node has really moved, the drag has changed nothing: not the active curve either.
+    if (next.manual != m_state.manual) apply(next, Announce::soon);
+}
+
+void OtfEditorModel::endDrag() {
+    if (!m_beforeDrag) return;
+    const OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
+    if (before.manual == m_state.manual) {  // dragged back to where it came from
+        OtfEditorState restored = m_state;
+        restored.active = before.active;
+        restored.visible = before.visible;
+        apply(restored, Announce::now);
+        return;
+    }
+    pushStep(before, m_state, tr("move node"), noGesture);
+    announceNow();
+}
+
+void OtfEditorModel::cancelDrag() {
+    if (!m_beforeDrag) return;
+    OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
+    before.adaptive = m_state.adaptive;  // a result that came in meanwhile stays
+    apply(before, Announce::now);
+}
+
+CurveNode OtfEditorModel::clampedNode(int index, const CurveNode& node) const {
+    const auto& nodes = m_state.manual.nodes;
+    const auto i = static_cast<std::size_t>(index);
+    const double lower = i > 0 ? nodes[i - 1].intensity : 0.0;
+    const double upper = i + 1 < nodes.size() ? nodes[i + 1].intensity : 1.0;
+    return {std::isnan(node.intensity) ? nodes.at(i).intensity : std::clamp(node.intensity, lower, upper),
+            std::isnan(node.opacity) ? nodes.at(i).opacity : inUnitInterval(node.opacity)};
+}
+
+void OtfEditorModel::selectNode(int index) {
+    const int selected = index < static_cast<int>(m_state.manual.nodes.size()) ? std::max(index, -1) : -1;
+    if (selected == m_selectedNode) return;
+    m_selectedNode = selected;
+    emit selectedNodeChanged(selected);
+    emit changed();
+}
+
+void OtfEditorModel::setManualSaved() {
+    m_savedManual = m_state.manual;
+    updateManualModified();
+}
+
+void OtfEditorModel::edit(const OtfEditorState& next, const QString& what, Gesture gesture) {
+    if (sameEditableCurves(m_state, next) && m_state.active == next.active) return;
+    if (next.visible != m_state.visible) {  // drawing a curve is no part of the step
+        OtfEditorState shown = m_state;
+        shown.visible = next.visible;
+        apply(shown, Announce::soon);
+    }
+    pushStep(m_state, next, what, gesture);
+}
+
+void OtfEditorModel::pushStep(const OtfEditorState& before, const OtfEditorState& after, const QString& what,
+                              Gesture gesture) {
+    if (gesture != noGesture) m_stepAnnounce = Announce::soon;
+    m_undoStack.push(new CurveEditStep(
+        before, after, what, gesture,
+        [this](const OtfEditorState& curves, std::optional<CurveKind> active) { applyStep(curves, active); }));
+    m_stepAnnounce = Announce::now;
+}
+
+void OtfEditorModel::applyStep(const OtfEditorState& curves, std::optional<CurveKind> active) {
+    cancelDrag();
+    OtfEditorState next = m_state;
+    next.manual = curves.manual;
+    next.linear = curves.linear;
+    next.parabolic = curves.parabolic;
+    next.quartic = curves.quartic;
+    if (active) {
+        next.active = *active;
+        next.visible[indexOf(*active)] = true;
+    }
+    apply(next, m_stepAnnounce);
+}
+
+void OtfEditorModel::apply(const OtfEditorState& next, Announce announce) {
+    const OtfEditorState before = std::exchange(m_state, next);
+    if (before.manual != m_state.manual) {
+        if (m_selectedNode >= static_cast<int>(m_state.manual.nodes.size())) selectNode(-1);
+        updateManualModified();
+        emit manualEdited(m_state.manual);
+    } else {
+        updateManualModified();
+    }
+    if (before.active != m_state.active) emit activeChanged(m_state.active);
+    if (before != m_state) emit changed();
+    if (announce == Announce::now) {
+        announceNow();
+    } else if (!m_announceTimer.isActive() && activeCurve() != m_announced) {
+        const qint64 since = m_sinceAnnounced.isValid() ? m_sinceAnnounced.elapsed() : announceIntervalMs;
+        m_announceTimer.start(static_cast<int>(std::clamp<qint64>(announceIntervalMs - since, 0, announceIntervalMs)));
+    }
+}
+
+void OtfEditorModel::announceNow() {
+    m_announceTimer.stop();
+    OpacityCurve curve = activeCurve();
+    if (curve == m_announced) return;
+    m_announced = std::move(curve);
+    m_sinceAnnounced.restart();
+    emit activeCurveChanged(m_announced);
+}
+
+void OtfEditorModel::updateManualModified() {
+    const auto isPreset = [this](const CurvePreset& preset) { return preset.curve == m_state.manual; };
+    const bool modified = m_state.manual != m_savedManual && std::ranges::none_of(curvePresets(), isPreset);
+    if (modified == std::exchange(m_manualModified, modified)) return;
+    emit manualModifiedChanged(modified);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,83 @@
+#include "widgets/otf_editor/parameter_spin_box.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+
+namespace echolucent {
+
+ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : QDoubleSpinBox(parent), m_model(model) {
+    setKeyboardTracking(false);  // a number is taken when it is complete
+    setDecimals(6);
+    setSingleStep(0.01);
+    setAlignment(Qt::AlignRight);
+    setLocale(QLocale::c());
+    setFocusPolicy(Qt::StrongFocus);
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        m_shown.reset();
+        emit edited(value, m_gesture);
+    });
+}
+
+void ParameterSpinBox::show(double shown, double lowest, double highest) {
+    const QSignalBlocker blocker(this);
+    if (minimum() != round(lowest) || maximum() != round(highest)) setRange(lowest, highest);
+    if (m_shown == shown) return;
+    m_shown = shown;
+    setValue(shown);
+}
+
+double ParameterSpinBox::round(double value) const { return QString::number(value, 'f', decimals()).toDouble(); }
+
+QString ParameterSpinBox::textFromValue(double value) const {
+    constexpr int fewestDecimals = 2;
+    QString text = QString::number(value, 'f', decimals());
+    while (text.endsWith('0') && text.size() - text.indexOf('.') > fewestDecimals + 1) text.chop(1);
+    return text;
+}
+
+double ParameterSpinBox::valueFromText(const QString& text) const {
+    return QDoubleSpinBox::valueFromText(QString(text).replace(',', '.'));
+}
+
+QValidator::State ParameterSpinBox::validate(QString& text, int& position) const {
+    QString pointed = QString(text).replace(',', '.');
+    return QDoubleSpinBox::validate(pointed, position);
+}
+
+void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {
+    if (!event->isAutoRepeat()) m_gesture = m_model.newGesture();
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
+void ParameterSpinBox::keyReleaseEvent(QKeyEvent* event) {
+    QDoubleSpinBox::keyReleaseEvent(event);
+    // Held keys step by a timer of the base class, so the gesture lasts until the key is let go.
+    if (!event->isAutoRepeat()) m_gesture = OtfEditorModel::noGesture;
+}
+
+void ParameterSpinBox::focusOutEvent(QFocusEvent* event) {
+    QDoubleSpinBox::focusOutEvent(event);
+    m_gesture = OtfEditorModel::noGesture;
+}
+
+void ParameterSpinBox::mousePressEvent(QMouseEvent* event) {
+    m_gesture = m_model.newGesture();
+    QDoubleSpinBox::mousePressEvent(event);
+}
+
+void ParameterSpinBox::mouseReleaseEvent(QMouseEvent* event) {
+    QDoubleSpinBox::mouseReleaseEvent(event);
+    m_gesture = OtfEditorModel::noGesture;
+}
+
+void ParameterSpinBox::wheelEvent(QWheelEvent* event) {
+    if (hasFocus()) {
+        QDoubleSpinBox::wheelEvent(event);
+    } else {
+        event->ignore();  // scrolling past must not change a curve
+    }
+}
+
+}  // namespace echolucent

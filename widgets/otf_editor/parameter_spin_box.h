@@ -1,0 +1,44 @@
+// A number field that tells held keys and buttons from single steps.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <optional>
+
+#include "widgets/otf_editor/otf_editor_model.h"
+
+namespace echolucent {
+
+/// Emits `edited` for changes by a person or a script, with a gesture shared by all steps of one held key or button.
+class ParameterSpinBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    explicit ParameterSpinBox(OtfEditorModel& model, QWidget* parent = nullptr);
+
+    /// Shows a value and its range without emitting `edited`; a number half typed stays where neither has changed.
+    void show(double value, double minimum, double maximum);
+
+    [[nodiscard]] QString textFromValue(double value) const override;
+    [[nodiscard]] double valueFromText(const QString& text) const override;
+    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+
+signals:
+    void edited(double value, echolucent::OtfEditorModel::Gesture gesture);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    [[nodiscard]] double round(double value) const;
+
+    OtfEditorModel& m_model;
+    std::optional<double> m_shown;  // exact, where value() is rounded
+    OtfEditorModel::Gesture m_gesture = OtfEditorModel::noGesture;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,129 @@
+#include "widgets/panels/message_bar.h"
+
+#include <QAccessible>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+namespace {
+
+constexpr int signWidth = 40;  // the coloured stripe and the sign beside it
+
+struct Look {
+    QColor colour;
+    QString sign;  // so that the kind is not told by colour alone
+    QString name;
+};
+
+Look lookOf(MessageKind kind) {
+    switch (kind) {
+        case MessageKind::info: return {QColor(0x4f, 0xb3, 0xbf), QStringLiteral("i"), MessageBar::tr("Information")};
+        case MessageKind::warning: return {QColor(0xe8, 0xb0, 0x4b), QStringLiteral("!"), MessageBar::tr("Warning")};
+        case MessageKind::error: return {QColor(0xe0, 0x7a, 0x72), QStringLiteral("×"), MessageBar::tr("Error")};
+    }
+    return {};
+}
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QWidget(parent),
+      m_text(named(new QLabel, "message.text", tr("Message"))),
+      m_actions(new QHBoxLayout),
+      m_close(named(new QToolButton, "message.close", tr("Close this message"), tr("Close"))) {
+    setObjectName("message");
+    m_text->setTextFormat(Qt::PlainText);  // file names may hold anything
+    m_text->setWordWrap(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setMinimumWidth(160);
+    m_close->setText(QStringLiteral("✕"));
+    m_close->setAutoRaise(true);
+    m_close->setFocusPolicy(Qt::StrongFocus);
+    connect(m_close, &QToolButton::clicked, this, &MessageBar::closeByPerson);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(signWidth, 6, 6, 6);
+    layout->addWidget(m_text, 1);
+    layout->addLayout(m_actions);
+    layout->addWidget(m_close);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    hide();
+}
+
+void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
+    removeActions();
+    m_kind = kind;
+    m_text->setText(text);
+    for (int i = 0; i < actions.size(); ++i) {
+        auto* button =
+            named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
+        connect(button, &QPushButton::clicked, this, [this, run = actions[i].run] {
+            const auto chosen = run;  // the button, and run with it, may be gone once the bar has closed
+            closeByPerson();
+            if (chosen) chosen();
+        });
+        m_actions->addWidget(button);
+    }
+    setAccessibleName(lookOf(kind).name);
+    setAccessibleDescription(text);
+    show();
+    update();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void MessageBar::dismiss() {
+    hide();
+    m_text->clear();
+    removeActions();
+}
+
+QString MessageBar::text() const { return m_text->text(); }
+
+void MessageBar::removeActions() {
+    while (QLayoutItem* item = m_actions->takeAt(0)) {
+        QWidget* button = item->widget();
+        button->hide();
+        button->setParent(nullptr);  // not found by name any more, though it may be the one just pressed
+        button->deleteLater();
+        delete item;
+    }
+}
+
+void MessageBar::closeByPerson() {
+    dismiss();
+    emit closed();
+}
+
+void MessageBar::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        closeByPerson();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void MessageBar::paintEvent(QPaintEvent*) {
+    const Look look = lookOf(m_kind);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+    painter.fillRect(QRect(0, 0, 4, height()), look.colour);
+    const QRectF disc(12, height() / 2.0 - 9, 18, 18);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look.colour);
+    painter.drawEllipse(disc);
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(Qt::black);
+    painter.drawText(disc, Qt::AlignCenter, look.sign);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,58 @@
+// One sentence for the person at the top of the picture, with ways out as buttons. Not modal.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+#include <functional>
+
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace echolucent {
+
+enum class MessageKind { info, warning, error };
+
+/// A way out that a message offers.
+struct MessageAction {
+    QString text;               ///< "Take the frames as slices"
+    std::function<void()> run;  ///< called once, after the bar has closed; may be empty
+};
+
+/// Objects: message (this), message.text, message.action.0 ..., message.close. Hidden until showMessage. Escape closes
+/// it while the focus is inside.
+class MessageBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    /// Shows a sentence; replaces what was shown before.
+    void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
+    /// Closes the bar; emits nothing.
+    void dismiss();
+
+    /// Empty where nothing is shown.
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] MessageKind kind() const { return m_kind; }
+
+signals:
+    /// The person closed the bar, or took an action (then before it runs).
+    void closed();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void removeActions();
+    void closeByPerson();
+
+    MessageKind m_kind = MessageKind::info;
+    QLabel* m_text;
+    QHBoxLayout* m_actions;
+    QToolButton* m_close;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,205 @@
+#include "widgets/panels/motion_panel.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStyleOptionSlider>
+#include <cmath>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+namespace {
+
+/// "+3°", "−3°", "0°".
+QString angleText(int degrees) {
+    const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
+    return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));
+}
+
+/// The angle at an end of the slider, as secondary text.
+QLabel* endLabel(int degrees) {
+    auto* label = new QLabel(angleText(degrees));
+    label->setProperty("secondary", true);
+    return label;
+}
+
+QIcon playIcon(bool playing, const QColor& colour) {
+    QPixmap pixmap(32, 32);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    if (playing) {
+        painter.drawRect(QRectF(7, 5, 6, 22));
+        painter.drawRect(QRectF(19, 5, 6, 22));
+    } else {
+        painter.drawPolygon(QPolygonF{{8, 4}, {28, 16}, {8, 28}});
+    }
+    return QIcon(pixmap);
+}
+
+/// Marks every 15 degrees below the groove. Drawn here, because a style sheet's sliders have no tick marks.
+class AngleSlider : public QSlider {
+public:
+    AngleSlider() : QSlider(Qt::Horizontal) {
+        setRange(firstMotionAngle, lastMotionAngle);
+        setPageStep(15);
+        setMinimumSize(56, 26);
+    }
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        QSlider::paintEvent(event);
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const int handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this).width();
+        QColor colour = palette().color(QPalette::WindowText);
+        colour.setAlphaF(0.6);
+        QPainter painter(this);
+        for (int angle = minimum(); angle <= maximum(); angle += pageStep()) {
+            const int x =
+                handle / 2 + QStyle::sliderPositionFromValue(minimum(), maximum(), angle, width() - handle - 1);
+            painter.fillRect(x, height() - 4, 1, angle == 0 ? 4 : 2, colour);
+        }
+    }
+};
+
+}  // namespace
+
+MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
+    setObjectName("motion");
+    setAccessibleName(tr("Transducer motion"));
+    createControls();
+    arrange();
+    setPlaying(false);
+    showAngle();
+
+    connect(m_play, &QPushButton::clicked, this, [this] { emit playRequested(!m_playing); });
+    connect(m_angle, &QSlider::valueChanged, this, [this](int degrees) {
+        showAngle();
+        emit angleChanged(degrees);
+    });
+    connect(m_axis, &QComboBox::currentIndexChanged, this, [this] { emit axisChanged(axis()); });
+    connect(m_eachView, &QRadioButton::toggled, this, [this] { emit otfChanged(otf()); });
+    connect(m_pingPong, &QCheckBox::toggled, this, &MotionPanel::pingPongChanged);
+}
+
+void MotionPanel::createControls() {
+    m_play = named(new QPushButton, "motion.play", tr("Play"));
+    m_angle = named<QSlider>(new AngleSlider, "motion.angle", tr("Angle"),
+                             tr("Angle from the view in which the motion began (← and →: one degree)"));
+    wheelNeedsFocus(m_angle);
+    m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
+    m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(-45)) + 4);
+    m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"), tr("The axis about which the view turns"));
+    m_axis->addItem(tr("x axis (elevation)"), static_cast<int>(MotionAxis::x));
+    m_axis->addItem(tr("y axis (azimuth)"), static_cast<int>(MotionAxis::y));
+    m_axis->addItem(tr("z axis (roll)"), static_cast<int>(MotionAxis::z));
+    selectData(m_axis, static_cast<int>(MotionAxis::y));
+    wheelNeedsFocus(m_axis);
+    m_oneOtf = named(new QRadioButton(tr("One OTF")), "motion.mode.static", tr("One OTF for every view"),
+                     tr("Every view shows the OTF that was computed before the motion"));
+    m_eachView = named(new QRadioButton(tr("Each view")), "motion.mode.eachView", tr("An OTF for each view"),
+                       tr("The adaptive OTF is computed anew for each view"));
+    m_oneOtf->setChecked(true);
+    m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
+                       tr("Turns at the ends; otherwise the motion starts from −45° again"));
+    m_pingPong->setChecked(true);
+    m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
+    m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void MotionPanel::arrange() {
+    auto* first = new QHBoxLayout;
+    first->setSpacing(5);
+    first->addWidget(m_play);
+    first->addWidget(endLabel(firstMotionAngle));
+    first->addWidget(m_angle, 1);
+    first->addWidget(endLabel(lastMotionAngle));
+    first->addWidget(m_angleValue);
+    first->addWidget(m_axis);
+
+    auto* modes = new QButtonGroup(this);
+    modes->addButton(m_oneOtf);
+    modes->addButton(m_eachView);
+    auto* second = new QHBoxLayout;
+    second->addWidget(m_oneOtf);
+    second->addWidget(m_eachView);
+    second->addStretch(1);
+    second->addWidget(m_frameRate);
+    second->addWidget(m_pingPong);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(first);
+    layout->addLayout(second);
+    layout->addStretch(1);
+}
+
+void MotionPanel::setPlaying(bool playing) {
+    m_playing = playing;
+    m_play->setText(playing ? tr("Pause") : tr("Play"));
+    m_play->setAccessibleName(m_play->text());
+    m_play->setToolTip(playing ? tr("Holds the motion (Space)") : tr("Turns the view from −45° to +45° (Space)"));
+    showPlayIcon();
+}
+
+void MotionPanel::showPlayIcon() {
+    m_play->ensurePolished();  // the style sheet's colours are in the palette only from then on
+    m_play->setIcon(playIcon(m_playing, m_play->palette().color(QPalette::ButtonText)));
+}
+
+void MotionPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) showPlayIcon();
+}
+
+void MotionPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showPlayIcon();
+}
+
+double MotionPanel::angle() const { return m_angle->value(); }
+
+void MotionPanel::setAngle(double degrees) {
+    const QSignalBlocker blocker(m_angle);
+    m_angle->setValue(static_cast<int>(std::lround(degrees)));
+    showAngle();
+}
+
+void MotionPanel::showAngle() { m_angleValue->setText(angleText(m_angle->value())); }
+
+MotionAxis MotionPanel::axis() const { return static_cast<MotionAxis>(m_axis->currentData().toInt()); }
+void MotionPanel::setAxis(MotionAxis axis) { selectData(m_axis, static_cast<int>(axis)); }
+
+MotionOtf MotionPanel::otf() const { return m_eachView->isChecked() ? MotionOtf::eachView : MotionOtf::oneOtf; }
+
+void MotionPanel::setOtf(MotionOtf otf) {
+    const QSignalBlocker blocker(m_eachView);
+    (otf == MotionOtf::eachView ? m_eachView : m_oneOtf)->setChecked(true);
+}
+
+bool MotionPanel::pingPong() const { return m_pingPong->isChecked(); }
+
+void MotionPanel::setPingPong(bool pingPong) {
+    const QSignalBlocker blocker(m_pingPong);
+    m_pingPong->setChecked(pingPong);
+}
+
+void MotionPanel::setFrameRate(std::optional<double> framesPerSecond) {
+    m_frameRate->setText(framesPerSecond ? tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0))
+                                         : QString());
+}
+
+}  // namespace echolucent

@@ -1,0 +1,70 @@
+// The controls of the transducer motion mode.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/panels/motion_mode.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+class QSlider;
+
+namespace echolucent {
+
+/// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.mode.static,
+/// motion.mode.eachView, motion.pingPong, motion.frameRate. No setter emits a signal.
+class MotionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MotionPanel(QWidget* parent = nullptr);
+
+    [[nodiscard]] bool playing() const { return m_playing; }
+    void setPlaying(bool playing);
+    /// Whole degrees, -45 to 45.
+    [[nodiscard]] double angle() const;
+    void setAngle(double degrees);
+    [[nodiscard]] MotionAxis axis() const;
+    void setAxis(MotionAxis axis);
+    [[nodiscard]] MotionOtf otf() const;
+    void setOtf(MotionOtf otf);
+    /// True: back and forth; false: from the start again.
+    [[nodiscard]] bool pingPong() const;
+    void setPingPong(bool pingPong);
+    /// Frames shown a second; none: no read-out.
+    void setFrameRate(std::optional<double> framesPerSecond);
+
+signals:
+    /// The person pressed play (true) or pause (false).
+    void playRequested(bool play);
+    void angleChanged(double degrees);
+    void axisChanged(echolucent::MotionAxis axis);
+    void otfChanged(echolucent::MotionOtf otf);
+    void pingPongChanged(bool pingPong);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void createControls();
+    void arrange();
+    void showAngle();
+    void showPlayIcon();
+
+    bool m_playing = false;
+    QPushButton* m_play = nullptr;
+    QSlider* m_angle = nullptr;
+    QLabel* m_angleValue = nullptr;
+    QComboBox* m_axis = nullptr;
+    QRadioButton* m_oneOtf = nullptr;
+    QRadioButton* m_eachView = nullptr;
+    QCheckBox* m_pingPong = nullptr;
+    QLabel* m_frameRate = nullptr;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,31 @@
+// What every control of the panels has in common: a name for scripts, a name for screen readers, a wheel that scrolls.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace echolucent {
+
+/// Gives a widget its object name, its accessible name and its tool tip; returns the widget.
+template <typename Widget>
+Widget* named(Widget* widget, const QString& objectName, const QString& accessibleName, const QString& toolTip = {}) {
+    widget->setObjectName(objectName);
+    widget->setAccessibleName(accessibleName);
+    widget->setToolTip(toolTip);
+    return widget;
+}
+
+/// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by
+/// accident.
+void wheelNeedsFocus(QWidget* control);
+
+/// A text in front of a control, which is its buddy.
+[[nodiscard]] QLabel* labelFor(QWidget* control, const QString& text);
+
+/// Selects the entry with that data; emits nothing. The data must be there.
+void selectData(QComboBox* comboBox, int data);
+
+}  // namespace echolucent

@@ -1,0 +1,187 @@
+#include "widgets/panels/raw_layout_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <algorithm>
+#include <limits>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+namespace {
+
+constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
+constexpr double largestHeader = 9007199254740992.0;  // 2^53: whole numbers up to here are exact in a double
+
+/// Shows 0.3 as "0.3", not as "0.300000000".
+class SpacingSpinBox : public QDoubleSpinBox {
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+    QString textFromValue(double value) const override {
+        return locale().toString(value, 'g', QLocale::FloatingPointShortest);
+    }
+};
+
+QString grouped(std::int64_t bytes) { return QLocale(QLocale::English).toString(static_cast<qlonglong>(bytes)); }
+
+template <typename SpinBox>
+SpinBox* createSpinBox(SpinBox* spinBox, const QString& name, const QString& accessibleName) {
+    named(spinBox, "rawLayout." + name, accessibleName);
+    wheelNeedsFocus(spinBox);
+    return spinBox;
+}
+
+}  // namespace
+
+RawLayoutDialog::RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent)
+    : QDialog(parent), m_fileBytes(fileBytes) {
+    setObjectName("rawLayout");
+    setAccessibleName(tr("Layout of a file without header"));
+    setWindowTitle(tr("File without header"));
+    createControls();
+    arrange(fileName);
+    setValues({});
+}
+
+void RawLayoutDialog::createControls() {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QString(QChar(axisLetters[i]));
+        m_size[i] = createSpinBox(new QSpinBox, "size" + letter, tr("Voxels along %1").arg(letter.toLower()));
+        m_size[i]->setRange(0, std::numeric_limits<int>::max());
+        m_spacing[i] = createSpinBox<QDoubleSpinBox>(new SpacingSpinBox, "spacing" + letter,
+                                                     tr("Spacing along %1").arg(letter.toLower()));
+        m_size[i]->setMinimumWidth(96);
+        m_size[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        m_spacing[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        m_spacing[i]->setDecimals(9);
+        m_spacing[i]->setRange(1e-9, 1000);
+        m_spacing[i]->setSingleStep(0.1);
+        connect(m_size[i], &QSpinBox::valueChanged, this, &RawLayoutDialog::showFit);
+    }
+    m_type = named(new QComboBox, "rawLayout.type", tr("Voxel type"));
+    m_type->addItems(rawVoxelTypes());
+    m_byteOrder = named(new QComboBox, "rawLayout.byteOrder", tr("Byte order"));
+    m_byteOrder->addItem(tr("Little endian"), 0);
+    m_byteOrder->addItem(tr("Big endian"), 1);
+    m_headerBytes = createSpinBox(new QDoubleSpinBox, "headerBytes", tr("Header bytes to skip"));
+    m_headerBytes->setDecimals(0);
+    m_headerBytes->setRange(0, largestHeader);
+    m_headerBytes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // not as wide as its largest value
+    m_headerFit =
+        named(new QPushButton(tr("Take the rest as header")), "rawLayout.headerFit", tr("Take the rest as header"),
+              tr("The voxels are the last bytes of the file; what is before them is skipped"));
+    m_headerFit->setAutoDefault(false);
+    m_spacingUnknown = named(new QCheckBox(tr("Unknown")), "rawLayout.spacingUnknown", tr("Spacing unknown"),
+                             tr("The picture will say that its spacing is a guess"));
+    m_fit = named(new QLabel, "rawLayout.fit", tr("Does this fit the file"));
+    m_fit->setWordWrap(true);
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    named(m_buttons->button(QDialogButtonBox::Ok), "rawLayout.ok", tr("Open with this layout"));
+    named(m_buttons->button(QDialogButtonBox::Cancel), "rawLayout.cancel", tr("Cancel"));
+
+    for (QAbstractButton* button : m_buttons->buttons()) button->setIcon({});
+
+    connect(m_type, &QComboBox::currentIndexChanged, this, &RawLayoutDialog::showFit);
+    connect(m_headerBytes, &QDoubleSpinBox::valueChanged, this, &RawLayoutDialog::showFit);
+    connect(m_headerFit, &QPushButton::clicked, this, &RawLayoutDialog::fitHeader);
+    connect(m_spacingUnknown, &QCheckBox::toggled, this, [this](bool unknown) {
+        for (QDoubleSpinBox* spacing : m_spacing) spacing->setDisabled(unknown);
+    });
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void RawLayoutDialog::arrange(const QString& fileName) {
+    auto* file = new QLabel(tr("%1 has no header that says how it is laid out.").arg(fileName));
+    file->setTextFormat(Qt::PlainText);
+    file->setWordWrap(true);
+    auto* grid = new QGridLayout(this);
+    grid->addWidget(file, 0, 0, 1, 5);
+    grid->addWidget(labelFor(m_size[0], tr("Voxels (x fastest)")), 1, 0);
+    grid->addWidget(labelFor(m_type, tr("Voxel type")), 2, 0);
+    grid->addWidget(m_type, 2, 1);
+    grid->addWidget(m_byteOrder, 2, 2);
+    grid->addWidget(labelFor(m_headerBytes, tr("Header bytes")), 3, 0);
+    grid->addWidget(m_headerBytes, 3, 1);
+    grid->addWidget(m_headerFit, 3, 2, 1, 2);
+    grid->addWidget(labelFor(m_spacing[0], tr("Spacing, mm")), 4, 0);
+    for (int i = 0; i < 3; ++i) {
+        grid->addWidget(m_size[static_cast<std::size_t>(i)], 1, i + 1);
+        grid->addWidget(m_spacing[static_cast<std::size_t>(i)], 4, i + 1);
+        grid->setColumnStretch(i + 1, 1);
+    }
+    grid->addWidget(m_spacingUnknown, 4, 4);
+    grid->addWidget(m_fit, 5, 0, 1, 5);
+    grid->addWidget(m_buttons, 6, 0, 1, 5);
+}
+
+RawLayoutValues RawLayoutDialog::values() const {
+    RawLayoutValues values;
+    values.type = m_type->currentText();
+    values.bigEndian = m_byteOrder->currentData().toInt() == 1;
+    values.headerBytes = static_cast<std::int64_t>(m_headerBytes->value());
+    values.spacingKnown = !m_spacingUnknown->isChecked();
+    for (std::size_t i = 0; i < 3; ++i) {
+        values.size[i] = m_size[i]->value();
+        if (values.spacingKnown) values.spacing[i] = m_spacing[i]->value();
+    }
+    return values;
+}
+
+void RawLayoutDialog::setValues(const RawLayoutValues& values) {
+    constexpr std::int64_t largest = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < 3; ++i) {
+        m_size[i]->setValue(static_cast<int>(std::clamp<std::int64_t>(values.size[i], 0, largest)));
+        m_spacing[i]->setValue(values.spacing[i]);
+    }
+    m_type->setCurrentText(values.type);
+    selectData(m_byteOrder, values.bigEndian ? 1 : 0);
+    m_headerBytes->setValue(static_cast<double>(values.headerBytes));
+    m_spacingUnknown->setChecked(!values.spacingKnown);
+    showFit();
+}
+
+bool RawLayoutDialog::fits() const {
+    const auto needed = bytesNeeded(values());
+    return needed && *needed <= m_fileBytes;
+}
+
+void RawLayoutDialog::showFit() {
+    m_fit->setText(fitSentence());
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(fits());
+    const auto voxelBytes = voxelBytesNeeded(values());
+    m_headerFit->setEnabled(voxelBytes && *voxelBytes < m_fileBytes && bytesNeeded(values()) != m_fileBytes);
+}
+
+void RawLayoutDialog::fitHeader() {
+    if (const auto voxelBytes = voxelBytesNeeded(values())) {
+        m_headerBytes->setValue(static_cast<double>(m_fileBytes - *voxelBytes));
+    }
+}
+
+QString RawLayoutDialog::fitSentence() const {
+    const RawLayoutValues layout = values();
+    if (std::min({layout.size[0], layout.size[1], layout.size[2]}) < 1) {
+        return tr("The file has %1 bytes. How many voxels are there along x, y and z?").arg(grouped(m_fileBytes));
+    }
+    const auto needed = bytesNeeded(layout);
+    if (!needed) return tr("The file has %1 bytes; these settings need more than 2⁶³ bytes.").arg(grouped(m_fileBytes));
+    if (*needed == m_fileBytes) {
+        return tr("✓ These settings need %1 bytes, and the file has as many.").arg(grouped(*needed));
+    }
+    const QString sizes =
+        tr("These settings need %1 bytes; the file has %2").arg(grouped(*needed), grouped(m_fileBytes));
+    return *needed > m_fileBytes
+               ? tr("%1: %2 are missing.").arg(sizes, grouped(*needed - m_fileBytes))
+               : tr("⚠ %1: the last %2 are left over and would be ignored.").arg(sizes, grouped(m_fileBytes - *needed));
+}
+
+}  // namespace echolucent

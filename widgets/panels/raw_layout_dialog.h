@@ -1,0 +1,56 @@
+// Asks how a headerless file is laid out, and shows whether the answer fits the file.
+#pragma once
+
+#include <QDialog>
+#include <QString>
+#include <array>
+#include <cstdint>
+
+#include "widgets/panels/raw_layout.h"
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace echolucent {
+
+/// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .spacingX,
+/// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the file holds
+/// all that the layout needs; bytes left over are warned of, not refused, as the reader does.
+class RawLayoutDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// fileName: shown as it is. fileBytes: the file's length.
+    RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
+
+    /// Spacing is 1, 1, 1 where it is said to be unknown.
+    [[nodiscard]] RawLayoutValues values() const;
+    void setValues(const RawLayoutValues& values);
+    /// True where the file holds header and voxels; it may be longer.
+    [[nodiscard]] bool fits() const;
+
+private:
+    void createControls();
+    void arrange(const QString& fileName);
+    void showFit();
+    void fitHeader();
+    [[nodiscard]] QString fitSentence() const;
+
+    std::int64_t m_fileBytes;
+    std::array<QSpinBox*, 3> m_size{};
+    QComboBox* m_type = nullptr;
+    QComboBox* m_byteOrder = nullptr;
+    QDoubleSpinBox* m_headerBytes = nullptr;  // whole numbers, exact to 2^53
+    QPushButton* m_headerFit = nullptr;
+    std::array<QDoubleSpinBox*, 3> m_spacing{};
+    QCheckBox* m_spacingUnknown = nullptr;
+    QLabel* m_fit = nullptr;
+    QDialogButtonBox* m_buttons = nullptr;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,59 @@
+// The status bar's line: who renders, how long things took, what is true of the data, what is pointed at, what runs.
+#pragma once
+
+#include <QStringList>
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace echolucent {
+
+/// Objects: status.renderer, status.otf, status.notes, status.pointed, status.activity, status.progress, status.cancel.
+/// The progress and its cancel button are seen only while something runs for longer than a delay of 100 ms.
+class RunStatus : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RunStatus(QWidget* parent = nullptr);
+
+    /// "software renderer · 24 ms"; without a time yet, the name only.
+    void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt);
+    /// "OTF 1.6 ms, 176 of 225 tubes".
+    void setOtf(double milliseconds, int tubesWithSurface, int tubesMeetingVolume);
+    void clearOtf();
+    /// Short statements about the data, for example "no lossy compression".
+    void setNotes(const QStringList& notes);
+    /// Normalised intensity and opacity under the cursor, both in [0,1]; none: nothing is pointed at.
+    void setPointed(std::optional<double> intensity, std::optional<double> opacity);
+
+    /// Something runs, named with a word ("loading"). Its share is not known until setProgress. A second call renames
+    /// it.
+    void beginProgress(const QString& activity);
+    /// Share done, clamped into [0,1]; ignored while nothing runs.
+    void setProgress(double share);
+    void endProgress();
+    /// How long something runs before it is shown. Default 100 ms.
+    void setProgressDelay(int milliseconds);
+
+signals:
+    void cancelRequested();
+
+private:
+    void setProgressVisible(bool visible);
+
+    bool m_running = false;
+    QTimer m_delay;
+    QLabel* m_renderer;
+    QLabel* m_otf;
+    QLabel* m_notes;
+    QLabel* m_pointed;
+    QLabel* m_activity;
+    QProgressBar* m_progress;
+    QToolButton* m_cancel;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,76 @@
+#include "widgets/panels/value_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+
+ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals, QWidget* parent)
+    : QWidget(parent),
+      m_step(step),
+      m_slider(named(new QSlider(Qt::Horizontal), name, accessibleName)),
+      m_spinBox(named(new QDoubleSpinBox, name + ".value", accessibleName)) {
+    m_spinBox->setDecimals(decimals);
+    m_spinBox->setSingleStep(step);
+    m_spinBox->setKeyboardTracking(false);  // "25" is one value, not 2 and then 25
+    m_spinBox->setAlignment(Qt::AlignRight);
+    m_slider->setMinimumWidth(60);
+    wheelNeedsFocus(m_slider);
+    wheelNeedsFocus(m_spinBox);
+    setFocusProxy(m_slider);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_slider, 1);
+    layout->addWidget(m_spinBox);
+
+    connect(m_slider, &QSlider::valueChanged, this, &ValueSlider::takeFromSlider);
+    connect(m_spinBox, &QDoubleSpinBox::valueChanged, this, &ValueSlider::takeFromSpinBox);
+}
+
+double ValueSlider::value() const { return m_spinBox->value(); }
+double ValueSlider::minimum() const { return m_spinBox->minimum(); }
+double ValueSlider::maximum() const { return m_spinBox->maximum(); }
+
+void ValueSlider::setValue(double value) {
+    const QSignalBlocker blocker(m_spinBox);
+    m_spinBox->setValue(value);
+    showOnSlider();
+}
+
+void ValueSlider::setRange(double minimum, double maximum) {
+    Q_ASSERT(minimum <= maximum);
+    const QSignalBlocker spinBoxBlocker(m_spinBox);
+    m_spinBox->setRange(minimum, maximum);
+    const QSignalBlocker sliderBlocker(m_slider);
+    m_slider->setRange(0, static_cast<int>(std::ceil((this->maximum() - this->minimum()) / m_step - 1e-9)));
+    m_slider->setPageStep(std::max(1, m_slider->maximum() / 10));
+    showOnSlider();
+}
+
+void ValueSlider::setSuffix(const QString& suffix) { m_spinBox->setSuffix(suffix); }
+
+void ValueSlider::showOnSlider() {
+    const QSignalBlocker blocker(m_slider);
+    m_slider->setValue(static_cast<int>(std::lround((value() - minimum()) / m_step)));
+}
+
+void ValueSlider::takeFromSlider(int step) {
+    {
+        const QSignalBlocker blocker(m_spinBox);
+        m_spinBox->setValue(minimum() + step * m_step);
+    }
+    emit valueChanged(value());
+}
+
+void ValueSlider::takeFromSpinBox(double value) {
+    showOnSlider();
+    emit valueChanged(value);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,44 @@
+// A slider and a spin box that show one number.
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QSlider;
+
+namespace echolucent {
+
+/// One number in a range, by slider (coarse steps) and spin box (exact). The slider's objectName is `name`, the spin
+/// box's `name` + ".value"; both carry the accessible name.
+class ValueSlider : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Slider steps of `step`, spin box with `decimals` digits after the point.
+    ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals,
+                QWidget* parent = nullptr);
+
+    [[nodiscard]] double value() const;
+    [[nodiscard]] double minimum() const;
+    [[nodiscard]] double maximum() const;
+    /// Clamped into the range; emits nothing.
+    void setValue(double value);
+    /// Clamps the value into the new range; emits nothing. Needs minimum <= maximum.
+    void setRange(double minimum, double maximum);
+    void setSuffix(const QString& suffix);
+
+signals:
+    /// The person moved the slider or changed the number.
+    void valueChanged(double value);
+
+private:
+    void showOnSlider();
+    void takeFromSlider(int step);
+    void takeFromSpinBox(double value);
+
+    double m_step;
+    QSlider* m_slider;
+    QDoubleSpinBox* m_spinBox;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,76 @@
+#include "widgets/volume_view/scene/camera_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace echolucent {
+
+namespace {
+
+constexpr double degreesPerHeight = 180.0;
+constexpr double viewAngleDegrees = 30.0;
+
+double halfAngle(double degrees) { return degrees / 2.0 * std::numbers::pi / 180.0; }
+
+double wrapped(double degrees) {
+    const double turn = std::remainder(degrees, 360.0);
+    return turn == -180.0 ? 180.0 : turn;
+}
+
+}  // namespace
+
+ZoomLimits zoomLimits(const VolumeGeometry& geometry) {
+    return {2.0 * geometry.unit(), 10.0 * length(geometry.boxMaxMm() - geometry.boxMinMm())};
+}
+
+Camera cameraFor(const CameraPose& pose) {
+    Camera camera;
+    camera.focalPoint = pose.focalPoint;
+    camera.frame = frameOf(pose.view);
+    camera.projection = pose.projection;
+    camera.heightMm = pose.heightMm;
+    camera.viewAngleDegrees = viewAngleDegrees;
+    camera.distanceMm = pose.heightMm / 2.0 / std::tan(halfAngle(viewAngleDegrees));
+    return camera;
+}
+
+CameraPose fittedPose(const VolumeGeometry& geometry, const View& view, Projection projection, double aspect) {
+    const Camera fitted = defaultCamera(geometry, view, aspect);
+    // In perspective the volume's front is larger than its middle: the distance of the default camera allows for that.
+    const double height = projection == Projection::parallel
+                              ? fitted.heightMm
+                              : 2.0 * fitted.distanceMm * std::tan(halfAngle(fitted.viewAngleDegrees));
+    return {view, fitted.focalPoint, height, projection};
+}
+
+CameraPose orbited(CameraPose pose, double right, double down) {
+    // The drag as seen in the picture before its roll, whose axes the two angles turn about.
+    const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
+    pose.view.azimuthDegrees = wrapped(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
+    pose.view.elevationDegrees =
+        std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);
+    return pose;
+}
+
+CameraPose panned(CameraPose pose, double right, double down) {
+    const ViewFrame frame = frameOf(pose.view);
+    pose.focalPoint -= (frame.right * right + frame.down * down) * pose.heightMm;
+    return pose;
+}
+
+CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits) {
+    pose.heightMm = std::clamp(pose.heightMm / factor, limits.smallestHeightMm, limits.largestHeightMm);
+    return pose;
+}
+
+CameraPose turnedTo(CameraPose pose, const View& view, const Vec3& centre) {
+    const ViewFrame before = frameOf(pose.view), after = frameOf(view);
+    const Vec3 offset = pose.focalPoint - centre;
+    pose.focalPoint = centre + after.right * offset.dot(before.right) + after.down * offset.dot(before.down) +
+                      after.forward * offset.dot(before.forward);
+    pose.view = view;
+    return pose;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,45 @@
+// From where the scene is looked at, and how a person's hand moves that. Values in, values out.
+#pragma once
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+/// A camera kept as the angles a person turns, so that orbiting never rolls and the view can be told exactly.
+struct CameraPose {
+    View view;                   ///< direction, roll and near cut
+    Vec3 focalPoint{0, 0, 0};    ///< grid mm; seen at the picture's centre
+    double heightMm = 1.0;       ///< of the picture, in the plane of the focal point, for both projections; > 0
+    Projection projection = Projection::parallel;
+    friend bool operator==(const CameraPose&, const CameraPose&) = default;
+};
+
+/// The smallest and the largest height of the picture that a zoom reaches: two voxels, and ten times the volume.
+struct ZoomLimits {
+    double smallestHeightMm = 0.0;
+    double largestHeightMm = 0.0;
+};
+[[nodiscard]] ZoomLimits zoomLimits(const VolumeGeometry& geometry);
+
+/// The camera for the ray caster. In perspective the eye stands where the plane of the focal point has the pose's height.
+[[nodiscard]] Camera cameraFor(const CameraPose& pose);
+
+/// The whole volume in the picture, seen along a view (see defaultCamera()).
+[[nodiscard]] CameraPose fittedPose(const VolumeGeometry& geometry, const View& view, Projection projection,
+                                    double aspect);
+
+/// Turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the hand. The
+/// height of the picture is half a turn. The axes are the picture's vertical of the beam axis's frame and the picture's
+/// horizontal; elevation stops at +-90 degrees; the roll stays.
+[[nodiscard]] CameraPose orbited(CameraPose pose, double right, double down);
+
+/// Moved across the picture by a drag in shares of the picture's height: the focal plane follows the hand exactly.
+[[nodiscard]] CameraPose panned(CameraPose pose, double right, double down);
+
+/// Magnified: factor 2 shows everything in the focal plane twice as large. Factor > 0.
+[[nodiscard]] CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits);
+
+/// Turned to a view about a centre (grid mm) that keeps its place in the picture.
+[[nodiscard]] CameraPose turnedTo(CameraPose pose, const View& view, const Vec3& centre);
+
+}  // namespace echolucent

@@ -1,0 +1,32 @@
+// What a picture is made from, and the picture in the form the screen takes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+/// Everything castRays() needs, as values and shared constants: may cross threads.
+struct PictureRequest {
+    std::shared_ptr<const Volume> volume;
+    OpacityCurve curve;
+    RayCastSettings settings;
+};
+
+/// True where both give the same pixels (the same volume by identity).
+[[nodiscard]] bool samePicture(const PictureRequest& a, const PictureRequest& b);
+
+/// A finished picture as the screen takes it: 8 bits a component, red, green, blue premultiplied by alpha, row-major
+/// from the top left.
+struct ScreenPicture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// Rounded to the nearest of 256 levels.
+[[nodiscard]] ScreenPicture screenPicture(const Picture& picture);
+
+}  // namespace echolucent

@@ -1,0 +1,22 @@
+// What lies under the cursor.
+#pragma once
+
+#include <optional>
+
+#include "widgets/volume_view/scene/picture_request.h"
+
+namespace echolucent {
+
+/// The sample of a ray that a person sees.
+struct PointedSample {
+    double intensity = 0.0;  ///< normalised
+    double opacity = 0.0;    ///< per reference step
+    Vec3 gridMm{0, 0, 0};
+};
+
+/// Follows the ray through a point of the picture (pixels from the top left corner; pixel centres at halves) and gives
+/// the sample at which the accumulated opacity reaches one half, or, on a ray that never does, the one that contributes
+/// most. Empty where the ray meets nothing that is visible. Takes one ray's time, well below a millisecond.
+[[nodiscard]] std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y);
+
+}  // namespace echolucent

@@ -1,0 +1,47 @@
+// Straight lines and discs over the picture with smooth edges, which OpenGL draws jagged without multisampling.
+#pragma once
+
+#include <vtkNew.h>
+
+#include <array>
+#include <opencv2/core/matx.hpp>
+
+class vtkActor2D;
+class vtkCellArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkPolyDataMapper2D;
+class vtkUnsignedCharArray;
+
+namespace echolucent {
+
+using Point2 = cv::Vec2d;
+/// Red, green, blue, each 0..255.
+using Colour = std::array<unsigned char, 3>;
+
+/// Shapes in viewport pixels (x right, y up, from the lower left corner), drawn in the order they were added.
+class SmoothLines {
+public:
+    SmoothLines();
+    ~SmoothLines();
+    [[nodiscard]] vtkActor2D* actor() { return m_actor.Get(); }
+
+    void clear();
+    /// A line with a dark rim, so that it shows over bright tissue as well. Widths in pixels.
+    void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
+    void addDisc(const Point2& centre, double radius, const Colour& colour);
+
+private:
+    void addBand(const Point2& from, const Point2& to, double width, const Colour& colour, double opacity);
+    void addFeatheredDisc(const Point2& centre, double radius, const Colour& colour, double opacity);
+    long long addPoint(const Point2& point, const Colour& colour, double opacity);
+
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkUnsignedCharArray> m_colours;
+    vtkNew<vtkCellArray> m_polygons;
+    vtkNew<vtkPolyData> m_shapes;
+    vtkNew<vtkPolyDataMapper2D> m_mapper;
+    vtkNew<vtkActor2D> m_actor;
+};
+
+}  // namespace echolucent

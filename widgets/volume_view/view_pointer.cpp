@@ -1,0 +1,107 @@
+#include "widgets/volume_view/view_pointer.h"
+
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QUrl>
+#include <QWheelEvent>
+#include <QWindow>
+#include <algorithm>
+#include <cmath>
+
+namespace echolucent {
+
+namespace {
+constexpr double zoomPerWheelNotch = 1.15;
+constexpr double wheelNotch = 120.0;       // Qt's eighths of a degree
+constexpr double zoomOverHeight = 12.0;    // factor of a right drag over the window's height
+}  // namespace
+
+QStringList localFiles(const QMimeData* data) {
+    QStringList files;
+    if (!data) return files;
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile()) files.append(url.toLocalFile());
+    }
+    return files;
+}
+
+ViewPointer::ViewPointer(QWindow* window, QObject* parent) : QObject(parent), m_window(window) {
+    window->installEventFilter(this);
+}
+
+bool ViewPointer::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_window) return false;
+    switch (event->type()) {
+        case QEvent::MouseButtonPress: press(*static_cast<QMouseEvent*>(event)); break;
+        case QEvent::MouseMove: move(*static_cast<QMouseEvent*>(event)); break;
+        case QEvent::MouseButtonRelease: release(*static_cast<QMouseEvent*>(event)); break;
+        case QEvent::Wheel: turnWheel(*static_cast<QWheelEvent*>(event)); break;
+        case QEvent::Leave: emit left(); break;
+        case QEvent::KeyPress:
+        case QEvent::KeyRelease:
+        case QEvent::ShortcutOverride: emit keyPressed(static_cast<QKeyEvent*>(event)); return event->isAccepted();
+        case QEvent::DragEnter:
+        case QEvent::DragMove:
+        case QEvent::Drop: {
+            auto* drop = static_cast<QDropEvent*>(event);
+            const QStringList files = localFiles(drop->mimeData());
+            drop->setAccepted(!files.isEmpty());
+            if (files.isEmpty()) return true;
+            drop->acceptProposedAction();
+            if (event->type() == QEvent::Drop) emit filesDropped(files);
+            return true;
+        }
+        default: break;
+    }
+    return false;
+}
+
+bool ViewPointer::cancelDrag() {
+    if (!dragging()) return false;
+    m_drag = Drag::none;
+    emit dragCancelled();
+    return true;
+}
+
+void ViewPointer::press(const QMouseEvent& event) {
+    if (dragging()) return;
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    switch (event.button()) {
+        case Qt::LeftButton: m_drag = shift ? Drag::pan : Drag::orbit; break;
+        case Qt::MiddleButton: m_drag = Drag::pan; break;
+        case Qt::RightButton: m_drag = Drag::zoom; break;
+        default: return;
+    }
+    m_button = event.button();
+    m_last = event.position();
+    emit dragStarted();
+}
+
+void ViewPointer::move(const QMouseEvent& event) {
+    if (!dragging()) {
+        if (event.buttons() == Qt::NoButton) emit hovered(event.position());
+        return;
+    }
+    const QPointF moved = (event.position() - m_last) / std::max(1, m_window->height());
+    m_last = event.position();
+    if (moved.isNull()) return;
+    switch (m_drag) {
+        case Drag::orbit: emit orbited(moved.x(), moved.y()); break;
+        case Drag::pan: emit panned(moved.x(), moved.y()); break;
+        case Drag::zoom: emit zoomed(std::pow(zoomOverHeight, -moved.y())); break;
+        case Drag::none: break;
+    }
+}
+
+void ViewPointer::release(const QMouseEvent& event) {
+    if (event.button() == m_button) m_drag = Drag::none;
+}
+
+void ViewPointer::turnWheel(const QWheelEvent& event) {
+    const double notches = event.angleDelta().y() / wheelNotch;
+    if (notches != 0.0) emit zoomed(std::pow(zoomPerWheelNotch, notches));
+}
+
+}  // namespace echolucent

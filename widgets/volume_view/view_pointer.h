@@ -1,0 +1,56 @@
+// What the hand does over the 3D view: mouse, wheel and files dropped on the OpenGL window, in the picture's measures.
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+
+class QDropEvent;
+class QKeyEvent;
+class QMimeData;
+class QMouseEvent;
+class QWheelEvent;
+class QWindow;
+
+namespace echolucent {
+
+/// The local files among what is dragged; empty where there are none.
+[[nodiscard]] QStringList localFiles(const QMimeData* data);
+
+/// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom. Drags are told as they go, in
+/// shares of the window's height, to the right and down. Escape ends a drag. All other events pass on.
+class ViewPointer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ViewPointer(QWindow* window, QObject* parent = nullptr);
+    [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    /// Ends a drag without change; false where there is none.
+    bool cancelDrag();
+
+signals:
+    void dragStarted();
+    void dragCancelled();
+    void orbited(double right, double down);
+    void panned(double right, double down);
+    void zoomed(double factor);  ///< above 1: things grow
+    void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner, no button held
+    void left();
+    void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides, for the widget that has the focus
+    void filesDropped(const QStringList& files);
+
+private:
+    enum class Drag { none, orbit, pan, zoom };
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void turnWheel(const QWheelEvent& event);
+
+    QWindow* m_window;
+    Drag m_drag = Drag::none;
+    Qt::MouseButton m_button = Qt::NoButton;
+    QPointF m_last;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,113 @@
+// The 3D view: a volume seen with an opacity curve, turned by hand.
+#pragma once
+
+#include <QImage>
+#include <QStringList>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+struct CastPicture;
+
+/// How the volume looks, apart from its opacity curve; defaults as in RayCastSettings.
+struct Look {
+    ColourMap colourMap = ColourMap::sepia;
+    bool shaded = false;
+    Shading shading;
+    Interpolation interpolation = Interpolation::trilinear;
+    double step = 1.0;  ///< units between samples, > 0
+    Projection projection = Projection::parallel;
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+/// Shows what castRays() makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures are
+/// made in another thread, coarse first and fine when nothing newer waits; this thread never waits for one. On the
+/// screen picture, camera, marker and scale bar always belong together. An unchanged view costs nothing.
+///
+/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms; Escape ends a drag without
+/// change. The picture lies in an OpenGL window of its own inside this widget (twice as cheap as a QOpenGLWidget where
+/// OpenGL is software): no sibling widget can be drawn over it, QWidget::grab() does not see it (screenImage() does), and
+/// it must not be put in a dock that moves it to another window.
+class VolumeViewWidget : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit VolumeViewWidget(QWidget* parent = nullptr);
+    ~VolumeViewWidget() override;
+    /// Chooses the OpenGL that VTK needs; call before the QApplication is made.
+    static void prepareApplication();
+
+    /// Null empties the view. The camera is kept where size and spacing are those of the volume before; otherwise it
+    /// is the default camera of the present view.
+    void setVolume(std::shared_ptr<const Volume> volume);
+    void setCurve(const OpacityCurve& curve);
+    void setLook(const Look& look);
+    [[nodiscard]] Look look() const;
+    /// Millimetres behind the volume's foremost point along the view; the plane follows the camera. >= 0.
+    void setNearCut(double mm);
+    /// Tells the view in another beam axis's frame. The picture stays as it is.
+    void setBeamAxis(BeamAxis axis);
+    /// Turns the camera to a view about the volume's centre and takes its near cut; zoom and place in the picture stay.
+    void setView(const View& view);
+    /// From where the person looks now, near cut included.
+    [[nodiscard]] View view() const;
+    /// The default camera of a view: the whole volume in the picture.
+    void resetView(const View& view);
+
+    /// What the fine picture of the present state is made with, at the view's size or, for saving, at another one.
+    [[nodiscard]] RayCastSettings settings() const;
+    [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
+
+    /// The newest picture made, null before the first; its size is smaller than the view's where it is coarse.
+    [[nodiscard]] std::shared_ptr<const Picture> picture() const;
+    [[nodiscard]] bool pictureIsFine() const;
+    /// True from a change until its fine picture is there. Always false while the widget is hidden.
+    [[nodiscard]] bool busy() const { return m_busy; }
+    /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.
+    [[nodiscard]] QImage screenImage();
+    /// What the scale bar says; a sentence where the volume's spacing is unknown.
+    [[nodiscard]] QString scaleText() const;
+    /// For the status line.
+    [[nodiscard]] static QString rendererName() { return tr("software ray caster"); }
+
+    [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+signals:
+    void cameraChanged();  ///< by the person
+    void pictureDelivered(bool fine, double milliseconds);
+    void busyChanged(bool busy);
+    /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is.
+    void pointed(std::optional<double> intensity, std::optional<double> opacity);
+    void filesDropped(const QStringList& files);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct Parts;
+    void connectPointer();
+    void followHand(const struct CameraPose& pose);
+    void schedule();
+    void requestPicture();
+    void showPicture(const std::shared_ptr<const CastPicture>& picture);
+    void pointAt(std::optional<QPointF> position);
+    void updateBusy();
+    void refit();
+    [[nodiscard]] QSize pixelSize() const;
+    [[nodiscard]] double aspect() const;
+
+    std::unique_ptr<Parts> m_parts;
+    bool m_busy = false;
+};
+
+}  // namespace echolucent
