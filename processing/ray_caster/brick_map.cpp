@@ -105,7 +105,7 @@ void BrickMap::findMissingData(const Volume& volume, const std::array<int, 3>& r
         if (!anyData)
             m_kinds[index] = BrickKind::empty;
         else if (anyMissing)
-            m_kinds[index] = BrickKind::careful;
+            m_kinds[index] = BrickKind::masked;
     });
 }
 

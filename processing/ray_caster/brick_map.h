@@ -14,7 +14,7 @@ namespace echolucent::ray_casting {
 enum class BrickKind : std::uint8_t {
     plain,    ///< every voxel that a sample or a gradient there needs carries data
     empty,    ///< every sample is fully transparent
-    careful,  ///< voxels with and without data
+    masked,  ///< voxels with and without data
 };
 
 /// Kinds of the bricks of 8 x 8 x 8 cells of a volume under a transfer table. Cost: one pass over the voxels or the

@@ -81,7 +81,7 @@ std::optional<Picture> castTiles(const Kernel& kernel, const RayGeometry& rays, 
 template <typename Voxel, Interpolation interpolation>
 std::optional<Picture> castVoxels(const Volume& volume, const TransferTable& table, const RayCastSettings& settings,
                                   const Progress& progress) {
-    const RayGeometry rays(volume.geometry(), settings, readAhead<Voxel>);
+    const RayGeometry rays(volume.geometry(), settings);
     const BrickMap bricks(volume, table, gradientReach(volume, settings.shading));
     if (settings.shading)
         return castTiles(RayKernel<Voxel, interpolation, true>(volume, table, bricks, settings), rays, settings,

@@ -86,7 +86,7 @@ private:
             m_unitsPerVoxel[axis] = geometry.spacing[axis] / geometry.unit();
             m_reach[axis] = shading.gradientReach / m_unitsPerVoxel[axis];
             const auto last = static_cast<double>(geometry.size[static_cast<std::size_t>(axis)] - 1);
-            m_insideMax[axis] = last - margin - m_reach[axis] - (axis == 0 ? readAhead<Voxel> : 0);
+            m_insideMax[axis] = last - margin - m_reach[axis] - (axis == 0 ? readAhead : 0);
         }
         m_scale = static_cast<float>(1.0 / (2.0 * shading.gradientReach * m_white));
         const double sliceBytes = static_cast<double>(geometry.size[0] * geometry.size[1]) * sizeof(Voxel);

@@ -1,5 +1,7 @@
 #include "processing/ray_caster/ray_geometry.h"
 
+#include "processing/ray_caster/sample_run.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,7 +66,7 @@ std::pair<std::int64_t, std::int64_t> samplesBetween(double first, double last) 
 
 }  // namespace
 
-RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings, int readAhead)
+RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings)
     : m_geometry(geometry),
       m_camera(settings.camera),
       m_width(settings.width),

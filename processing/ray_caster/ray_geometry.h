@@ -11,7 +11,7 @@ namespace echolucent::ray_casting {
 
 /// Sample k of a ray, k = first ... last - 1, lies at voxel position origin + (k + 0.5) * step. The samples of
 /// innerFirst ... innerLast - 1 lie between voxel centres on all axes (with a hair to spare at the far side), so that
-/// the eight voxels around them exist.
+/// the eight voxels around them exist, and what is read ahead of them.
 struct Ray {
     Vec3 origin;
     Vec3 step;
@@ -29,8 +29,7 @@ struct Ray {
 class RayGeometry {
 public:
     /// Throws std::invalid_argument for a size, step or camera that makes no sense.
-    /// readAhead: voxels along x that must exist beyond the two around an inner sample (sample_run.h).
-    RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings, int readAhead);
+    RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings);
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
 

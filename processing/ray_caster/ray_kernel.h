@@ -54,18 +54,17 @@ private:
             const auto count = static_cast<int>(std::min<std::int64_t>(batchSize, last - first));
             for (int i = 0; i < count; ++i)
                 positions[static_cast<std::size_t>(i)] = carefulTablePosition(ray.position(first + i));
-            if (!composite(positions, count, ray, first, false, pixel)) return false;
+            if (!composite(positions, count, {ray, first, DataAround::masked, false}, pixel)) return false;
         }
         return true;
     }
 
-    /// -1 where there is no data.
     [[nodiscard]] float carefulTablePosition(const Vec3& position) const {
         bool complete = true;
         const std::optional<float> value = interpolation == Interpolation::nearest
                                                ? m_sampler.nearestCareful(position)
                                                : m_sampler.trilinearCareful(position, complete);
-        if (!value) return -1.0f;
+        if (!value) return noDataPosition;
         return std::min(std::max(*value * m_toTable, 0.0f), static_cast<float>(TransferTable::intervals));
     }
 
@@ -78,8 +77,8 @@ private:
                 kind = m_bricks.kindOf(brick);
                 end = leavesBrick(ray, brick, sample, end);
             }
-            if (kind == BrickKind::plain && !run(ray, sample, end, pixel)) return false;
-            if (kind == BrickKind::careful && !carefully(ray, sample, end, pixel)) return false;
+            if (kind == BrickKind::plain && !run(ray, sample, end, DataAround::complete, pixel)) return false;
+            if (kind == BrickKind::masked && !run(ray, sample, end, DataAround::masked, pixel)) return false;
             sample = end;
         }
         return true;
@@ -113,29 +112,37 @@ private:
         return end;
     }
 
-    /// Samples with data all around them, as vectors.
-    bool run(const Ray& ray, std::int64_t first, std::int64_t last, Pixel& pixel) const {
+    /// Inner samples, as vectors.
+    bool run(const Ray& ray, std::int64_t first, std::int64_t last, DataAround data, Pixel& pixel) const {
         const Vec3 start = ray.position(first);
         const Corner corner = m_sampler.cornerOf(start, ray.position(last - 1));
         const Float4 local = corner.local(start), step = float4Of(ray.step);
         Batch positions;
         for (std::int64_t done = 0; done < last - first; done += batchSize) {
             const auto count = static_cast<int>(std::min<std::int64_t>(batchSize, last - first - done));
-            tablePositionsAlong(corner.block, interpolation, {local + static_cast<float>(done) * step, step}, count,
-                                m_toTable, positions);
-            if (!composite(positions, count, ray, first + done, true, pixel)) return false;
+            tablePositionsAlong(corner.block, interpolation, data, {local + static_cast<float>(done) * step, step},
+                                count, m_toTable, positions);
+            if (!composite(positions, count, {ray, first + done, data, true}, pixel)) return false;
         }
         return true;
     }
 
-    /// Blends samples first ... first + count - 1 behind what the pixel holds.
-    bool composite(Batch& positions, int count, const Ray& ray, std::int64_t first, bool plain, Pixel& pixel) const {
+    /// Some samples of a ray that follow each other.
+    struct Samples {
+        const Ray& ray;
+        std::int64_t first;
+        DataAround data;
+        bool inner;  ///< not within the outermost half voxel
+        [[nodiscard]] Vec3 position(std::size_t i) const { return ray.position(first + static_cast<std::int64_t>(i)); }
+    };
+
+    /// Blends samples behind what the pixel holds.
+    bool composite(Batch& positions, int count, const Samples& samples, Pixel& pixel) const {
         if constexpr (std::is_same_v<Voxel, float>)
-            for (int i = 0; plain && i < count; ++i)
-                if (float& position = positions[static_cast<std::size_t>(i)]; position < 0.0f)
-                    position = carefulTablePosition(ray.position(first + i));
+            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+                if (positions[i] == notFinitePosition) positions[i] = carefulTablePosition(samples.position(i));
         if constexpr (shaded)
-            return compositeShaded(positions, count, ray, first, plain, pixel);
+            return compositeShaded(positions, count, samples, pixel);
         else
             return compositeUnshaded(positions, count, pixel);
     }
@@ -164,8 +171,7 @@ private:
         int litCount = 0;
     };
 
-    bool compositeShaded(const Batch& positions, int count, const Ray& ray, std::int64_t first, bool plain,
-                         Pixel& pixel) const {
+    bool compositeShaded(const Batch& positions, int count, const Samples& samples, Pixel& pixel) const {
         constexpr float worthGradient = 1.0f / 256;
         Visible visible;
         for (int i = 0; i < count && pixel.transmittance >= m_endTransmittance; ++i) {
@@ -180,15 +186,15 @@ private:
             }
             visible.entries[static_cast<std::size_t>(visible.count++)] = seen;
         }
-        blend(visible, ray, first, plain, pixel);
+        blend(visible, samples, pixel);
         return pixel.transmittance >= m_endTransmittance;
     }
 
-    void blend(const Visible& visible, const Ray& ray, std::int64_t first, bool plain, Pixel& pixel) const {
+    void blend(const Visible& visible, const Samples& samples, Pixel& pixel) const {
         Batch factors, highlights;
         if (visible.litCount > 0) {
             Gradients gradients;
-            findGradients(visible, ray, first, plain, gradients);
+            findGradients(visible, samples, gradients);
             lightOf(pixel.light, gradients, visible.litCount, factors, highlights);
         }
         Float4 colour = pixel.colour;
@@ -210,24 +216,23 @@ private:
         pixel.colour = colour;
     }
 
-    void findGradients(const Visible& visible, const Ray& ray, std::int64_t first, bool plain,
-                       Gradients& gradients) const {
+    void findGradients(const Visible& visible, const Samples& samples, Gradients& gradients) const {
         const auto count = static_cast<std::size_t>(visible.litCount);
         const auto position = [&](std::size_t i) {
-            return ray.position(first + static_cast<std::int64_t>(visible.litSamples[i]));
+            return samples.position(static_cast<std::size_t>(visible.litSamples[i]));
         };
         // The box in which gradients need no care is convex: the samples inside follow each other.
-        std::size_t begin = 0, end = plain ? count : 0;
+        std::size_t begin = 0, end = samples.inner ? count : 0;
         while (begin < end && !m_lighting.isInside(position(begin))) ++begin;
         while (begin < end && !m_lighting.isInside(position(end - 1))) --end;
         if (begin < end) {
             const Corner corner = m_lighting.cornerOf(position(begin), position(end - 1));
             // Whole vectors are read: the others repeat a sample inside.
-            Batch samples;
-            for (std::size_t i = 0; i < samples.size(); ++i)
-                samples[i] = visible.litSamples[std::clamp(i, begin, end - 1)];
-            gradientsAlong(corner.block, {corner.local(ray.position(first)), float4Of(ray.step)}, samples,
-                           visible.litCount, m_lighting.reach(), m_lighting.scale(), gradients);
+            Batch chosen;
+            for (std::size_t i = 0; i < chosen.size(); ++i)
+                chosen[i] = visible.litSamples[std::clamp(i, begin, end - 1)];
+            gradientsAlong(corner.block, samples.data, {corner.local(samples.position(0)), float4Of(samples.ray.step)},
+                           chosen, visible.litCount, m_lighting.reach(), m_lighting.scale(), gradients);
         }
         for (std::size_t i = 0; i < gradients.x.size(); ++i) {
             if (i >= begin && i < end) continue;

@@ -28,62 +28,115 @@ HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector 
     return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
 }
 
-/// The voxel at each byte offset.
-template <typename Voxel>
-HWY_INLINE FloatVector voxelAt(const Voxel* first, IntVector offset) {
-    if constexpr (std::is_same_v<Voxel, float>) {
-        return hn::GatherOffset(Floats(), first, offset);
-    } else {
-        const Ints ints;
-        const auto word = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), offset);
-        return hn::ConvertTo(Floats(), hn::And(word, hn::Set(ints, sizeof(Voxel) == 1 ? 0xFF : 0xFFFF)));
-    }
-}
+/// Two voxels that follow each other along x.
+struct Pair {
+    FloatVector left, right;
+};
 
-/// Between the voxel at each byte offset and the next along x.
+/// The voxels at each byte offset and the next along x.
 template <typename Voxel>
-HWY_INLINE FloatVector pairAt(const Voxel* first, IntVector offset, FloatVector share) {
+HWY_INLINE Pair pairAt(const Voxel* first, IntVector offset) {
     const Floats floats;
     if constexpr (std::is_same_v<Voxel, float>) {
-        return between(hn::GatherOffset(floats, first, offset), hn::GatherOffset(floats, first + 1, offset), share);
+        return {hn::GatherOffset(floats, first, offset), hn::GatherOffset(floats, first + 1, offset)};
     } else {
         constexpr int bits = 8 * sizeof(Voxel);
         const Ints ints;
         const auto mask = hn::Set(ints, sizeof(Voxel) == 1 ? 0xFF : 0xFFFF);
         const auto word = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), offset);
-        return between(hn::ConvertTo(floats, hn::And(word, mask)),
-                       hn::ConvertTo(floats, hn::And(hn::ShiftRight<bits>(word), mask)), share);
+        return {hn::ConvertTo(floats, hn::And(word, mask)),
+                hn::ConvertTo(floats, hn::And(hn::ShiftRight<bits>(word), mask))};
     }
 }
 
 template <typename Voxel>
-HWY_INLINE IntVector byteOffset(const VoxelBlock<Voxel>& block, IntVector x, IntVector y, IntVector z) {
+HWY_INLINE FloatVector meanOfPair(const Voxel* first, IntVector offset, FloatVector share) {
+    const Pair pair = pairAt(first, offset);
+    return between(pair.left, pair.right, share);
+}
+
+/// A sum of values by their weights, and of the weights.
+struct Weighted {
+    FloatVector sum, weight;
+};
+
+HWY_INLINE Weighted between(const Weighted& left, const Weighted& right, FloatVector share) {
+    return {between(left.sum, right.sum, share), between(left.weight, right.weight, share)};
+}
+
+/// Like meanOfPair, of the voxels with data alone.
+template <typename Voxel>
+HWY_INLINE Weighted dataOfPair(const Voxel* first, const std::uint8_t* mask, IntVector byteOffset, IntVector offset,
+                               FloatVector share) {
+    const Floats floats;
+    const Pair values = pairAt(first, byteOffset), data = pairAt(mask, offset);
+    const auto hasLeft = hn::Gt(data.left, hn::Zero(floats)), hasRight = hn::Gt(data.right, hn::Zero(floats));
+    const auto leftShare = hn::Sub(hn::Set(floats, 1.0f), share);
+    return {hn::Add(hn::IfThenElseZero(hasLeft, hn::Mul(values.left, leftShare)),
+                    hn::IfThenElseZero(hasRight, hn::Mul(values.right, share))),
+            hn::Add(hn::IfThenElseZero(hasLeft, leftShare), hn::IfThenElseZero(hasRight, share))};
+}
+
+/// Voxel offset of the cell at each position, and the shares of its far corners.
+struct Cells {
+    IntVector offset;
+    FloatVector shareX, shareY, shareZ;
+};
+
+template <typename Voxel>
+HWY_INLINE IntVector offsetOf(const VoxelBlock<Voxel>& block, IntVector x, IntVector y, IntVector z) {
     const Ints ints;
-    const auto rows = hn::Add(hn::Mul(y, hn::Set(ints, block.rowStride)), hn::Mul(z, hn::Set(ints, block.sliceStride)));
-    return hn::Mul(hn::Add(x, rows), hn::Set(ints, static_cast<std::int32_t>(sizeof(Voxel))));
+    return hn::Add(x, hn::Add(hn::Mul(y, hn::Set(ints, block.rowStride)), hn::Mul(z, hn::Set(ints, block.sliceStride))));
+}
+
+template <typename Voxel>
+HWY_INLINE IntVector bytes(IntVector offset) {
+    if constexpr (sizeof(Voxel) == 1)
+        return offset;
+    else
+        return hn::ShiftLeft<sizeof(Voxel) == 2 ? 1 : 2>(offset);
+}
+
+template <typename Voxel>
+HWY_INLINE Cells cellsAt(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
+    const Floats floats;
+    const Ints ints;
+    const auto cellX = hn::ConvertTo(ints, x), cellY = hn::ConvertTo(ints, y), cellZ = hn::ConvertTo(ints, z);
+    return {offsetOf(block, cellX, cellY, cellZ), hn::Sub(x, hn::ConvertTo(floats, cellX)),
+            hn::Sub(y, hn::ConvertTo(floats, cellY)), hn::Sub(z, hn::ConvertTo(floats, cellZ))};
 }
 
 template <typename Voxel>
 HWY_INLINE FloatVector trilinear(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
-    const Floats floats;
-    const Ints ints;
-    const auto cellX = hn::ConvertTo(ints, x), cellY = hn::ConvertTo(ints, y), cellZ = hn::ConvertTo(ints, z);
-    const auto shareX = hn::Sub(x, hn::ConvertTo(floats, cellX)), shareY = hn::Sub(y, hn::ConvertTo(floats, cellY));
-    const auto shareZ = hn::Sub(z, hn::ConvertTo(floats, cellZ));
-    const auto offset = byteOffset(block, cellX, cellY, cellZ);
-    const Voxel* near = block.first;
-    const Voxel* far = near + block.sliceStride;
-    const auto nearValue = between(pairAt(near, offset, shareX), pairAt(near + block.rowStride, offset, shareX), shareY);
-    const auto farValue = between(pairAt(far, offset, shareX), pairAt(far + block.rowStride, offset, shareX), shareY);
-    return between(nearValue, farValue, shareZ);
+    const Cells cells = cellsAt(block, x, y, z);
+    const auto offset = bytes<Voxel>(cells.offset);
+    const auto slice = [&](const Voxel* first) {
+        return between(meanOfPair(first, offset, cells.shareX), meanOfPair(first + block.rowStride, offset, cells.shareX),
+                       cells.shareY);
+    };
+    return between(slice(block.first), slice(block.first + block.sliceStride), cells.shareZ);
+}
+
+/// Sum over the voxels with data around each position, by their trilinear weights.
+template <typename Voxel>
+HWY_INLINE Weighted trilinearData(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
+    const Cells cells = cellsAt(block, x, y, z);
+    const auto offset = bytes<Voxel>(cells.offset);
+    const auto row = [&](std::ptrdiff_t shift) {
+        return dataOfPair(block.first + shift, block.mask + shift, offset, cells.offset, cells.shareX);
+    };
+    const auto slice = [&](std::ptrdiff_t shift) {
+        return between(row(shift), row(shift + block.rowStride), cells.shareY);
+    };
+    return between(slice(0), slice(block.sliceStride), cells.shareZ);
 }
 
 template <typename Voxel>
-HWY_INLINE FloatVector nearest(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
+HWY_INLINE IntVector nearestOffset(const VoxelBlock<Voxel>& block, FloatVector x, FloatVector y, FloatVector z) {
     const Ints ints;
     const auto half = hn::Set(Floats(), 0.5f);
-    return voxelAt(block.first, byteOffset(block, hn::ConvertTo(ints, hn::Add(x, half)),
-                                           hn::ConvertTo(ints, hn::Add(y, half)), hn::ConvertTo(ints, hn::Add(z, half))));
+    return offsetOf(block, hn::ConvertTo(ints, hn::Add(x, half)), hn::ConvertTo(ints, hn::Add(y, half)),
+                    hn::ConvertTo(ints, hn::Add(z, half)));
 }
 
 /// One coordinate of the samples at start + index * step.

@@ -17,15 +17,39 @@ HWY_INLINE FloatVector tablePosition(FloatVector value, float toTable) {
         hn::Min(hn::Max(scaled, hn::Zero(floats)), hn::Set(floats, static_cast<float>(TransferTable::intervals)));
     if constexpr (std::is_same_v<Voxel, float>) {
         const auto finite = hn::Le(hn::Abs(value), hn::Set(floats, std::numeric_limits<float>::max()));
-        return hn::IfThenElse(finite, position, hn::Set(floats, -1.0f));
+        // Positions next to nothing are 0: they would make the blending work on subnormal numbers, which is slow.
+        const auto normal = hn::IfThenElseZero(hn::Gt(position, hn::Set(floats, 1e-12f)), position);
+        return hn::IfThenElse(finite, normal, hn::Set(floats, notFinitePosition));
     } else {
         return position;
     }
 }
 
-template <typename Voxel, bool isNearest>
-HWY_INLINE void positionsAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,
-                               float* positions) {
+template <typename Voxel>
+HWY_INLINE FloatVector trilinearPosition(const VoxelBlock<Voxel>& block, DataAround data, float toTable, FloatVector x,
+                                         FloatVector y, FloatVector z) {
+    if (data == DataAround::complete) return tablePosition<Voxel>(trilinear(block, x, y, z), toTable);
+    const Floats floats;
+    const Weighted values = trilinearData(block, x, y, z);
+    const auto enough = hn::Ge(values.weight, hn::Set(floats, 0.5f));
+    const auto mean = hn::Div(values.sum, hn::IfThenElse(enough, values.weight, hn::Set(floats, 1.0f)));
+    return hn::IfThenElse(enough, tablePosition<Voxel>(mean, toTable), hn::Set(floats, noDataPosition));
+}
+
+template <typename Voxel>
+HWY_INLINE FloatVector nearestPosition(const VoxelBlock<Voxel>& block, DataAround data, float toTable, FloatVector x,
+                                       FloatVector y, FloatVector z) {
+    const Floats floats;
+    const auto offset = nearestOffset(block, x, y, z);
+    const auto position = tablePosition<Voxel>(pairAt(block.first, bytes<Voxel>(offset)).left, toTable);
+    if (data == DataAround::complete) return position;
+    const auto hasData = hn::Gt(pairAt(block.mask, offset).left, hn::Zero(floats));
+    return hn::IfThenElse(hasData, position, hn::Set(floats, noDataPosition));
+}
+
+template <typename Voxel, Interpolation interpolation>
+HWY_INLINE void positionsAlong(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,
+                               float toTable, float* positions) {
     const Floats floats;
     const auto last = hn::Set(floats, static_cast<float>(count - 1));
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
@@ -33,27 +57,45 @@ HWY_INLINE void positionsAlong(const VoxelBlock<Voxel>& block, const SampleRun& 
         const auto index = hn::Min(hn::Iota(floats, static_cast<float>(i)), last);
         const auto x = coordinate(run.start[0], run.step[0], index), y = coordinate(run.start[1], run.step[1], index);
         const auto z = coordinate(run.start[2], run.step[2], index);
-        const auto value = isNearest ? nearest(block, x, y, z) : trilinear(block, x, y, z);
-        hn::StoreU(tablePosition<Voxel>(value, toTable), floats, positions + i);
+        hn::StoreU(interpolation == Interpolation::nearest ? nearestPosition(block, data, toTable, x, y, z)
+                                                           : trilinearPosition(block, data, toTable, x, y, z),
+                   floats, positions + i);
     }
 }
 
+/// The difference of two samples; `complete` falls where a voxel of either has no data.
 template <typename Voxel>
-HWY_INLINE void differencesAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, const float* samples, int count,
-                                 const Float4& reach, float scale, Gradients& gradients) {
+HWY_INLINE FloatVector difference(const VoxelBlock<Voxel>& block, DataAround data, const FloatVector (&before)[3],
+                                  const FloatVector (&after)[3], FloatVector& complete) {
+    if (data == DataAround::complete)
+        return hn::Sub(trilinear(block, after[0], after[1], after[2]), trilinear(block, before[0], before[1], before[2]));
+    const Weighted low = trilinearData(block, before[0], before[1], before[2]);
+    const Weighted high = trilinearData(block, after[0], after[1], after[2]);
+    complete = hn::Min(complete, hn::Min(low.weight, high.weight));
+    return hn::Sub(high.sum, low.sum);
+}
+
+template <typename Voxel>
+HWY_INLINE void differencesAlong(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run,
+                                 const float* samples, int count, const Float4& reach, float scale,
+                                 Gradients& gradients) {
     const Floats floats;
-    const auto factor = hn::Set(floats, scale);
-    const auto reachX = hn::Set(floats, reach[0]), reachY = hn::Set(floats, reach[1]), reachZ = hn::Set(floats, reach[2]);
+    float* const targets[3] = {gradients.x.data(), gradients.y.data(), gradients.z.data()};
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
         const auto index = hn::LoadU(floats, samples + i);
         const auto x = coordinate(run.start[0], run.step[0], index), y = coordinate(run.start[1], run.step[1], index);
         const auto z = coordinate(run.start[2], run.step[2], index);
-        const auto alongX = hn::Sub(trilinear(block, hn::Add(x, reachX), y, z), trilinear(block, hn::Sub(x, reachX), y, z));
-        const auto alongY = hn::Sub(trilinear(block, x, hn::Add(y, reachY), z), trilinear(block, x, hn::Sub(y, reachY), z));
-        const auto alongZ = hn::Sub(trilinear(block, x, y, hn::Add(z, reachZ)), trilinear(block, x, y, hn::Sub(z, reachZ)));
-        hn::StoreU(hn::Mul(alongX, factor), floats, gradients.x.data() + i);
-        hn::StoreU(hn::Mul(alongY, factor), floats, gradients.y.data() + i);
-        hn::StoreU(hn::Mul(alongZ, factor), floats, gradients.z.data() + i);
+        auto complete = hn::Set(floats, 1.0f);
+        const auto reachX = hn::Set(floats, reach[0]), reachY = hn::Set(floats, reach[1]);
+        const auto reachZ = hn::Set(floats, reach[2]);
+        const auto alongX = difference(block, data, {hn::Sub(x, reachX), y, z}, {hn::Add(x, reachX), y, z}, complete);
+        const auto alongY = difference(block, data, {x, hn::Sub(y, reachY), z}, {x, hn::Add(y, reachY), z}, complete);
+        const auto alongZ = difference(block, data, {x, y, hn::Sub(z, reachZ)}, {x, y, hn::Add(z, reachZ)}, complete);
+        // Weights are sums of rounded products: one that is missing weighs more than this.
+        const auto factor = hn::IfThenElseZero(hn::Gt(complete, hn::Set(floats, 1.0f - 1e-5f)), hn::Set(floats, scale));
+        hn::StoreU(hn::Mul(alongX, factor), floats, targets[0] + i);
+        hn::StoreU(hn::Mul(alongY, factor), floats, targets[1] + i);
+        hn::StoreU(hn::Mul(alongZ, factor), floats, targets[2] + i);
     }
 }
 
@@ -98,17 +140,17 @@ void light(const DirectionalLight& source, const Gradients& gradients, int count
 
 // Highway's dispatch tables need plain functions.
 #define ECHOLUCENT_SAMPLERS(Voxel, Name)                                                                             \
-    void trilinear##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,             \
-                         float* positions) {                                                                         \
-        positionsAlong<Voxel, false>(block, run, count, toTable, positions);                                         \
+    void trilinear##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,           \
+                         float toTable, float* positions) {                                                          \
+        positionsAlong<Voxel, Interpolation::trilinear>(block, data, run, count, toTable, positions);                \
     }                                                                                                                \
-    void nearest##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, int count, float toTable,               \
-                       float* positions) {                                                                           \
-        positionsAlong<Voxel, true>(block, run, count, toTable, positions);                                          \
+    void nearest##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,             \
+                       float toTable, float* positions) {                                                            \
+        positionsAlong<Voxel, Interpolation::nearest>(block, data, run, count, toTable, positions);                  \
     }                                                                                                                \
-    void gradients##Name(const VoxelBlock<Voxel>& block, const SampleRun& run, const float* samples, int count,      \
-                         const Float4& reach, float scale, Gradients& gradients) {                                   \
-        differencesAlong<Voxel>(block, run, samples, count, reach, scale, gradients);                                \
+    void gradients##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run,                      \
+                         const float* samples, int count, const Float4& reach, float scale, Gradients& gradients) {  \
+        differencesAlong<Voxel>(block, data, run, samples, count, reach, scale, gradients);                          \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)
 ECHOLUCENT_SAMPLERS(std::uint16_t, Words)
@@ -126,17 +168,17 @@ namespace echolucent::ray_casting {
     HWY_EXPORT(nearest##Name);                                                                                       \
     HWY_EXPORT(gradients##Name);                                                                                     \
     template <>                                                                                                      \
-    void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, const SampleRun& run,      \
-                             int count, float toTable, Batch& positions) {                                           \
+    void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, DataAround data,           \
+                             const SampleRun& run, int count, float toTable, Batch& positions) {                     \
         if (interpolation == Interpolation::nearest)                                                                 \
-            HWY_DYNAMIC_DISPATCH(nearest##Name)(block, run, count, toTable, positions.data());                       \
+            HWY_DYNAMIC_DISPATCH(nearest##Name)(block, data, run, count, toTable, positions.data());                 \
         else                                                                                                         \
-            HWY_DYNAMIC_DISPATCH(trilinear##Name)(block, run, count, toTable, positions.data());                     \
+            HWY_DYNAMIC_DISPATCH(trilinear##Name)(block, data, run, count, toTable, positions.data());               \
     }                                                                                                                \
     template <>                                                                                                      \
-    void gradientsAlong(const VoxelBlock<Voxel>& block, const SampleRun& run, const Batch& samples, int count,       \
-                        Float4 reach, float scale, Gradients& gradients) {                                           \
-        HWY_DYNAMIC_DISPATCH(gradients##Name)(block, run, samples.data(), count, reach, scale, gradients);           \
+    void gradientsAlong(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run,                       \
+                        const Batch& samples, int count, Float4 reach, float scale, Gradients& gradients) {          \
+        HWY_DYNAMIC_DISPATCH(gradients##Name)(block, data, run, samples.data(), count, reach, scale, gradients);     \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)
 ECHOLUCENT_SAMPLERS(std::uint16_t, Words)

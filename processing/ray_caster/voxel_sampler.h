@@ -46,7 +46,9 @@ public:
         Corner corner{};
         for (int axis = 0; axis < 3; ++axis)
             corner.voxel[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::min(a[axis], b[axis]));
-        corner.block.first = m_voxels + corner.voxel[0] + m_rowStride * corner.voxel[1] + m_sliceStride * corner.voxel[2];
+        const std::ptrdiff_t offset = corner.voxel[0] + m_rowStride * corner.voxel[1] + m_sliceStride * corner.voxel[2];
+        corner.block.first = m_voxels + offset;
+        corner.block.mask = m_mask == nullptr ? nullptr : m_mask + offset;
         corner.block.rowStride = static_cast<std::int32_t>(m_rowStride);
         corner.block.sliceStride = static_cast<std::int32_t>(m_sliceStride);
         return corner;
