@@ -78,11 +78,12 @@ struct Picture {
 };
 
 /// Renders the volume. Samples lie in the middle of steps: parallel rays on planes across the view, counted from the
-/// near plane or the box's foremost corner, whichever is farther; perspective rays at distances from the eye. Trilinear
+/// near plane or the box's foremost corner, whichever is farther; perspective rays at distances from the eye,
+/// counted from the depth of that plane. Trilinear
 /// samples are means over the data voxels around them; a sample with less than half its weight on data is transparent.
 /// Opacities and colours come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and
 /// seven between each two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve. Lighting is
-/// left out (w = 0) where a sample adds less than 1/1024 of white to its pixel. Empty only where progress.cancel was raised (polled at least once
+/// left out (w = 0) where a sample adds less than 1/256 of its pixel's opacity. Empty only where progress.cancel was raised (polled at least once
 /// a row of tiles). Uses the calling thread's oneTBB arena; the same pixels for any number of threads.
 /// Throws std::invalid_argument for a size, step or camera that makes no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,

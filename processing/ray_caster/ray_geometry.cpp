@@ -48,6 +48,10 @@ double foremostDepth(const VolumeGeometry& geometry, const Vec3& forward) {
 
 /// Narrows [first, last) to the parameters t at which low <= origin + t * step < high.
 void narrow(double origin, double step, double low, double high, double& first, double& last) {
+    if (!(low < high)) {
+        last = first;
+        return;
+    }
     if (step == 0.0) {
         if (!(origin >= low && origin < high)) last = first;
         return;

@@ -91,11 +91,16 @@ HWY_INLINE void differencesAlong(const VoxelBlock<Voxel>& block, DataAround data
         const auto alongX = difference(block, data, {hn::Sub(x, reachX), y, z}, {hn::Add(x, reachX), y, z}, complete);
         const auto alongY = difference(block, data, {x, hn::Sub(y, reachY), z}, {x, hn::Add(y, reachY), z}, complete);
         const auto alongZ = difference(block, data, {x, y, hn::Sub(z, reachZ)}, {x, y, hn::Add(z, reachZ)}, complete);
-        // Weights are sums of rounded products: one that is missing weighs more than this.
-        const auto factor = hn::IfThenElseZero(hn::Gt(complete, hn::Set(floats, 1.0f - 1e-5f)), hn::Set(floats, scale));
-        hn::StoreU(hn::Mul(alongX, factor), floats, targets[0] + i);
-        hn::StoreU(hn::Mul(alongY, factor), floats, targets[1] + i);
-        hn::StoreU(hn::Mul(alongZ, factor), floats, targets[2] + i);
+        auto valid = hn::Gt(complete, hn::Set(floats, 1.0f - missingWeight));
+        if constexpr (std::is_same_v<Voxel, float>) {
+            // Voxels that are not finite count as missing too, mask or not.
+            const auto sum = hn::Add(hn::Add(hn::Abs(alongX), hn::Abs(alongY)), hn::Abs(alongZ));
+            valid = hn::And(valid, hn::Le(sum, hn::Set(floats, std::numeric_limits<float>::max())));
+        }
+        const auto factor = hn::Set(floats, scale);
+        hn::StoreU(hn::IfThenElseZero(valid, hn::Mul(alongX, factor)), floats, targets[0] + i);
+        hn::StoreU(hn::IfThenElseZero(valid, hn::Mul(alongY, factor)), floats, targets[1] + i);
+        hn::StoreU(hn::IfThenElseZero(valid, hn::Mul(alongZ, factor)), floats, targets[2] + i);
     }
 }
 

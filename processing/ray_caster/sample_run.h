@@ -21,6 +21,9 @@ struct VoxelBlock {
 /// Bytes are gathered as 32-bit words: that many voxels along x beyond a sample's own two may be read (not used).
 inline constexpr int readAhead = 3;
 
+/// A gradient may lack data of that trilinear weight: less is the rounding of positions.
+inline constexpr float missingWeight = 1e-5f;
+
 /// Whether the voxels around samples all carry data, or the mask must be asked.
 enum class DataAround { complete, masked };
 

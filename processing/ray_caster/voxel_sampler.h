@@ -55,7 +55,7 @@ public:
     }
 
     /// Mean of the voxels with data around a position by their trilinear weights; none where they weigh less than half.
-    /// `complete` becomes false where any voxel with a weight has no data.
+    /// `complete` becomes false where a voxel of more than missingWeight has no data.
     [[nodiscard]] std::optional<float> trilinearCareful(const Vec3& position, bool& complete) const {
         Indices low, high;
         std::array<double, 3> share;
@@ -77,7 +77,7 @@ public:
             const std::ptrdiff_t offset = (right ? high[0] : low[0]) + m_rowStride * (down ? high[1] : low[1]) +
                                           m_sliceStride * (behind ? high[2] : low[2]);
             if (!hasData(offset)) {
-                complete = false;
+                complete = complete && weight <= missingWeight;
                 continue;
             }
             sum += weight * static_cast<double>(m_voxels[offset]);

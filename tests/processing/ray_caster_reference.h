@@ -1,0 +1,219 @@
+// The picture by an obvious, slow route in double precision: every sample of every ray, back to front by eq. 2 of
+// Petersch 2005. Shares with the ray caster only the curve, the colours and the frame of the view.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+using ReferencePixel = std::array<double, 4>;
+
+class ReferenceCaster {
+public:
+    ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
+        : m_volume(volume), m_geometry(volume.geometry()), m_curve(curve), m_settings(settings) {}
+
+    [[nodiscard]] ReferencePixel pixel(int column, int row) const {
+        const Camera& camera = m_settings.camera;
+        const Vec3 forward = camera.frame.forward;
+        const bool parallel = camera.projection == Projection::parallel;
+        const double pixelSize =
+            (parallel ? camera.heightMm : 2 * std::tan(camera.viewAngleDegrees / 2 * std::numbers::pi / 180)) /
+            m_settings.height;
+        const Vec3 offset = camera.frame.right * ((column + 0.5 - m_settings.width / 2.0) * pixelSize) +
+                            camera.frame.down * ((row + 0.5 - m_settings.height / 2.0) * pixelSize);
+        Vec3 origin, direction;
+        if (parallel) {
+            direction = forward;
+            origin = camera.focalPoint + offset;
+            origin = origin + forward * (startDepth() - origin.dot(forward));
+        } else {
+            direction = normalized(forward + offset);
+            const Vec3 eye = camera.focalPoint - forward * camera.distanceMm;
+            origin = eye + direction * std::max(0.0, startDepth() - eye.dot(forward));
+        }
+        return alongRay(origin, direction);
+    }
+
+private:
+    struct Sample {
+        Vec3 colour;
+        double alpha;
+    };
+
+    [[nodiscard]] double startDepth() const {
+        double foremost = std::numeric_limits<double>::infinity();
+        for (const double x : {m_geometry.boxMinMm()[0], m_geometry.boxMaxMm()[0]})
+            for (const double y : {m_geometry.boxMinMm()[1], m_geometry.boxMaxMm()[1]})
+                for (const double z : {m_geometry.boxMinMm()[2], m_geometry.boxMaxMm()[2]})
+                    foremost = std::min(foremost, m_settings.camera.frame.forward.dot(Vec3(x, y, z)));
+        return std::max(foremost, m_settings.nearPlaneDepthMm);
+    }
+
+    [[nodiscard]] ReferencePixel alongRay(const Vec3& origin, const Vec3& direction) const {
+        const double stepMm = m_settings.step * m_geometry.unit();
+        const Vec3 size = m_geometry.boxMaxMm() - m_geometry.boxMinMm();
+        const double reach = length(size) + length(origin - m_geometry.centreMm());
+        std::vector<Sample> samples;
+        double before = 1.0;
+        for (int k = 0; (k + 0.5) * stepMm <= reach; ++k) {
+            const Vec3 point = origin + direction * ((k + 0.5) * stepMm);
+            if (point.dot(m_settings.camera.frame.forward) < m_settings.nearPlaneDepthMm) continue;
+            const auto sample = sampleAt(point, direction, before);
+            if (!sample) continue;
+            samples.push_back(*sample);
+            before *= 1.0 - sample->alpha;
+        }
+        ReferencePixel out{0, 0, 0, 0};
+        for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                const double in = channel < 3 ? sample->colour[static_cast<int>(channel)] : 1.0;
+                out[channel] = out[channel] * (1.0 - sample->alpha) + in * sample->alpha;
+            }
+        return out;
+    }
+
+    [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before) const {
+        const Vec3 low = m_geometry.boxMinMm(), high = m_geometry.boxMaxMm();
+        for (int axis = 0; axis < 3; ++axis)
+            if (point[axis] < low[axis] || point[axis] >= high[axis]) return std::nullopt;
+        const Vec3 voxel = m_geometry.voxelFromGridMm(point);
+        const auto stored = m_settings.interpolation == Interpolation::nearest ? nearest(voxel) : trilinear(voxel);
+        if (!stored) return std::nullopt;
+        const double intensity = std::clamp(*stored / m_volume.whiteLevel(), 0.0, 1.0);
+        const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step);
+        Vec3 colour = colourOf(m_settings.colourMap, intensity);
+        if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha);
+        return Sample{colour, alpha};
+    }
+
+    [[nodiscard]] std::optional<double> value(std::array<std::int64_t, 3> at) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at[axis] = std::clamp<std::int64_t>(at[axis], 0, m_geometry.size[axis] - 1);
+        const std::int64_t offset = m_geometry.offset(at[0], at[1], at[2]);
+        const double stored = m_volume.storedValue(offset);
+        if (!m_volume.hasData(offset) || !std::isfinite(stored)) return std::nullopt;
+        return stored;
+    }
+    [[nodiscard]] std::optional<double> nearest(const Vec3& voxel) const {
+        return value({std::llround(std::floor(voxel[0] + 0.5)), std::llround(std::floor(voxel[1] + 0.5)),
+                      std::llround(std::floor(voxel[2] + 0.5))});
+    }
+    [[nodiscard]] std::optional<double> trilinear(const Vec3& voxel, bool* complete = nullptr) const {
+        double sum = 0.0, weights = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+            std::array<std::int64_t, 3> at{};
+            double weight = 1.0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double position = voxel[static_cast<int>(axis)];
+                const bool far = (corner >> axis & 1) != 0;
+                at[axis] = std::llround(std::floor(position)) + (far ? 1 : 0);
+                weight *= far ? position - std::floor(position) : 1.0 - (position - std::floor(position));
+            }
+            if (const auto stored = value(at)) {
+                sum += weight * *stored;
+                weights += weight;
+            } else if (complete != nullptr && weight > 1e-5) {
+                *complete = false;
+            }
+        }
+        if (weights < 0.5) return std::nullopt;
+        return sum / weights;
+    }
+
+    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& direction, double seen) const {
+        const Shading& shading = *m_settings.shading;
+        bool complete = seen >= 1.0 / 256;
+        Vec3 gradient{0, 0, 0};
+        for (int axis = 0; axis < 3 && complete; ++axis) {
+            const double last = static_cast<double>(m_geometry.size[static_cast<std::size_t>(axis)] - 1);
+            const double reach = shading.gradientReach * m_geometry.unit() / m_geometry.spacing[axis];
+            Vec3 before = voxel, after = voxel;
+            before[axis] = std::clamp(voxel[axis] - reach, 0.0, last);
+            after[axis] = std::clamp(voxel[axis] + reach, 0.0, last);
+            const auto low = trilinear(before, &complete), high = trilinear(after, &complete);
+            if (!complete || !(after[axis] > before[axis])) continue;
+            const double units = (after[axis] - before[axis]) * m_geometry.spacing[axis] / m_geometry.unit();
+            gradient[axis] = (*high - *low) / m_volume.whiteLevel() / units;
+        }
+        const double magnitude = length(gradient);
+        double surface = 0.0, facing = 0.0, highlight = 0.0;
+        if (complete && magnitude > 0.0) {
+            const ViewFrame& frame = m_settings.camera.frame;
+            const Vec3 light = normalized(frame.right * shading.towardsLight[0] + frame.down * shading.towardsLight[1] +
+                                          frame.forward * shading.towardsLight[2]);
+            const Vec3 normal = gradient * (-1.0 / magnitude);
+            surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
+            facing = std::max(0.0, (normal.dot(light) + shading.wrap) / (1.0 + shading.wrap));
+            highlight = shading.specular *
+                        std::pow(std::max(0.0, normal.dot(normalized(light - direction))), shading.specularPower);
+        }
+        const double factor =
+            shading.ambient + shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight);
+        Vec3 bright;
+        for (int channel = 0; channel < 3; ++channel)
+            bright[channel] = std::min(1.0, colour[channel] * factor + surface * highlight);
+        return bright;
+    }
+
+    const Volume& m_volume;
+    const VolumeGeometry& m_geometry;
+    const OpacityCurve& m_curve;
+    const RayCastSettings& m_settings;
+};
+
+/// The largest difference of any channel of any pixel.
+inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
+    const auto picture = castRays(volume, curve, settings);
+    const ReferenceCaster reference(volume, curve, settings);
+    double largest = 0.0;
+    for (int row = 0; row < settings.height; ++row)
+        for (int column = 0; column < settings.width; ++column) {
+            const ReferencePixel expected = reference.pixel(column, row);
+            const float* actual = &picture->rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                const double difference = std::abs(expected[channel] - static_cast<double>(actual[channel]));
+                largest = difference <= largest ? largest : difference;  // a NaN counts as largest
+            }
+        }
+    return largest;
+}
+
+/// Random voxels, with a share of zeros so that some regions are transparent.
+template <typename Voxel>
+Volume randomVolume(const std::array<std::int64_t, 3>& size, const Vec3& spacing, unsigned seed) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    const double top = std::is_same_v<Voxel, std::uint8_t> ? 255.0 : std::is_same_v<Voxel, std::uint16_t> ? 4095.0 : 3.5;
+    std::vector<Voxel> voxels(static_cast<std::size_t>(geometry.voxelCount()));
+    for (Voxel& voxel : voxels) voxel = static_cast<Voxel>(share(random) < 0.3 ? 0.0 : share(random) * top);
+    return Volume(geometry, std::move(voxels), top);
+}
+
+inline RayCastSettings settingsFor(const Volume& volume, const View& view, int width, int height) {
+    RayCastSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.camera = defaultCamera(volume.geometry(), view, static_cast<double>(width) / height);
+    settings.nearPlaneDepthMm = nearPlaneDepthMm(view, volume.geometry());
+    settings.terminationTransmittance = 0.0;
+    return settings;
+}
+
+inline const float* pixelAt(const Picture& picture, int column, int row) {
+    return &picture.rgba[(static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(column)) * 4];
+}
+
+}  // namespace echolucent
