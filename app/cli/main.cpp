@@ -32,7 +32,8 @@ std::string unknownCommand(const CLI::App& program, int count, char** arguments)
         const std::string word = arguments[i];
         if (word == "--threads") ++i;
         if (word.starts_with("-")) continue;
-        return program.get_subcommand_no_throw(word) == nullptr ? word : std::string();
+        const auto commands = program.get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
+        return commands.empty() ? word : std::string();
     }
     return {};
 }
