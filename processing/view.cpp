@@ -50,8 +50,10 @@ View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double 
     const Mat3 toBeamFrame = beamFrame(beamAxis).t();
     const Vec3 direction = normalized(toBeamFrame * forward);
     // R_y(azimuth) R_x(elevation) (0,0,1) = (sin az cos el, -sin el, cos az cos el)
-    view.elevationDegrees = degrees(std::asin(std::clamp(-direction[1], -1.0, 1.0)));
-    if (std::hypot(direction[0], direction[2]) > 1e-12)
+    // The arc tangent keeps its digits near the poles, where the arc sine loses half of them.
+    const double acrossPoles = std::hypot(direction[0], direction[2]);
+    view.elevationDegrees = degrees(std::atan2(-direction[1], acrossPoles));
+    if (acrossPoles > 1e-12)
         view.azimuthDegrees = degrees(std::atan2(direction[0], direction[2]));
     const ViewFrame unrolled = frameOf(view);
     view.rollDegrees = degrees(std::atan2(-unrolled.right.dot(down), unrolled.down.dot(down)));
