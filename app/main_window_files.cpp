@@ -93,7 +93,11 @@ void MainWindow::openFailed(const QString& path, const Failure& failure) {
                                  }};
     if (failure.layoutUnknown)
         actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
-    m_messageBar->showMessage(MessageKind::error, QString::fromStdString(failure.sentence()), actions);
+    Failure shown = failure;
+    shown.file = QFileInfo(path).fileName().toStdString();
+    // The way out is a button here; the sentence would name an option of the command line.
+    if (!actions.isEmpty()) shown.remedy.clear();
+    m_messageBar->showMessage(MessageKind::error, QString::fromStdString(shown.sentence()), actions);
     updateIdle();
 }
 

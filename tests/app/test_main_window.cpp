@@ -24,6 +24,7 @@
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/raw_layout_dialog.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;
@@ -272,6 +273,37 @@ private slots:
         QVERIFY(message()->text().contains("1000"));
         QVERIFY(difference(shown(), cast(curve)) < 0.01);
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
+    }
+
+    void aHeaderlessFileOffersToBeDescribed() {
+        const QString raw = m_folder.filePath("headerless.bin");
+        QFile file(raw);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        for (int i = 0; i < 20 * 21 * 22; ++i) file.putChar(static_cast<char>(40 + i % 100));
+        file.close();
+        QSignalSpy failed(&m_window->session(), &Session::openFailed);
+        m_window->open(raw);
+        QVERIFY(failed.wait());
+        QVERIFY(message()->text().contains("headerless.bin"));
+        QVERIFY(!message()->text().contains("--"));
+        click<QAbstractButton>("message.action.0");
+        auto* dialog = m_window->findChild<RawLayoutDialog*>("rawLayout");
+        QVERIFY(dialog != nullptr);
+        RawLayoutValues layout;
+        layout.size = {20, 21, 22};
+        dialog->setValues(layout);
+        QVERIFY(dialog->fits());
+        QSignalSpy opened(&m_window->session(), &Session::studyOpened);
+        dialog->accept();
+        QVERIFY(opened.wait());
+        QCOMPARE(m_window->session().volume()->storedValue(0), 40.0);
+        QVERIFY(!m_window->session().volume()->geometry().spacingKnown);
+        QVERIFY(m_window->windowTitle().contains("spacing unknown"));
+        // The next time nothing needs to be said.
+        opened.clear();
+        m_window->open(raw);
+        QVERIFY(opened.wait());
+        waitUntilIdle();
     }
 
     void curvesGoToFilesAndBack() {
