@@ -25,6 +25,9 @@ enum class Interpolation { nearest, trilinear };
 /// Colour of a normalised intensity, each component in [0,1]: what a fully opaque, unshaded voxel shows.
 [[nodiscard]] Vec3 colourOf(ColourMap map, double intensity);
 
+/// The tint of a shadow (t of Shading): bright tissue in shadow takes the map's dark hue, not grey.
+[[nodiscard]] Vec3 shadowTintOf(ColourMap map);
+
 /// A camera in grid mm.
 struct Camera {
     Vec3 focalPoint{0, 0, 0};  ///< seen at the picture's centre
@@ -43,18 +46,21 @@ struct Camera {
 /// Gradient (Blinn-Phong) shading by one directional light. The gradient is a central difference of trilinear samples
 /// in normalised intensity per unit; the surface's normal points to the darker side. Speckle has gradients too, so a
 /// weak gradient counts for less: with m its magnitude, a sample is lit as a surface with the share
-/// w = m^2 / (m^2 + gradientFloor^2) and evenly with the rest. Samples whose gradient touches no data have w = 0.
+/// w = m^2 / (m^2 + gradientFloor^2) and evenly with the rest. Samples whose gradient touches no data have w = 0. With
+/// n the normal, l towards the light, h halfway between light and eye, per channel:
 ///     factor = ambient + diffuse * (w * max(0, (n.l + wrap) / (1 + wrap)) + (1 - w) * evenLight)
-///     colour = min(1, colour * factor + w * specular * max(0, n.h)^specularPower)
+///              + w * specular * max(0, n.h)^specularPower
+///     colour = min(1, colour * factor * (t + (1 - t) * min(1, factor)))        t: shadowTintOf(colour map)
+/// Highlights have the colour of what they lie on: white ones turn haze into grey fog.
 struct Shading {
     Vec3 towardsLight{-0.45, -0.55, -0.7};  ///< in camera axes (right, down, forward): upper left front of the viewer
-    double ambient = 0.35;
-    double diffuse = 0.75;
-    double specular = 0.15;
+    double ambient = 0.32;
+    double diffuse = 0.85;
+    double specular = 0.2;
     double specularPower = 20.0;
     double gradientReach = 2.0;   ///< units from the sample to each sample of the difference, > 0
     double gradientFloor = 0.01;  ///< normalised intensity per unit, >= 0: about the gradient of speckle
-    double wrap = 0.3;            ///< [0,1]: how far light reaches around, 0 is Lambert's law
+    double wrap = 0.4;            ///< [0,1]: how far light reaches around, 0 is Lambert's law
     double evenLight = 0.5;       ///< [0,1]: the light where there is no surface
     friend bool operator==(const Shading&, const Shading&) = default;
 };
@@ -83,7 +89,7 @@ struct Picture {
 /// samples are means over the data voxels around them; a sample with less than half its weight on data is transparent.
 /// Opacities and colours come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and
 /// seven between each two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve. Lighting is
-/// left out (w = 0) where a sample adds less than 1/256 of its pixel's opacity. Empty only where progress.cancel was raised (polled at least once
+/// left out (w = 0) where a sample adds less than 1/128 of its pixel's opacity. Empty only where progress.cancel was raised (polled at least once
 /// a row of tiles). Uses the calling thread's oneTBB arena; the same pixels for any number of threads.
 /// Throws std::invalid_argument for a size, step or camera that makes no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,

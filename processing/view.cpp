@@ -1,6 +1,5 @@
 #include "processing/view.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

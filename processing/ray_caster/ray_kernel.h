@@ -23,7 +23,8 @@ public:
           m_table(table),
           m_bricks(bricks),
           m_toTable(static_cast<float>(TransferTable::intervals / volume.whiteLevel())),
-          m_endTransmittance(settings.terminationTransmittance) {
+          m_endTransmittance(settings.terminationTransmittance),
+          m_shadowTint(float4Of(shadowTintOf(settings.colourMap))) {
         const auto& size = volume.geometry().size;
         const double sliceBytes = static_cast<double>(size[0] * size[1]) * sizeof(Voxel);
         m_longestExtent = std::min(256.0, 0x1p29 / sliceBytes);
@@ -172,7 +173,7 @@ private:
     };
 
     bool compositeShaded(const Batch& positions, int count, const Samples& samples, Pixel& pixel) const {
-        constexpr float worthGradient = 1.0f / 256;
+        constexpr float worthGradient = 1.0f / 128;
         Visible visible;
         for (int i = 0; i < count && pixel.transmittance >= m_endTransmittance; ++i) {
             const float position = positions[static_cast<std::size_t>(i)];
@@ -191,22 +192,20 @@ private:
     }
 
     void blend(const Visible& visible, const Samples& samples, Pixel& pixel) const {
-        Batch factors, highlights;
+        Batch factors;
         if (visible.litCount > 0) {
             Gradients gradients;
             findGradients(visible, samples, gradients);
-            lightOf(pixel.light, gradients, visible.litCount, factors, highlights);
+            lightOf(pixel.light, gradients, visible.litCount, factors);
         }
         Float4 colour = pixel.colour;
         const float even = m_lighting.even();
         for (int i = 0, lit = 0; i < visible.count; ++i) {
             const Float4 entry = visible.entries[static_cast<std::size_t>(i)];
-            float factor = even, highlight = 0.0f;
-            if (lit < visible.litCount && visible.lit[static_cast<std::size_t>(lit)] == i) {
-                factor = factors[static_cast<std::size_t>(lit)];
-                highlight = highlights[static_cast<std::size_t>(lit++)] * entry[3];
-            }
-            const Float4 bright = entry * factor + highlight;
+            float factor = even;
+            if (lit < visible.litCount && visible.lit[static_cast<std::size_t>(lit)] == i)
+                factor = factors[static_cast<std::size_t>(lit++)];
+            const Float4 bright = entry * factor * (m_shadowTint + (1.0f - m_shadowTint) * std::min(1.0f, factor));
             const Float4 white = Float4{0, 0, 0, 0} + entry[3];
             // Nothing is brighter than white; alpha stays what it is.
             Float4 shown = bright < white ? bright : white;
@@ -249,6 +248,7 @@ private:
     const BrickMap& m_bricks;
     float m_toTable;
     double m_endTransmittance;
+    Float4 m_shadowTint;
     double m_longestExtent = 256.0;  ///< voxels on any axis
 };
 

@@ -120,7 +120,7 @@ HWY_INLINE FloatVector highlightAt(const DirectionalLight& light, FloatVector co
                    hn::Sub(position, hn::ConvertTo(floats, left)));
 }
 
-void light(const DirectionalLight& source, const Gradients& gradients, int count, float* factors, float* highlights) {
+void light(const DirectionalLight& source, const Gradients& gradients, int count, float* factors) {
     const Floats floats;
     const auto one = hn::Set(floats, 1.0f), zero = hn::Zero(floats), wrap = hn::Set(floats, source.wrap);
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(floats))) {
@@ -138,8 +138,7 @@ void light(const DirectionalLight& source, const Gradients& gradients, int count
         const auto diffuse = hn::Add(hn::Mul(share, facing), hn::Mul(hn::Sub(one, share), hn::Set(floats, source.evenLight)));
         const auto factor = hn::Add(hn::Set(floats, source.ambient), hn::Mul(hn::Set(floats, source.diffuse), diffuse));
         const auto bright = hn::Mul(share, highlightAt(source, hn::Mul(dot(x, y, z, source.half), perLength)));
-        hn::StoreU(factor, floats, factors + i);
-        hn::StoreU(bright, floats, highlights + i);
+        hn::StoreU(hn::Add(factor, bright), floats, factors + i);
     }
 }
 
@@ -191,8 +190,8 @@ ECHOLUCENT_SAMPLERS(float, Floating)
 #undef ECHOLUCENT_SAMPLERS
 
 HWY_EXPORT(light);
-void lightOf(const DirectionalLight& source, const Gradients& gradients, int count, Batch& factors, Batch& highlights) {
-    HWY_DYNAMIC_DISPATCH(light)(source, gradients, count, factors.data(), highlights.data());
+void lightOf(const DirectionalLight& source, const Gradients& gradients, int count, Batch& factors) {
+    HWY_DYNAMIC_DISPATCH(light)(source, gradients, count, factors.data());
 }
 
 }  // namespace echolucent::ray_casting

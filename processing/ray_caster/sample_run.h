@@ -66,7 +66,7 @@ struct DirectionalLight {
     const float* highlight;     ///< over the cosine between normal and half, linear between; intervals + 2 values
 };
 
-/// What light does to a sample: `factors` multiply its colour, `highlights` add white.
-void lightOf(const DirectionalLight& light, const Gradients& gradients, int count, Batch& factors, Batch& highlights);
+/// What light does to samples: `factors` multiply their colours.
+void lightOf(const DirectionalLight& light, const Gradients& gradients, int count, Batch& factors);
 
 }  // namespace echolucent::ray_casting

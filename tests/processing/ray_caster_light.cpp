@@ -67,6 +67,7 @@ TEST(RayCasterLight, WhereThereIsNoSurfaceLightIsEven) {
     geometry.size = {20, 20, 20};
     const Volume volume(geometry, std::vector<std::uint8_t>(8000, 120));
     RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
+    settings.colourMap = ColourMap::grey;  // whose shadows have no tint
     const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
     const auto plain = castRays(volume, curve, settings);
     const Shading shading{};
@@ -112,6 +113,7 @@ TEST(RayCasterLight, TheBorderOfTheSectorIsNotLit) {
     for (const View& view : {View{}, View{BeamAxis::plusX, 15, 10, 0, 0}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
+        settings.colourMap = ColourMap::grey;  // whose shadows have no tint
         const auto plain = castRays(volume, curve, settings);
         const Shading shading{};
         settings.shading = shading;

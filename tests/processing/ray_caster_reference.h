@@ -131,7 +131,7 @@ private:
 
     [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& direction, double seen) const {
         const Shading& shading = *m_settings.shading;
-        bool complete = seen >= 1.0 / 256;
+        bool complete = seen >= 1.0 / 128;
         Vec3 gradient{0, 0, 0};
         for (int axis = 0; axis < 3 && complete; ++axis) {
             const double last = static_cast<double>(m_geometry.size[static_cast<std::size_t>(axis)] - 1);
@@ -157,10 +157,13 @@ private:
                         std::pow(std::max(0.0, normal.dot(normalized(light - direction))), shading.specularPower);
         }
         const double factor =
-            shading.ambient + shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight);
+            shading.ambient + shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) +
+            surface * highlight;
+        const Vec3 tint = shadowTintOf(m_settings.colourMap);
+        const auto shadow = [&](int channel, double f) { return tint[channel] + (1 - tint[channel]) * std::min(1.0, f); };
         Vec3 bright;
         for (int channel = 0; channel < 3; ++channel)
-            bright[channel] = std::min(1.0, colour[channel] * factor + surface * highlight);
+            bright[channel] = std::min(1.0, colour[channel] * factor * shadow(channel, factor));
         return bright;
     }
 
