@@ -101,6 +101,8 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::volumeChanged, this, &MainWindow::volumeChanged);
     connect(&m_session, &Session::computingOtfChanged, this, &MainWindow::updateIdle);
     connect(&m_session, &Session::otfComputed, this, &MainWindow::otfComputed);
+    connect(&m_session, &Session::otfFailed, this,
+            [this](const QString& sentence) { m_messageBar->showMessage(MessageKind::error, sentence); });
 }
 
 void MainWindow::connectPicture() {

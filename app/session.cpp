@@ -89,7 +89,12 @@ void Session::requestOtf(const View& view, const AdaptiveOtfConfig& config) {
     if (!m_volume) return;
     m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, view,
                         config](const Progress& progress) -> NewestWinsThread::Deliver {
-        auto result = pipeline(*volume, view, config, progress);
+        std::optional<AdaptiveOtf> result;
+        try {
+            result = pipeline(*volume, view, config, progress);
+        } catch (const std::bad_alloc&) {
+            return [this] { emit otfFailed(tr("The adaptive OTF needs more memory than this machine has.")); };
+        }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
         return [this, volume, shared] {

@@ -59,6 +59,8 @@ signals:
     void volumeChanged();
     void computingOtfChanged(bool computing);
     void otfComputed();
+    /// The adaptive OTF could not be computed; otf() is as it was.
+    void otfFailed(const QString& sentence);
 
 private:
     struct Loaded {

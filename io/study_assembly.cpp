@@ -92,7 +92,30 @@ std::string skewWarning(const Mat3& direction) {
         std::asin(std::min(1.0, skew)) * 180.0 / CV_PI);
 }
 
+namespace {
+
+/// A spacing that no scanner has is a slip of units somewhere, and would make tubes and rays of millions of samples.
+Result<void> checkSpacing(const StudyParts& parts) {
+    const auto [smallest, largest] = std::minmax({parts.geometry.spacing[0], parts.geometry.spacing[1],
+                                                  parts.geometry.spacing[2]});
+    constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
+    const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
+    if (smallest < smallestMm || largest > largestMm)
+        return fail(FailureKind::unreadable, parts.path, element,
+                    fmt::format("gives voxels of {}, which no scanner makes", spacingText(parts.geometry.spacing)),
+                    "Give the spacing in mm.");
+    if (largest > largestRatio * smallest)
+        return fail(FailureKind::unreadable, parts.path, element,
+                    fmt::format("gives voxels of {}, more than {} times as long as wide",
+                                spacingText(parts.geometry.spacing), largestRatio),
+                    "Correct the spacing.");
+    return {};
+}
+
+}  // namespace
+
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
+    if (auto sensible = checkSpacing(parts); !sensible) return tl::unexpected(sensible.error());
     Study study;
     study.name = nameFromPath(parts.path);
     study.phaseSeconds = parts.phaseSeconds;

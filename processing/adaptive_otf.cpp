@@ -179,6 +179,7 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     const auto between = [](auto value, auto low, auto high) { return value >= low && value <= high; };
     if (!between(config.tubeColumns, 1, 4096) || !between(config.tubeRows, 1, 4096))
         return "the tube grid must have 1 to 4096 columns and rows";
+    if (config.tubeColumns * config.tubeRows > 262144) return "the tube grid must have at most 262144 tube cores";
     if (!between(config.tubeSpacing, 0.0, 1e6))
         return "the tube spacing must be 0 (automatic) or above, at most 1e6 units";
     if (!between(config.cellSize, 2, largestCellSize))

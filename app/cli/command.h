@@ -61,6 +61,9 @@ struct MethodOptions {
 /// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option);
 
+/// Fails (wrong usage) where two of the paths name the same file; empty paths and "-" are left out.
+[[nodiscard]] Result<void> differentFiles(const std::vector<std::string>& paths);
+
 /// linear | parabolic | quartic | manual:FILE. opacityScale multiplies (none: the default of docs/cli.md).
 [[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
 

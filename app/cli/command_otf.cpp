@@ -21,7 +21,7 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
-        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial)); !done)
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial, options.method.opacityScale.value_or(1.0))); !done)
             return done;
     if (!options.csv.empty())
         if (auto done = writeFileAtomically(options.csv, curveTable(otf)); !done) return done;
@@ -36,6 +36,8 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (toStandardOutput > 1)
         return fail(FailureKind::wrongUsage, "", "",
                     "only one of --json, --csv and --tubes-csv can go to standard output");
+    if (auto distinct = differentFiles({options.volume.path, options.json, options.csv, options.tubesCsv}); !distinct)
+        return distinct;
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();

@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cmath>
 #include <memory>
 
@@ -17,7 +18,7 @@ struct PhantomOptions {
     int phases = 1, bits = 8;
     std::optional<double> speckle, speckleSize, ramp, gainVariation, attenuation, shadow, specular, decibel;
     bool frontWall = false;
-    std::uint64_t seed = 1;
+    std::string seed = "1";
     ViewOptions view;
     AdaptiveOtfConfig tubes;
 };
@@ -87,7 +88,10 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     config.logCompressDecibel = options.decibel.value_or(config.logCompressDecibel);
     config.frontWall = options.frontWall;
     config.bits = options.bits;
-    config.seed = options.seed;
+    const char* const end = options.seed.data() + options.seed.size();
+    const auto [stop, problem] = std::from_chars(options.seed.data(), end, config.seed);
+    if (problem != std::errc() || stop != end)
+        return wrong("--seed", "is \"" + options.seed + "\"", "Use a whole number from 0 to 18446744073709551615.");
     if (config.frontWall && config.scene == PhantomScene::empty)
         return wrong("--front-wall", "makes no sense where there is no fluid", "Leave it out with --scene empty.");
     return config;
@@ -120,6 +124,7 @@ Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
 }
 
 Result<void> writePhantom(const PhantomOptions& options) {
+    if (auto distinct = differentFiles({options.output, options.truth}); !distinct) return distinct;
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;
@@ -201,7 +206,9 @@ void addPhantomCommand(CLI::App& program, Action& action) {
     command.add_option("--bits", options->bits, "Bits stored: 8, 12 or 16")
         ->check(CLI::IsMember({8, 12, 16}))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Seed of speckle and gain")->capture_default_str();
+    command.add_option("--seed", options->seed, "Seed of speckle and gain, a whole number from 0 to 2^64 - 1")
+        ->type_name("N")
+        ->capture_default_str();
     addLook(command, *options);
     addTruth(command, *options);
     command.footer(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -25,6 +26,18 @@ std::vector<std::string> joinedArguments(int count, char** arguments) {
     return joined;
 }
 
+/// The word that stands where a command should, where it is none; else empty.
+std::string unknownCommand(const CLI::App& program, int count, char** arguments) {
+    for (int i = 1; i < count; ++i) {
+        const std::string word = arguments[i];
+        if (word == "--threads") ++i;
+        if (word.starts_with("-")) continue;
+        const auto commands = program.get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
+        return commands.empty() ? word : std::string();
+    }
+    return {};
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -32,6 +45,13 @@ int main(int count, char** arguments) {
     CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
     program.set_version_flag("--version", std::string("echolucent-cli ") + ECHOLUCENT_VERSION);
     program.require_subcommand(1);
+    program.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
+    // One sentence and no more: CLI11 would add a line about --help.
+    program.failure_message([](const CLI::App*, const CLI::Error& error) {
+        std::string sentence = error.what();
+        if (!sentence.empty() && sentence.back() != '.') sentence += '.';
+        return sentence + '\n';
+    });
     program.fallthrough();
     int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     program.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1, 1024))->capture_default_str();
@@ -44,12 +64,21 @@ int main(int count, char** arguments) {
     try {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
+        if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
+            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render or phantom.\n", word.c_str());
+            return 2;
+        }
         return program.exit(error) == 0 ? 0 : 2;
     }
 
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    const auto done = action();
-    if (done) return 0;
-    std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
-    return exitStatus(done.error());
+    try {
+        const auto done = action();
+        if (done) return 0;
+        std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
+        return exitStatus(done.error());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "This needs more memory than the machine has.\n");
+        return 3;
+    }
 }

@@ -28,11 +28,11 @@ std::string_view nameOf(TubeStatus status) {
     return "";
 }
 
-/// a of the initial function, as --opacity-scale sets it; a manual curve carries it in its opacities.
-double opacityScaleOf(const OpacityCurve& curve) {
+/// a of the initial function, as --opacity-scale sets it: for a manual curve the factor on its file's opacities.
+double opacityScaleOf(const OpacityCurve& curve, double manualFactor) {
     if (const auto* power = std::get_if<PowerCurve>(&curve)) return power->scale;
     if (const auto* linear = std::get_if<LinearCurve>(&curve)) return linear->slope;
-    return 1.0;
+    return manualFactor;
 }
 
 Json initialFunction(const OpacityCurve& curve) {
@@ -52,11 +52,11 @@ Json initialFunction(const OpacityCurve& curve) {
     return made;
 }
 
-Json parameters(const AdaptiveOtf& otf, const std::string& initialName) {
+Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const AdaptiveOtfConfig& config = otf.config;
     return {{"initial", initialName},
             {"initial_function", initialFunction(config.initial)},
-            {"opacity_scale", opacityScaleOf(config.initial)},
+            {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
             {"tube_grid", Json::array({config.tubeColumns, config.tubeRows})},
             {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
             {"unit_mm", otf.tubeLengthUnit},
@@ -114,7 +114,7 @@ std::string cells(const std::optional<Vec3>& value) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName) {
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const VolumeGeometry& geometry = volume.geometry();
     const StageTimes& times = otf.times;
     Json report;
@@ -129,7 +129,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::
                       {"azimuth", otf.view.azimuthDegrees},
                       {"elevation", otf.view.elevationDegrees},
                       {"near_mm", otf.view.nearCutMm}};
-    report["parameters"] = parameters(otf, initialName);
+    report["parameters"] = parameters(otf, initialName, manualFactor);
     report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
     report["tubes"] = Json::array();

@@ -10,7 +10,7 @@ void ViewOptions::addTo(CLI::App& command) {
                     "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z")
         ->type_name("AXIS")
         ->capture_default_str();
-    command.add_option("--view-azimuth", view.azimuthDegrees, "Turn of the view about the grid's y axis, degrees")
+    command.add_option("--view-azimuth", view.azimuthDegrees, "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
         ->type_name("DEG")
         ->capture_default_str();
     command.add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
@@ -27,9 +27,10 @@ Result<View> ViewOptions::get() const {
     if (!axis)
         return fail(FailureKind::wrongUsage, "", "--beam-axis", "is \"" + beamAxis + "\"",
                     "Use +x, -x, +y, -y, +z or -z.");
-    if (!std::isfinite(view.azimuthDegrees) || !std::isfinite(view.elevationDegrees))
+    // Beyond, a double has no degrees left to tell one angle from the next.
+    if (!(std::abs(view.azimuthDegrees) <= 36000.0) || !(std::abs(view.elevationDegrees) <= 36000.0))
         return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation",
-                    "must be finite angles in degrees");
+                    "must be angles in degrees, -36000 to 36000");
     if (!std::isfinite(view.nearCutMm) || view.nearCutMm < 0.0)
         return fail(FailureKind::wrongUsage, "", "--near", "must be 0 mm or more");
     View chosen = view;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -35,6 +36,7 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     }
     if (!options.rawType.empty()) layout.type = options.rawType;
     layout.bigEndian = options.rawByteOrder == "big";
+    if (options.rawHeaderBytes < 0) return wrongOption("--raw-header-bytes", "must be 0 or more", "");
     layout.headerBytes = options.rawHeaderBytes;
     if (!options.rawSpacing.empty()) {
         const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing");
@@ -78,13 +80,25 @@ Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t co
     return *values;
 }
 
+Result<void> differentFiles(const std::vector<std::string>& paths) {
+    const auto isSame = [](const std::string& left, const std::string& right) {
+        std::error_code error;
+        return left == right || std::filesystem::equivalent(left, right, error);
+    };
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        for (std::size_t k = i + 1; k < paths.size(); ++k)
+            if (!paths[i].empty() && paths[i] != "-" && isSame(paths[i], paths[k]))
+                return fail(FailureKind::wrongUsage, paths[k], "", "is named twice, and would be overwritten",
+                            "Give each output a name of its own.");
+    return {};
+}
+
 void VolumeOptions::addTo(CLI::App& command) {
     command
         .add_option("VOLUME", path,
                     "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), DICOM file or folder, or raw with --raw-size")
         ->required();
     command.add_option("--phase", phase, "Phase of a 4D volume, from 0")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");
     command.add_option("--raw-type", rawType, "Voxel type of a raw file; uint8 where not given")
@@ -92,7 +106,6 @@ void VolumeOptions::addTo(CLI::App& command) {
     command.add_option("--raw-byte-order", rawByteOrder, "Byte order of a raw file; little where not given")
         ->check(CLI::IsMember({"little", "big"}));
     command.add_option("--raw-header-bytes", rawHeaderBytes, "Bytes before the voxels of a raw file")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--raw-spacing", rawSpacing, "Spacing of a raw file in mm, XxYxZ; unknown where not given");
     command.add_flag("--frames-as-slices", read.framesAsSlices,
@@ -107,6 +120,7 @@ Result<Study> VolumeOptions::readAll() const {
     const auto layout = layoutFrom(*this);
     if (!layout) return tl::unexpected(layout.error());
     options.raw = *layout;
+    if (phase < 0) return wrongOption("--phase", "must be 0 or more", "Phases are counted from 0.");
     auto study = readStudy(path, options);
     if (!study) return study;
     if (phase < 0 || static_cast<std::size_t>(phase) >= study->phases.size())

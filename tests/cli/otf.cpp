@@ -182,6 +182,9 @@ TEST(OtfJson, AManualInitialFunctionIsTakenFromItsFile) {
     EXPECT_TRUE(otf["otf"]["log_opacity"][51].is_null()) << "0 up to the first node";
     EXPECT_NEAR(otf["otf"]["opacity"][102].get<double>(), 0.2, 1e-12);
     EXPECT_NEAR(otf["otf"]["log_opacity"][255].get<double>(), std::log(0.4), 1e-12);
+    const json scaled = otfOf(shapesFile(), "--strength 0 --opacity-scale 0.5 --initial \"manual:" + folder / "curve.json" + "\"");
+    EXPECT_EQ(scaled["parameters"]["opacity_scale"], 0.5);
+    EXPECT_NEAR(scaled["otf"]["log_opacity"][255].get<double>(), std::log(0.5 * 0.4), 1e-12);
     const json linear = otfOf(shapesFile(), "--strength 0 --initial linear --opacity-scale 0.25");
     EXPECT_EQ(linear["parameters"]["opacity_scale"], 0.25);
     EXPECT_NEAR(linear["otf"]["opacity"][255].get<double>(), 0.25 * 235 / 255, 1e-12);

@@ -100,7 +100,7 @@ TEST(Nrrd, OtherFramesAreTurnedIntoLps) {
 }
 
 TEST(Nrrd, UnitsOtherThanMillimetresAreConverted) {
-    EXPECT_EQ(geometryOf("spacings: 1 2 3\nunits: \"cm\" \"mm\" \"um\"\n").spacing, Vec3(10, 2, 0.003));
+    EXPECT_EQ(geometryOf("spacings: 1 2 500\nunits: \"cm\" \"mm\" \"um\"\n").spacing, Vec3(10, 2, 0.5));
     EXPECT_EQ(geometryOf("space dimension: 3\nspace units: \"cm\" \"cm\" \"cm\"\n"
                          "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\n")
                   .patientFromVoxel({1, 1, 1}),

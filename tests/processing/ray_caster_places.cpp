@@ -214,8 +214,8 @@ TEST(RayCasterPlaces, CameraInsideOnTheFaceAndBehind) {
     expectSound(volume, settings, "on the face");
     settings.camera.focalPoint = volume.geometry().centreMm() + forward * 100.0;
     settings.camera.distanceMm = 1.0;
-    const auto picture = castRays(volume, PowerCurve{2, 1.0}, settings);
-    for (const float value : picture->rgba) EXPECT_EQ(value, 0.0f) << "behind";
+    const auto behind = castRays(volume, PowerCurve{2, 1.0}, settings);
+    for (const float value : behind->rgba) EXPECT_EQ(value, 0.0f) << "behind";
 }
 
 }  // namespace
