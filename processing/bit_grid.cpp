@@ -53,9 +53,7 @@ void spreadAlongRow(std::uint64_t* row, const std::uint64_t* passable, std::int6
 }  // namespace
 
 BitGrid::BitGrid(const std::array<std::int64_t, 3>& size)
-    : m_size(size),
-      m_words((size[0] + 63) / 64),
-      m_bits(static_cast<std::size_t>(m_words * size[1] * size[2])) {}
+    : m_size(size), m_words((size[0] + 63) / 64), m_bits(static_cast<std::size_t>(m_words * size[1] * size[2])) {}
 
 std::int64_t BitGrid::count() const {
     std::int64_t members = 0;

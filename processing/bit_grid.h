@@ -39,7 +39,7 @@ private:
     }
 
     std::array<std::int64_t, 3> m_size;
-    std::int64_t m_words;  ///< of one row
+    std::int64_t m_words;               ///< of one row
     std::vector<std::uint64_t> m_bits;  ///< bits beyond the row's end are 0
 };
 

@@ -56,19 +56,19 @@ BitGrid blankVoxels(const Volume& volume) {
     const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
-            tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64),
-                              [&](const auto& rows) {
-                for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
-                    for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
-                        const std::int64_t offset = row * geometry.size[0] + x;
-                        const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
-                        std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
-                        if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
-                            word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
-                        else
-                            word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
-                    }
-            });
+            tbb::parallel_for(
+                tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
+                    for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
+                        for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
+                            const std::int64_t offset = row * geometry.size[0] + x;
+                            const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
+                            std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
+                            if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
+                                word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
+                            else
+                                word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
+                        }
+                });
         },
         volume.voxels());
     return blank;
@@ -96,19 +96,20 @@ std::vector<std::uint8_t> maskWithout(const BitGrid& region, const Volume& volum
     const VolumeGeometry& geometry = volume.geometry();
     std::vector<std::uint8_t> mask = volume.dataMask();
     if (mask.empty()) mask.assign(static_cast<std::size_t>(geometry.voxelCount()), 1);
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
-        for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
-            const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
-            std::uint8_t* target = mask.data() + row * geometry.size[0];
-            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
-                if (x % 64 == 0 && words[x / 64] == 0) {
-                    x += 63;
-                    continue;
-                }
-                if (words[x / 64] >> (x % 64) & 1) target[x] = 0;
-            }
-        }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64),
+                      [&](const auto& rows) {
+                          for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
+                              const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
+                              std::uint8_t* target = mask.data() + row * geometry.size[0];
+                              for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                                  if (x % 64 == 0 && words[x / 64] == 0) {
+                                      x += 63;
+                                      continue;
+                                  }
+                                  if (words[x / 64] >> (x % 64) & 1) target[x] = 0;
+                              }
+                          }
+                      });
     return mask;
 }
 

@@ -66,14 +66,14 @@ struct Shading {
 };
 
 struct RayCastSettings {
-    int width = 512, height = 512;    ///< pixels; rays pass through pixel centres
+    int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
     Camera camera;
     /// Nothing before this distance from the grid origin along camera.frame.forward (see nearPlaneDepthMm()).
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();
-    double step = 1.0;                ///< units (smallest spacing) between samples, > 0
+    double step = 1.0;  ///< units (smallest spacing) between samples, > 0
     Interpolation interpolation = Interpolation::trilinear;
     ColourMap colourMap = ColourMap::sepia;
-    std::optional<Shading> shading;   ///< none: no gradient is computed
+    std::optional<Shading> shading;               ///< none: no gradient is computed
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
 };
 
@@ -89,9 +89,9 @@ struct Picture {
 /// samples are means over the data voxels around them; a sample with less than half its weight on data is transparent.
 /// Opacities and colours come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and
 /// seven between each two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve. Lighting is
-/// left out (w = 0) where a sample adds less than 1/128 of its pixel's opacity. Empty only where progress.cancel was raised (polled at least once
-/// a row of tiles). Uses the calling thread's oneTBB arena; the same pixels for any number of threads.
-/// Throws std::invalid_argument for a size, step or camera that makes no sense.
+/// left out (w = 0) where a sample adds less than 1/128 of its pixel's opacity. Empty only where progress.cancel was
+/// raised (polled at least once a row of tiles). Uses the calling thread's oneTBB arena; the same pixels for any number
+/// of threads. Throws std::invalid_argument for a size, step or camera that makes no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,
                                               const RayCastSettings& settings, const Progress& progress = {});
 

@@ -12,8 +12,8 @@ namespace echolucent::ray_casting {
 
 /// What a ray finds in a brick of cells (a cell: the space between eight voxel centres).
 enum class BrickKind : std::uint8_t {
-    plain,    ///< every voxel that a sample or a gradient there needs carries data
-    empty,    ///< every sample is fully transparent
+    plain,   ///< every voxel that a sample or a gradient there needs carries data
+    empty,   ///< every sample is fully transparent
     masked,  ///< voxels with and without data
 };
 

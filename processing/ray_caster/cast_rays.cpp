@@ -53,7 +53,8 @@ void castTile(const Kernel& kernel, const RayGeometry& rays, int tileColumn, int
             if (ray.first >= ray.last) continue;
             const Float4 colour = kernel.cast(ray);
             float* pixel = &picture.rgba[(static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                                          static_cast<std::size_t>(column)) * 4];
+                                          static_cast<std::size_t>(column)) *
+                                         4];
             // Sums of rounded shares may end a hair above 1.
             for (int channel = 0; channel < 4; ++channel) pixel[channel] = std::min(colour[channel], 1.0f);
         }

@@ -34,9 +34,8 @@ public:
 
     /// True where all voxels of a gradient exist, so that `block` serves.
     [[nodiscard]] bool isInside(const Vec3& position) const {
-        return m_fitsBlock && position[0] >= m_reach[0] && position[0] <= m_insideMax[0] &&
-               position[1] >= m_reach[1] && position[1] <= m_insideMax[1] && position[2] >= m_reach[2] &&
-               position[2] <= m_insideMax[2];
+        return m_fitsBlock && position[0] >= m_reach[0] && position[0] <= m_insideMax[0] && position[1] >= m_reach[1] &&
+               position[1] <= m_insideMax[1] && position[2] >= m_reach[2] && position[2] <= m_insideMax[2];
     }
     /// A corner from which gradients between two positions, both inside, can be taken.
     [[nodiscard]] typename VoxelSampler<Voxel>::Corner cornerOf(const Vec3& a, const Vec3& b) const {
@@ -58,7 +57,8 @@ public:
             const auto low = m_sampler.trilinearCareful(before, complete);
             const auto high = m_sampler.trilinearCareful(after, complete);
             if (!complete) return {0, 0, 0};
-            if (units > 0.0) gradient[axis] = (static_cast<double>(*high) - static_cast<double>(*low)) / (units * m_white);
+            if (units > 0.0)
+                gradient[axis] = (static_cast<double>(*high) - static_cast<double>(*low)) / (units * m_white);
         }
         return gradient;
     }

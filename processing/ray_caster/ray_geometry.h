@@ -41,13 +41,13 @@ private:
     VolumeGeometry m_geometry;
     Camera m_camera;
     int m_width, m_height;
-    double m_pixel;        ///< mm a pixel; perspective: at distance 1 from the eye
+    double m_pixel;  ///< mm a pixel; perspective: at distance 1 from the eye
     double m_stepMm;
-    double m_startDepth;   ///< depth along forward of sample plane -0.5, from the grid origin; perspective: from the eye
-    double m_nearDepth;    ///< the near plane's depth, likewise
+    double m_startDepth;  ///< depth along forward of sample plane -0.5, from the grid origin; perspective: from the eye
+    double m_nearDepth;   ///< the near plane's depth, likewise
     Vec3 m_inverseSpacing;
-    Vec3 m_innerMax;       ///< voxels; inner samples lie before it on each axis
-    Vec3 m_stepVoxel;      ///< parallel rays only
+    Vec3 m_innerMax;   ///< voxels; inner samples lie before it on each axis
+    Vec3 m_stepVoxel;  ///< parallel rays only
 };
 
 }  // namespace echolucent::ray_casting

@@ -167,8 +167,8 @@ private:
     struct Visible {
         std::array<Float4, batchSize> entries;  ///< colour and opacity times the transmittance before
         int count = 0;
-        std::array<int, batchSize> lit;         ///< indices of those worth a gradient
-        Batch litSamples;                       ///< and which of the run they are
+        std::array<int, batchSize> lit;  ///< indices of those worth a gradient
+        Batch litSamples;                ///< and which of the run they are
         int litCount = 0;
     };
 

@@ -86,7 +86,8 @@ struct Cells {
 template <typename Voxel>
 HWY_INLINE IntVector offsetOf(const VoxelBlock<Voxel>& block, IntVector x, IntVector y, IntVector z) {
     const Ints ints;
-    return hn::Add(x, hn::Add(hn::Mul(y, hn::Set(ints, block.rowStride)), hn::Mul(z, hn::Set(ints, block.sliceStride))));
+    return hn::Add(x,
+                   hn::Add(hn::Mul(y, hn::Set(ints, block.rowStride)), hn::Mul(z, hn::Set(ints, block.sliceStride))));
 }
 
 template <typename Voxel>
@@ -94,7 +95,7 @@ HWY_INLINE IntVector bytes(IntVector offset) {
     if constexpr (sizeof(Voxel) == 1)
         return offset;
     else
-        return hn::ShiftLeft<sizeof(Voxel) == 2 ? 1 : 2>(offset);
+        return hn::ShiftLeft < sizeof(Voxel) == 2 ? 1 : 2 > (offset);
 }
 
 template <typename Voxel>
@@ -111,8 +112,8 @@ HWY_INLINE FloatVector trilinear(const VoxelBlock<Voxel>& block, FloatVector x, 
     const Cells cells = cellsAt(block, x, y, z);
     const auto offset = bytes<Voxel>(cells.offset);
     const auto slice = [&](const Voxel* first) {
-        return between(meanOfPair(first, offset, cells.shareX), meanOfPair(first + block.rowStride, offset, cells.shareX),
-                       cells.shareY);
+        return between(meanOfPair(first, offset, cells.shareX),
+                       meanOfPair(first + block.rowStride, offset, cells.shareX), cells.shareY);
     };
     return between(slice(block.first), slice(block.first + block.sliceStride), cells.shareZ);
 }

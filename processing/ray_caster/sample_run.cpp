@@ -68,7 +68,8 @@ template <typename Voxel>
 HWY_INLINE FloatVector difference(const VoxelBlock<Voxel>& block, DataAround data, const FloatVector (&before)[3],
                                   const FloatVector (&after)[3], FloatVector& complete) {
     if (data == DataAround::complete)
-        return hn::Sub(trilinear(block, after[0], after[1], after[2]), trilinear(block, before[0], before[1], before[2]));
+        return hn::Sub(trilinear(block, after[0], after[1], after[2]),
+                       trilinear(block, before[0], before[1], before[2]));
     const Weighted low = trilinearData(block, before[0], before[1], before[2]);
     const Weighted high = trilinearData(block, after[0], after[1], after[2]);
     complete = hn::Min(complete, hn::Min(low.weight, high.weight));
@@ -135,7 +136,8 @@ void light(const DirectionalLight& source, const Gradients& gradients, int count
             hasGradient, hn::Div(safeSquare, hn::Add(safeSquare, hn::Set(floats, source.floorSquare))));
         const auto towards = hn::Mul(dot(x, y, z, source.towardsLight), perLength);
         const auto facing = hn::Max(zero, hn::Div(hn::Add(towards, wrap), hn::Add(one, wrap)));
-        const auto diffuse = hn::Add(hn::Mul(share, facing), hn::Mul(hn::Sub(one, share), hn::Set(floats, source.evenLight)));
+        const auto diffuse =
+            hn::Add(hn::Mul(share, facing), hn::Mul(hn::Sub(one, share), hn::Set(floats, source.evenLight)));
         const auto factor = hn::Add(hn::Set(floats, source.ambient), hn::Mul(hn::Set(floats, source.diffuse), diffuse));
         const auto bright = hn::Mul(share, highlightAt(source, hn::Mul(dot(x, y, z, source.half), perLength)));
         hn::StoreU(hn::Add(factor, bright), floats, factors + i);
@@ -143,18 +145,18 @@ void light(const DirectionalLight& source, const Gradients& gradients, int count
 }
 
 // Highway's dispatch tables need plain functions.
-#define ECHOLUCENT_SAMPLERS(Voxel, Name)                                                                             \
-    void trilinear##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,           \
-                         float toTable, float* positions) {                                                          \
-        positionsAlong<Voxel, Interpolation::trilinear>(block, data, run, count, toTable, positions);                \
-    }                                                                                                                \
-    void nearest##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,             \
-                       float toTable, float* positions) {                                                            \
-        positionsAlong<Voxel, Interpolation::nearest>(block, data, run, count, toTable, positions);                  \
-    }                                                                                                                \
-    void gradients##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run,                      \
-                         const float* samples, int count, const Float4& reach, float scale, Gradients& gradients) {  \
-        differencesAlong<Voxel>(block, data, run, samples, count, reach, scale, gradients);                          \
+#define ECHOLUCENT_SAMPLERS(Voxel, Name)                                                                              \
+    void trilinear##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,            \
+                         float toTable, float* positions) {                                                           \
+        positionsAlong<Voxel, Interpolation::trilinear>(block, data, run, count, toTable, positions);                 \
+    }                                                                                                                 \
+    void nearest##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, int count,              \
+                       float toTable, float* positions) {                                                             \
+        positionsAlong<Voxel, Interpolation::nearest>(block, data, run, count, toTable, positions);                   \
+    }                                                                                                                 \
+    void gradients##Name(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, const float* samples, \
+                         int count, const Float4& reach, float scale, Gradients& gradients) {                         \
+        differencesAlong<Voxel>(block, data, run, samples, count, reach, scale, gradients);                           \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)
 ECHOLUCENT_SAMPLERS(std::uint16_t, Words)
@@ -180,8 +182,8 @@ namespace echolucent::ray_casting {
             HWY_DYNAMIC_DISPATCH(trilinear##Name)(block, data, run, count, toTable, positions.data());               \
     }                                                                                                                \
     template <>                                                                                                      \
-    void gradientsAlong(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run,                       \
-                        const Batch& samples, int count, Float4 reach, float scale, Gradients& gradients) {          \
+    void gradientsAlong(const VoxelBlock<Voxel>& block, DataAround data, const SampleRun& run, const Batch& samples, \
+                        int count, Float4 reach, float scale, Gradients& gradients) {                                \
         HWY_DYNAMIC_DISPATCH(gradients##Name)(block, data, run, samples.data(), count, reach, scale, gradients);     \
     }
 ECHOLUCENT_SAMPLERS(std::uint8_t, Bytes)

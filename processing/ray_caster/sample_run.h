@@ -41,8 +41,8 @@ struct SampleRun {
     Float4 start, step;
 };
 
-/// Table positions (TransferTable::at) of samples 0 ... count - 1; `toTable` is stored value to table position. The same
-/// bits on every instruction set, as for all here.
+/// Table positions (TransferTable::at) of samples 0 ... count - 1; `toTable` is stored value to table position. The
+/// same bits on every instruction set, as for all here.
 template <typename Voxel>
 void tablePositionsAlong(const VoxelBlock<Voxel>& block, Interpolation interpolation, DataAround data,
                          const SampleRun& run, int count, float toTable, Batch& positions);
@@ -63,7 +63,7 @@ struct DirectionalLight {
     static constexpr int highlightIntervals = 1024;
     Float4 towardsLight, half;  ///< unit vectors; half way between light and eye (zero: no highlight)
     float ambient, diffuse, evenLight, wrap, floorSquare;
-    const float* highlight;     ///< over the cosine between normal and half, linear between; intervals + 2 values
+    const float* highlight;  ///< over the cosine between normal and half, linear between; intervals + 2 values
 };
 
 /// What light does to samples: `factors` multiply their colours.

@@ -36,8 +36,8 @@ public:
     [[nodiscard]] bool hasTransparentRange() const { return transparentBetween(0.0f, 8.0f); }
 
 private:
-    std::vector<Float4> m_entries;              ///< intervals + 2: at(intervals) reads one beyond
-    std::vector<std::int32_t> m_opaqueBefore;   ///< entries with opacity above 0 before each entry
+    std::vector<Float4> m_entries;             ///< intervals + 2: at(intervals) reads one beyond
+    std::vector<std::int32_t> m_opaqueBefore;  ///< entries with opacity above 0 before each entry
 };
 
 }  // namespace echolucent::ray_casting

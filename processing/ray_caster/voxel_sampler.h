@@ -102,7 +102,8 @@ private:
     using Indices = std::array<std::ptrdiff_t, 3>;
 
     /// Trilinear interpolation where every voxel carries data.
-    [[nodiscard]] double completeMean(const Indices& low, const Indices& high, const std::array<double, 3>& share) const {
+    [[nodiscard]] double completeMean(const Indices& low, const Indices& high,
+                                      const std::array<double, 3>& share) const {
         const auto alongX = [&](std::ptrdiff_t row) {
             const double left = static_cast<double>(m_voxels[row + low[0]]);
             return left + share[0] * (static_cast<double>(m_voxels[row + high[0]]) - left);

@@ -51,7 +51,8 @@ void awayFromEdge(const VolumeGeometry& geometry, double margin, const std::func
         for (std::int64_t y = 0; y < geometry.size[1]; ++y)
             for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
                 const auto in = [&](double dx, double dy, double dz) {
-                    return inCone(static_cast<double>(x) + dx, static_cast<double>(y) + dy, static_cast<double>(z) + dz);
+                    return inCone(static_cast<double>(x) + dx, static_cast<double>(y) + dy,
+                                  static_cast<double>(z) + dz);
                 };
                 const bool here = in(0, 0, 0);
                 if (in(margin, 0, 0) == here && in(-margin, 0, 0) == here && in(0, margin, 0) == here &&
@@ -158,9 +159,8 @@ TEST(NoData, PhantomsHaveNone) {
 TEST(NoData, AnechoicFluidAtTheBorderIsFluid) {
     const VolumeGeometry geometry = cubeOf(64);
     // Half a ball of exact zeros against one face: 3 % of the volume, solid, but no sector leaves its corners full.
-    auto voxels = speckle<std::uint8_t>(geometry, [](double x, double y, double z) {
-        return std::hypot(std::hypot(x - 32, y - 32), z) > 17;
-    });
+    auto voxels = speckle<std::uint8_t>(
+        geometry, [](double x, double y, double z) { return std::hypot(std::hypot(x - 32, y - 32), z) > 17; });
     EXPECT_TRUE(guessDataMask(Volume(geometry, voxels)).empty());
     // A corner of zeros too small to matter.
     voxels = speckle<std::uint8_t>(geometry, [](double x, double y, double z) { return x > 12 || y > 12 || z > 12; });

@@ -52,8 +52,8 @@ TEST(OpacityCurve, SampledIsLinearBetweenItsValues) {
 
 TEST(OpacityCurve, EveryCurveStaysInItsRangeForAnyIntensity) {
     const double infinity = std::numeric_limits<double>::infinity();
-    const OpacityCurve curves[] = {ManualCurve{{{0.0, 0.2}, {1.0, 5.0}}}, LinearCurve{0.1, 7.0, 0.9}, PowerCurve{2, 3.0},
-                                   SampledCurve{{-0.5, 2.0}}, LinearCurve{0.0, -1.0, 1.0}};
+    const OpacityCurve curves[] = {ManualCurve{{{0.0, 0.2}, {1.0, 5.0}}}, LinearCurve{0.1, 7.0, 0.9},
+                                   PowerCurve{2, 3.0}, SampledCurve{{-0.5, 2.0}}, LinearCurve{0.0, -1.0, 1.0}};
     for (const OpacityCurve& curve : curves) {
         for (const double x : {-infinity, -1.0, -0.0, 0.0, 1e-300, 0.3, 1.0, 1.5, infinity, std::nan("")}) {
             EXPECT_GE(opacityAt(curve, x), 0.0);

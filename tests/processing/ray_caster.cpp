@@ -61,10 +61,13 @@ TEST(RayCaster, TwoIntensityModelFollowsEquations2And3) {
             const double alpha = k < front ? lowAlpha : highAlpha, colour = k < front ? low : high;
             recursive = recursive * (1 - alpha) + colour * alpha;
         }
-        const double throughFront = std::pow(1 - lowAlpha, front), throughAll = throughFront * std::pow(1 - highAlpha, depth - front);
-        const double summed = low * (1 - throughFront) + high * (throughFront - throughAll) + background[2] * throughAll;
+        const double throughFront = std::pow(1 - lowAlpha, front),
+                     throughAll = throughFront * std::pow(1 - highAlpha, depth - front);
+        const double summed =
+            low * (1 - throughFront) + high * (throughFront - throughAll) + background[2] * throughAll;
         EXPECT_NEAR(recursive, summed, 1e-12);
-        EXPECT_NEAR(centreOf(*picture)[2] + background[2] * (1 - static_cast<double>(centreOf(*picture)[3])), summed, 1e-5);
+        EXPECT_NEAR(centreOf(*picture)[2] + background[2] * (1 - static_cast<double>(centreOf(*picture)[3])), summed,
+                    1e-5);
         const auto rgb = overBackground(*picture, background);
         const std::size_t centre = (static_cast<std::size_t>(picture->height / 2) * 9 + 4) * 3;
         EXPECT_EQ(rgb[centre + 2], std::lround(255 * summed));
@@ -87,11 +90,31 @@ const Setting settingsTried[] = {
     {"along z", {}, {1, 1, 1}, Interpolation::trilinear, Projection::parallel, 0.73},
     {"along -x", {BeamAxis::minusX, 0, 0, 0, 0}, {0.7, 1.1, 0.4}, Interpolation::trilinear, Projection::parallel, 1.0},
     {"oblique", {BeamAxis::plusZ, 33, -21, 10, 0}, {1, 1.7, 0.6}, Interpolation::trilinear, Projection::parallel, 0.41},
-    {"oblique, cut", {BeamAxis::plusY, -52, 17, 0, 5.3}, {1.3, 0.9, 1.1}, Interpolation::trilinear, Projection::parallel, 1.6},
+    {"oblique, cut",
+     {BeamAxis::plusY, -52, 17, 0, 5.3},
+     {1.3, 0.9, 1.1},
+     Interpolation::trilinear,
+     Projection::parallel,
+     1.6},
     {"nearest", {BeamAxis::plusX, 12, 37, -80, 0}, {1, 1.2, 0.8}, Interpolation::nearest, Projection::parallel, 0.57},
-    {"perspective", {BeamAxis::minusZ, 24, -18, 0, 0}, {0.8, 0.5, 1.4}, Interpolation::trilinear, Projection::perspective, 0.77},
-    {"perspective, cut", {BeamAxis::minusY, -9, 41, 0, 4.1}, {1, 1, 1}, Interpolation::nearest, Projection::perspective, 0.9},
-    {"thick slices", {BeamAxis::plusZ, 40, 25, 0, 0}, {0.3, 0.3, 6}, Interpolation::trilinear, Projection::parallel, 1.0},
+    {"perspective",
+     {BeamAxis::minusZ, 24, -18, 0, 0},
+     {0.8, 0.5, 1.4},
+     Interpolation::trilinear,
+     Projection::perspective,
+     0.77},
+    {"perspective, cut",
+     {BeamAxis::minusY, -9, 41, 0, 4.1},
+     {1, 1, 1},
+     Interpolation::nearest,
+     Projection::perspective,
+     0.9},
+    {"thick slices",
+     {BeamAxis::plusZ, 40, 25, 0, 0},
+     {0.3, 0.3, 6},
+     Interpolation::trilinear,
+     Projection::parallel,
+     1.0},
 };
 
 template <typename Voxel>
@@ -142,7 +165,8 @@ TEST(RayCaster, EarlyTerminationErrsByLessThanItsShareOfWhite) {
     const auto ended = castRays(volume, curve, settings);
     double largest = 0;
     for (std::size_t i = 0; i < whole->rgba.size(); ++i)
-        largest = std::max(largest, std::abs(static_cast<double>(whole->rgba[i]) - static_cast<double>(ended->rgba[i])));
+        largest =
+            std::max(largest, std::abs(static_cast<double>(whole->rgba[i]) - static_cast<double>(ended->rgba[i])));
     EXPECT_LT(largest, 1.0 / 64);
     EXPECT_GT(largest, 1.0 / 640) << "and rays do end early";
 }
@@ -162,7 +186,8 @@ TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
         last = share;
         if (share > 0.3) cancel = true;
     };
-    tbb::task_arena(1).execute([&] { EXPECT_FALSE(castRays(volume, everywhere(0.1), settings, progress).has_value()); });
+    tbb::task_arena(1).execute(
+        [&] { EXPECT_FALSE(castRays(volume, everywhere(0.1), settings, progress).has_value()); });
     EXPECT_GT(last, 0.3);
     EXPECT_LT(last, 1.0) << "rows of tiles after the cancel were not cast";
 }

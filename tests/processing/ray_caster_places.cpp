@@ -75,7 +75,7 @@ TEST(RayCasterPlaces, WhatIsInFrontHidesWhatIsBehind) {
     VolumeGeometry geometry;
     geometry.size = {10, 10, 10};
     std::vector<std::uint8_t> voxels(1000, 0);
-    std::fill_n(voxels.begin(), 200, std::uint8_t{153});       // z = 0, 1
+    std::fill_n(voxels.begin(), 200, std::uint8_t{153});        // z = 0, 1
     std::fill_n(voxels.begin() + 800, 200, std::uint8_t{255});  // z = 8, 9
     const Volume volume(geometry, voxels);
     View view;
@@ -117,7 +117,8 @@ TEST(RayCasterPlaces, TheNearPlaneCutsThere) {
 TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
     for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.3, 0.3, 2.0}})
         for (const double aspect : {0.4, 1.0, 2.5})
-            for (const View& view : {View{}, View{BeamAxis::plusY, 0, 0, 0, 3}, View{BeamAxis::minusX, 30, -40, 70, 0}}) {
+            for (const View& view :
+                 {View{}, View{BeamAxis::plusY, 0, 0, 0, 3}, View{BeamAxis::minusX, 30, -40, 70, 0}}) {
                 VolumeGeometry geometry;
                 geometry.size = {60, 50, 40};
                 geometry.spacing = spacing;
@@ -129,7 +130,8 @@ TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
                     const Vec3 point{corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1],
                                      corner & 4 ? high[2] : low[2]};
                     const Vec3 seen = point - camera.focalPoint;
-                    const double u = std::abs(seen.dot(camera.frame.right)) / aspect, v = std::abs(seen.dot(camera.frame.down));
+                    const double u = std::abs(seen.dot(camera.frame.right)) / aspect,
+                                 v = std::abs(seen.dot(camera.frame.down));
                     widest = std::max({widest, u / (camera.heightMm / 2), v / (camera.heightMm / 2)});
                     const double tangent = std::tan(camera.viewAngleDegrees / 2 * std::numbers::pi / 180);
                     const double depth = camera.distanceMm + seen.dot(camera.frame.forward);
@@ -151,7 +153,8 @@ void expectSound(const Volume& volume, const RayCastSettings& settings, const st
 }
 
 TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
-    const std::array<std::int64_t, 3> sizes[] = {{1, 1, 1}, {1, 6, 5}, {7, 1, 4}, {6, 9, 1}, {2, 2, 2}, {300, 1, 1}, {1, 1, 300}, {3, 3, 3}};
+    const std::array<std::int64_t, 3> sizes[] = {{1, 1, 1}, {1, 6, 5},   {7, 1, 4},   {6, 9, 1},
+                                                 {2, 2, 2}, {300, 1, 1}, {1, 1, 300}, {3, 3, 3}};
     for (const auto& size : sizes)
         for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.1, 5, 0.7}})
             for (const bool shaded : {false, true}) {
@@ -159,8 +162,9 @@ TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
                 RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, 25, 19);
                 if (shaded) settings.shading = Shading{};
                 settings.step = 2.3;
-                expectSound(volume, settings, std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
-                                                  std::to_string(size[2]) + (shaded ? " shaded" : ""));
+                expectSound(volume, settings,
+                            std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]) +
+                                (shaded ? " shaded" : ""));
             }
 }
 

@@ -156,11 +156,13 @@ private:
             highlight = shading.specular *
                         std::pow(std::max(0.0, normal.dot(normalized(light - direction))), shading.specularPower);
         }
-        const double factor =
-            shading.ambient + shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) +
-            surface * highlight;
+        const double factor = shading.ambient +
+                              shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) +
+                              surface * highlight;
         const Vec3 tint = shadowTintOf(m_settings.colourMap);
-        const auto shadow = [&](int channel, double f) { return tint[channel] + (1 - tint[channel]) * std::min(1.0, f); };
+        const auto shadow = [&](int channel, double f) {
+            return tint[channel] + (1 - tint[channel]) * std::min(1.0, f);
+        };
         Vec3 bright;
         for (int channel = 0; channel < 3; ++channel)
             bright[channel] = std::min(1.0, colour[channel] * factor * shadow(channel, factor));
@@ -198,7 +200,9 @@ Volume randomVolume(const std::array<std::int64_t, 3>& size, const Vec3& spacing
     geometry.spacing = spacing;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    const double top = std::is_same_v<Voxel, std::uint8_t> ? 255.0 : std::is_same_v<Voxel, std::uint16_t> ? 4095.0 : 3.5;
+    const double top = std::is_same_v<Voxel, std::uint8_t>    ? 255.0
+                       : std::is_same_v<Voxel, std::uint16_t> ? 4095.0
+                                                              : 3.5;
     std::vector<Voxel> voxels(static_cast<std::size_t>(geometry.voxelCount()));
     for (Voxel& voxel : voxels) voxel = static_cast<Voxel>(share(random) < 0.3 ? 0.0 : share(random) * top);
     return Volume(geometry, std::move(voxels), top);
@@ -216,7 +220,8 @@ inline RayCastSettings settingsFor(const Volume& volume, const View& view, int w
 
 inline const float* pixelAt(const Picture& picture, int column, int row) {
     return &picture.rgba[(static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                          static_cast<std::size_t>(column)) * 4];
+                          static_cast<std::size_t>(column)) *
+                         4];
 }
 
 }  // namespace echolucent

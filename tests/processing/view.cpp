@@ -8,15 +8,16 @@
 namespace echolucent {
 namespace {
 
-constexpr BeamAxis allAxes[] = {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY,
-                                BeamAxis::minusY, BeamAxis::plusZ, BeamAxis::minusZ};
+constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
+                                BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 TEST(View, NamesOfBeamAxes) {
     for (const BeamAxis axis : allAxes) EXPECT_EQ(beamAxisFromName(nameOf(axis)), axis);
     EXPECT_EQ(nameOf(BeamAxis::minusY), "-y");
-    for (const char* name : {"", "z", "+w", "+Z", "--z", "+z "}) EXPECT_FALSE(beamAxisFromName(name).has_value()) << name;
+    for (const char* name : {"", "z", "+w", "+Z", "--z", "+z "})
+        EXPECT_FALSE(beamAxisFromName(name).has_value()) << name;
 }
 
 TEST(View, TheBeamAxisIsTheDefaultDirectionExactly) {
