@@ -21,6 +21,7 @@
 #include "io/curve_file.h"
 #include "io/meta_image_writer.h"
 #include "processing/phantom.h"
+#include "tests/app/picture_measures.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
@@ -38,24 +39,6 @@ std::shared_ptr<const Volume> phantom(PhantomScene scene, std::uint64_t seed, do
     config.seed = seed;
     config.phase = phase;
     return std::make_shared<const Volume>(*makePhantom(config));
-}
-
-/// Root mean square difference of two pictures in 8-bit levels.
-double difference(const Picture& left, const Picture& right) {
-    if (left.rgba.size() != right.rgba.size() || left.rgba.empty()) return 255.0;
-    double sum = 0;
-    for (std::size_t i = 0; i < left.rgba.size(); ++i) {
-        const double d = 255.0 * (static_cast<double>(left.rgba[i]) - static_cast<double>(right.rgba[i]));
-        sum += d * d;
-    }
-    return std::sqrt(sum / static_cast<double>(left.rgba.size()));
-}
-
-/// Share of the picture that is not background.
-double coverage(const Picture& picture) {
-    std::size_t covered = 0;
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) covered += picture.rgba[i] > 0.1F ? 1 : 0;
-    return static_cast<double>(covered) / (static_cast<double>(picture.rgba.size()) / 4.0);
 }
 
 }  // namespace
