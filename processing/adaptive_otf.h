@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "processing/opacity_curve.h"
@@ -18,8 +19,38 @@ namespace echolucent {
 /// looking.
 inline constexpr double defaultOpacityScale = 1.0;
 
+/// What tells tissue from fluid along a tube core.
+enum class InterfaceFunction {
+    variance,  ///< variance of the cell's voxels, tracked through scale space (Petersch 2005, 4.1)
+    ratio,     ///< logarithm of mean behind over mean before: speckle multiplies, so its false alarms do not depend on
+               ///< the mean (Touzi 1988); no scale space
+};
+
+/// What the tubes make of the initial function.
+enum class CurveForm {
+    product,  ///< initial function times one basis function per tube core (Petersch 2005, eq. 4)
+    ramp,     ///< the mean, weighted by d, of one ramp per tube core: clear up to its fluid, full from its surface on
+};
+
+/// What lies beyond a tube's ends when its interface function is smoothed.
+enum class TubeBorder {
+    mirrorThenZero,  ///< mirrored in front, zero behind the far end
+    circular,        ///< the far end again, as an FFT without padding gives it
+};
+
+/// How the interface function is convolved with a Gaussian.
+enum class SmoothingRoute { direct, fourier, recursive };
+
+/// How a tube core's samples are taken where they do not lie on voxels.
+enum class TubeSampling { trilinear, nearest };
+
+/// Arithmetic of samples, moments and interface function. The curve is double always.
+enum class Precision { single32, double64 };
+
 /// How the method is run. Lengths are in units (the volume's smallest spacing) along and across the tube cores.
 struct AdaptiveOtfConfig {
+    InterfaceFunction interfaceFunction = InterfaceFunction::variance;
+    CurveForm form = CurveForm::product;
     int tubeColumns = 15;      ///< tube cores across the view's right axis, >= 1 (Petersch 2005, 6.1)
     int tubeRows = 15;         ///< tube cores across the view's down axis, >= 1
     double tubeSpacing = 0.0;  ///< units between tube cores; 0: automatic, so that the grid covers the volume (13 in
@@ -32,13 +63,38 @@ struct AdaptiveOtfConfig {
     double significance = 0.4;         ///< a local maximum counts from this share of the largest value in its range
     double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1];
                                  ///< 0: nothing, as in method.md's table
+    int cellStride = 1;  ///< units between the cells that are looked at, >= 1; 5: abutting, as the paper's figures may
+                         ///< be read
+    TubeBorder border = TubeBorder::mirrorThenZero;
+    SmoothingRoute smoothing = SmoothingRoute::direct;
+    bool kernelEndsAtZero = true;          ///< lowered so that it ends at zero; false: cut, as in method.md's table
+    bool coarsestMustHaveMaximum = false;  ///< true: without a maximum at the coarsest scale there is no surface;
+                                           ///< false: tracking begins at the coarsest scale that has one
+    double trackingRangeSigmas = 0.0;   ///< a scale looks this many of its sigmas around the maximum of the one before;
+                                        ///< 0: from valley to valley
+    bool priorCellsMayOverlap = false;  ///< prior cells are i < s (Petersch 2005, eq. 8); false: i <= s - cellSize
+    int rankBins = 0;  ///< bins of the histograms of eqs. 9 and 10, over 0 to the largest value; 0: exact ranks
+    TubeSampling sampling = TubeSampling::trilinear;
+    Precision precision = Precision::single32;
     int slopeHalfStep = 5;          ///< slope: central difference of cell means over +- this many units
     double leastEdgeToNoise = 4.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that
                                     ///< ranks cannot be; 0: no test, as in method.md's table
-    double strength = 6.75;  ///< T * d_max: one rule for any number of tube cores, >= 0
+    double strength = 6.75;         ///< T * d_max: one rule for any number of tube cores, >= 0
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
 };
+
+/// The readings of the method that are reported side by side (docs/method.md).
+enum class MethodReading {
+    asPublished,  ///< the paper's words taken literally, with the erratum of eq. 5 and d_max 0.03
+    settled,      ///< the open points settled as in method.md's table
+    standard,     ///< what the program uses where nobody asks for another
+};
+/// "published", "settled", "default".
+[[nodiscard]] std::string_view nameOf(MethodReading reading);
+[[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
+/// The config of a reading; `standard` is AdaptiveOtfConfig{}.
+[[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
 
 /// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing.
 [[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "detection_quality.h"
+#include "processing/measures/detection_quality.h"
 
 namespace echolucent {
 namespace {

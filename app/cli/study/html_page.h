@@ -1,0 +1,57 @@
+// A report as one HTML file that needs nothing beside it: text, tables, plots as SVG, pictures inside.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/ray_caster.h"
+
+namespace echolucent::cli {
+
+/// One line or cloud of points of a plot. Values that are not finite are left out (a gap in a line).
+struct PlotSeries {
+    std::string name;
+    std::vector<double> x, y;
+    bool line = true;
+    bool markers = false;
+    std::vector<std::string> labels;  ///< beside the markers; empty: none
+};
+
+struct Plot {
+    std::string title, xLabel, yLabel;
+    bool logX = false, logY = false;  ///< values that are not above 0 are left out of a logarithmic axis
+    std::vector<PlotSeries> series;
+};
+/// The plot as an SVG element, with axes, ticks, grid and legend; series are told apart by colour and line style.
+[[nodiscard]] std::string svgOf(const Plot& plot);
+
+/// A matrix of values in [0,1] as a picture: rows downwards, columns to the right (an OTF-over-angle map).
+struct HeatMap {
+    std::string title, xLabel, yLabel;
+    double xFirst = 0, xLast = 1, yFirst = 0, yLast = 1;  ///< of the centres of the outermost cells; row 0 is yFirst
+    std::size_t columns = 0;
+    std::vector<double> values;  ///< row-major
+};
+
+class HtmlPage {
+public:
+    /// Text is escaped everywhere.
+    explicit HtmlPage(std::string title);
+    void heading(const std::string& text);
+    void paragraph(const std::string& text);
+    /// Right-aligned where a column holds numbers.
+    void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
+               const std::string& caption = {});
+    void plot(const Plot& plot);
+    void heatMap(const HeatMap& map);
+    /// Side by side with what follows, as far as the page is wide.
+    void picture(const Picture& picture, const std::string& caption);
+    /// The whole page; ends with the sentence that this is not a medical device.
+    [[nodiscard]] std::string text() const;
+
+private:
+    std::string m_title, m_body;
+};
+
+}  // namespace echolucent::cli

@@ -1,0 +1,49 @@
+// The OTFs of a moving transducer, a moving object, or both (Petersch 2005, section 5).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+#include "processing/motion/otf_smoothing.h"
+
+namespace echolucent {
+
+/// About which axis of the view's frame the view turns: x changes the elevation, y the azimuth, z the roll.
+enum class SweepAxis { x, y, z };
+
+/// The view turned by an angle from the view in which a motion began.
+[[nodiscard]] View turned(const View& start, SweepAxis axis, double degrees);
+
+/// One frame of a motion.
+struct SweepFrame {
+    double time = 0.0;     ///< frames since the first
+    double degrees = 0.0;  ///< turned so far from the first view
+    int phase = 0;         ///< of the 4D study
+    View view;
+};
+
+/// A frame and its OTFs.
+struct SweptOtf {
+    SweepFrame frame;
+    SampledCurve unsmoothed;
+    SampledCurve shown;  ///< after smoothing
+    double sumOfD = 0.0;
+    int tubesWithSurface = 0;
+};
+
+/// The frames of a probe that turns from `from` to `to` degrees in steps; where there are several phases, the object
+/// moves by one phase a frame, over and over.
+[[nodiscard]] std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to,
+                                                  double step, int phases);
+
+/// Computes every frame's OTF. phases: the volumes of the study, by phase. Empty only where cancelled.
+/// Frames are computed side by side; the same bits for any number of threads.
+[[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
+                                                             std::span<const SweepFrame> frames,
+                                                             const AdaptiveOtfConfig& config, OtfSmoothing smoothing,
+                                                             const Progress& progress = {});
+
+}  // namespace echolucent

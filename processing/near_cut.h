@@ -1,0 +1,28 @@
+// Where to cut off a wall of tissue that stands in front of the fluid.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "processing/adaptive_otf.h"
+#include "processing/progress.h"
+#include "processing/view.h"
+#include "processing/volume.h"
+
+namespace echolucent {
+
+/// A near cut and how it was found.
+struct NearCutSuggestion {
+    double nearCutMm = 0.0;    ///< as View::nearCutMm; 0: nothing stands in front
+    int tubesWithSurface = 0;  ///< tube cores whose surface was found
+    int tubesInFluid = 0;      ///< ... of these, how many have entered fluid at the cut and not reached their surface
+    std::string message;       ///< a sentence where nothing can be suggested ("no surface found: ..."); else empty
+};
+
+/// The depth at which most tube cores have entered fluid, measured without the view's own near cut. Empty only where
+/// cancelled.
+[[nodiscard]] std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View& view,
+                                                              const AdaptiveOtfConfig& config,
+                                                              const Progress& progress = {});
+
+}  // namespace echolucent
