@@ -8,6 +8,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     study.require_subcommand(1);
     study.fallthrough();
     addStudyOtfCommand(study, action);
+    addStudyContrastCommand(study, action);
     // addStudyMotionCommand(study, action);
     // addStudyStabilityCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
