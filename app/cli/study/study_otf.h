@@ -51,8 +51,10 @@ struct VariantResult {
     [[nodiscard]] double timeRatio() const;  ///< geometric mean over the cases
     [[nodiscard]] double time() const;       ///< mean over the cases, ms
 };
-/// Runs every variant `repeats` times, interleaved, and adds a case to what is known.
-void measureCase(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
+/// Adds the errors of every variant on a case to what is known.
+void measureErrors(const OtfCase& one, std::vector<VariantResult>& results);
+/// Adds the run times: every variant `repeats` times, interleaved. After measureErrors() of some case.
+void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
 /// Marks, for each interface function, the variants that no other beats in both run time and RMS difference. The
 /// reference is out of it: its difference is 0 by definition.
 void markFront(std::vector<VariantResult>& results);

@@ -68,7 +68,7 @@ double VariantResult::time() const {
     return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
 }
 
-void measureCase(const OtfCase& one, int repeats, std::vector<VariantResult>& results) {
+void measureErrors(const OtfCase& one, std::vector<VariantResult>& results) {
     const auto variants = otfVariants(one.volume->geometry(), one.view);
     if (results.empty())
         for (const OtfVariant& variant : variants) {
@@ -86,6 +86,10 @@ void measureCase(const OtfCase& one, int repeats, std::vector<VariantResult>& re
         if (one.truth != nullptr)
             results[v].detection.add(detectionQuality(otf, truths.of(otf.config), one.volume->geometry()));
     }
+}
+
+void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results) {
+    const auto variants = otfVariants(one.volume->geometry(), one.view);
     const auto times = medianTimes(one, variants, repeats);
     for (std::size_t v = 0; v < variants.size(); ++v) {
         results[v].times.push_back(times[v]);

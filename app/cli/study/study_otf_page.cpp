@@ -118,6 +118,8 @@ Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetect
     }
     plot.series.push_back(frontSeries(own, ofDetection));
     for (const std::string& parameter : parameters) {
+        // Its error is 0 by definition: no place on a logarithmic axis.
+        if (parameter == "reference" && !ofDetection) continue;
         std::vector<const VariantResult*> some;
         for (const VariantResult* result : own)
             if (result->variant.parameter == parameter) some.push_back(result);

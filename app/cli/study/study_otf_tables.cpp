@@ -39,7 +39,8 @@ std::vector<std::string> detectionRow(const OtfStudy& study, const std::string& 
     std::vector<std::string> row{name};
     std::array<DetectionQuality, allReadings.size()> qualities;
     for (std::size_t r = 0; r < allReadings.size(); ++r) qualities[r] = pooled(study, allReadings[r], belongs);
-    for (const auto& quality : qualities) row.push_back(quality.weight > 0 ? percent(quality.rightShare()) : "—");
+    for (const auto& quality : qualities)
+        row.push_back(quality.tubesWithInterface > 0 && quality.weight > 0 ? percent(quality.rightShare()) : "—");
     for (const auto& quality : qualities) row.push_back(quality.weight > 0 ? percent(quality.emptyShare()) : "—");
     for (const auto& quality : qualities)
         row.push_back(quality.tubesWithInterface > 0 ? percent(quality.foundShare()) : "—");
@@ -82,7 +83,8 @@ TextTable detectionTable(const OtfStudy& study) {
     TextTable table{{"condition"}, {}};
     for (const char* what : {"right %", "on none %", "found %", "Σd"})
         for (const MethodReading reading : allReadings)
-            table.columns.push_back(fmt::format("{}, {}", what, nameOf(reading)));
+            table.columns.push_back(reading == allReadings.front() ? fmt::format("{}: {}", what, nameOf(reading))
+                                                                   : std::string(nameOf(reading)));
     for (const std::string& group : namesIn(study.readings, [](const auto& result) { return result.group; })) {
         std::vector<std::string> conditions;
         for (const ReadingResult& result : study.readings)
