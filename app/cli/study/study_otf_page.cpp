@@ -22,7 +22,7 @@ PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std:
     for (const VariantResult* result : results) {
         series.x.push_back(result->timeRatio());
         series.y.push_back(errorOf(*result, ofDetection));
-        series.labels.push_back(result->variant.parameter == "none" ? "unchanged" : result->variant.value);
+        series.labels.push_back(result->variant.value.empty() ? result->variant.name() : result->variant.value);
     }
     return series;
 }
@@ -123,7 +123,7 @@ Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetect
         std::vector<const VariantResult*> some;
         for (const VariantResult* result : own)
             if (result->variant.parameter == parameter) some.push_back(result);
-        plot.series.push_back(seriesOf(some, parameter == "none" ? "unchanged" : parameter, ofDetection));
+        plot.series.push_back(seriesOf(some, parameter, ofDetection));
     }
     return plot;
 }
