@@ -69,7 +69,9 @@ struct ReadingResult {
     std::optional<double> contrast;  ///< CNR_S, of the six conditions along the beam
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithSurface = 0;
-    SurfaceLight light;
+    SurfaceLight light;          ///< of the reading's own curve
+    SurfaceLight parabolaLight;  ///< of x^2 along the same tube cores
+    SurfaceLight linearLight;    ///< of eq. 1 with L_L = 20/255, a = 0.5
     std::string message;
     SampledCurve curve;
 };
