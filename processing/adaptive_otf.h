@@ -71,8 +71,8 @@ struct AdaptiveOtfConfig {
     bool kernelEndsAtZero = true;          ///< lowered so that it ends at zero; false: cut, as in method.md's table
     bool coarsestMustHaveMaximum = false;  ///< true: without a maximum at the coarsest scale there is no surface;
                                            ///< false: tracking begins at the coarsest scale that has one
-    double trackingRangeSigmas = 0.0;   ///< a scale looks this many of its sigmas around the maximum of the one before;
-                                        ///< 0: from valley to valley
+    double trackingRangeSigmas = 0.0;   ///< how far around a scale's maximum the next one looks, in sigmas of the scale
+                                        ///< where it was found; 0: from valley to valley
     bool priorCellsMayOverlap = false;  ///< prior cells are i < s (Petersch 2005, eq. 8); false: i <= s - cellSize
     int rankBins = 0;  ///< bins of the histograms of eqs. 9 and 10, over 0 to the largest value; 0: exact ranks
     TubeSampling sampling = TubeSampling::trilinear;

@@ -97,15 +97,15 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSm
         if (unsmoothed && tracked.empty()) return {};
         if (!unsmoothed) smoother.smooth(level, scratch.smoothed);
         const std::vector<double>& function = unsmoothed ? scratch.aboveFloor : scratch.smoothed;
-        if (rule.rangeSigmas > 0.0 && !tracked.empty())
-            range = around(tracked.back(), rule.rangeSigmas * smoother.space().sigma(std::min(level, levels - 1)));
         const auto maximum = firstSignificantMaximum(function, range, rule.significance);
         if (!maximum && tracked.empty()) {
             if (rule.coarsestMustHaveMaximum) return {};
             continue;
         }
         tracked.push_back(maximum ? *maximum : tracked.back());
-        if (maximum && rule.rangeSigmas == 0.0) range = valleyToValley(function, *maximum);
+        if (!maximum || unsmoothed) continue;
+        range = rule.rangeSigmas > 0.0 ? around(*maximum, rule.rangeSigmas * smoother.space().sigma(level))
+                                       : valleyToValley(function, *maximum);
     }
     for (int& cell : tracked) cell *= rule.stride;
     return tracked;
