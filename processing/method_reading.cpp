@@ -46,6 +46,8 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
     config.rankBins = 0;
     config.slopeHalfStep = 5;
     config.leastEdgeToNoise = 0.0;
+    config.lowReach = 0;
+    config.highReach = 0;
     // d_max = 0.03 at the paper's 225 tube cores. A d_max that stays 0.03 at any T would be a strength of 0.03 T; at
     // 225 both are the same.
     constexpr double dMaxOfThePaperGrid = 0.03;
