@@ -111,6 +111,20 @@ std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double fr
     return frames;
 }
 
+std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases) {
+    if (motion.firstPhase < 0 || motion.firstPhase >= phases)
+        throw std::invalid_argument("motionFrames: the first phase is not there");
+    std::vector<SweepFrame> frames =
+        sweepFrames(start, motion.axis, motion.from, motion.to, motion.step, motion.objectMoves ? phases : 1);
+    for (SweepFrame& frame : frames) {
+        frame.phase = (frame.phase + motion.firstPhase) % phases;
+        if (motion.probeMoves) continue;
+        frame.degrees = 0.0;
+        frame.view = start;
+    }
+    return frames;
+}
+
 std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
                                                OtfSmoothing smoothing, const Progress& progress) {

@@ -72,6 +72,27 @@ TEST(Sweep, FramesEndWhereTheRangeDoes) {
     EXPECT_THROW((void)sweepFrames({}, SweepAxis::x, 0, 1e9, 1, 1), std::invalid_argument);
 }
 
+TEST(Sweep, ThePapersThreeScenarios) {
+    Motion motion{.axis = SweepAxis::x, .from = -2, .to = 2, .step = 1, .firstPhase = 2};
+    const View start{.elevationDegrees = 10};
+    const auto probe = motionFrames(start, motion, 3);
+    motion.objectMoves = true;
+    const auto both = motionFrames(start, motion, 3);
+    motion.probeMoves = false;
+    const auto object = motionFrames(start, motion, 3);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const double degrees = static_cast<double>(i) - 2;
+        EXPECT_EQ(probe[i].view.elevationDegrees, 10 + degrees);
+        EXPECT_EQ(probe[i].phase, 2);
+        EXPECT_EQ(both[i].view, probe[i].view);
+        EXPECT_EQ(both[i].phase, static_cast<int>(2 + i) % 3);
+        EXPECT_EQ(object[i].view, start);
+        EXPECT_EQ(object[i].degrees, 0.0);
+        EXPECT_EQ(object[i].phase, both[i].phase);
+    }
+    EXPECT_THROW((void)motionFrames(start, motion, 2), std::invalid_argument);
+}
+
 TEST(Sweep, EveryFrameHasTheOtfOfItsViewAndPhase) {
     const Phases phases = phantomPhases(2);
     const auto frames = sweepFrames({}, SweepAxis::y, -20, 20, 5, 2);
