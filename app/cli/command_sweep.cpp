@@ -80,7 +80,7 @@ Result<void> writeMovie(const SweepOptions& options, const Study& study, const s
                         const RayCastSettings& settings) {
     auto movie = MovieFile::begin(options.movie, settings.width, settings.height, options.frameRate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    const FrameRenderer render = frameRenderer(study.phases, settings);
+    const FrameRenderer render = frameRenderer(study.phases, framesOf(swept), settings);
     for (const SweptOtf& frame : swept) {
         std::vector<std::uint8_t> rgb = overBackground(*render(frame.frame, frame.shown), Vec3(0, 0, 0));
         if (!study.phases.front()->geometry().spacingKnown)
@@ -93,9 +93,8 @@ Result<void> writeMovie(const SweepOptions& options, const Study& study, const s
 Result<void> write(const SweepOptions& options, const Study& study, SweepReport& report,
                    const RayCastSettings& settings) {
     if (options.pictureFlicker) {
-        std::vector<SweepFrame> frames;
-        for (const SweptOtf& frame : report.frames) frames.push_back(frame.frame);
-        const FrameRenderer render = frameRenderer(study.phases, settings);
+        const std::vector<SweepFrame> frames = framesOf(report.frames);
+        const FrameRenderer render = frameRenderer(study.phases, frames, settings);
         report.unsmoothedPictures = pictureFlicker(frames, unsmoothedOf(report.frames), render);
         report.shownPictures = pictureFlicker(frames, shownOf(report.frames), render);
     }

@@ -96,6 +96,12 @@ View turned(const View& start, SweepAxis axis, double degrees) {
     return view;
 }
 
+std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
+    std::vector<SweepFrame> frames;
+    for (const SweptOtf& frame : swept) frames.push_back(frame.frame);
+    return frames;
+}
+
 std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to, double step,
                                     int phases) {
     if (!std::isfinite(from) || !std::isfinite(to) || !(step > 0.0) || phases < 1)

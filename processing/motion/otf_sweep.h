@@ -34,6 +34,8 @@ struct SweptOtf {
     int tubesWithSurface = 0;
 };
 
+[[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
+
 /// The frames of a probe that turns from `from` to `to` degrees in steps; where there are several phases, the object
 /// moves by one phase a frame, over and over. `to` below `from` turns backwards; `to` itself is a frame where the range
 /// is a whole number of steps. Throws std::invalid_argument for angles that are not finite, a step not above 0, no

@@ -179,13 +179,35 @@ TEST(Flicker, OfPicturesLeavesTheRotationsOwnChangeOut) {
     const auto frames = sweepFrames({}, SweepAxis::y, 0, 40, 10, 1);
     RayCastSettings settings;
     settings.width = settings.height = 24;
-    const FrameRenderer render = frameRenderer(phases, settings);
+    const FrameRenderer render = frameRenderer(phases, frames, settings);
     const auto ofSame = pictureFlicker(frames, std::vector(5, flat(0.3)), render);
     ASSERT_TRUE(ofSame);
     EXPECT_EQ(ofSame->change, 0.0);
     EXPECT_EQ(ofSame->flicker, 0.0);
     EXPECT_GT(differenceOf(*render(frames[0], flat(0.3)), *render(frames[1], flat(0.3))).rms, 1e-3);
     EXPECT_THROW((void)pictureFlicker(frames, std::vector(4, flat(0.3)), render), std::invalid_argument);
+}
+
+TEST(Flicker, EveryFrameIsRenderedAtOneScale) {
+    // A rod along the axis of rotation looks the same from all sides: so it does in the pictures, at one scale.
+    VolumeGeometry geometry{.size = {40, 40, 24}};
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 0);
+    for (std::int64_t y = 0; y < 40; ++y)
+        for (std::int64_t z = 10; z < 14; ++z)
+            for (std::int64_t x = 18; x < 22; ++x) voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] = 255;
+    const Phases phases{std::make_shared<const Volume>(geometry, voxels)};
+    RayCastSettings settings;
+    settings.width = settings.height = 120;
+    const auto frames = sweepFrames({}, SweepAxis::y, 0, 90, 90, 1);
+    const FrameRenderer render = frameRenderer(phases, frames, settings);
+    const auto lit = [&](const SweepFrame& frame) {
+        const Picture picture = *render(frame, SampledCurve{{0.0, 0.0, 1.0, 1.0}});
+        int pixels = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) pixels += picture.rgba[i] > 0.5f ? 1 : 0;
+        return pixels;
+    };
+    EXPECT_GT(lit(frames[0]), 100);
+    EXPECT_EQ(lit(frames[0]), lit(frames[1]));
 }
 
 TEST(Flicker, OfPicturesComparesEachViewWithTheOtfBefore) {

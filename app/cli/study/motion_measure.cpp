@@ -16,12 +16,6 @@ RayCastSettings pictureSettings(int edge) {
     return settings;
 }
 
-std::vector<SweepFrame> framesOf(const std::vector<SweptOtf>& swept) {
-    std::vector<SweepFrame> frames;
-    for (const SweptOtf& frame : swept) frames.push_back(frame.frame);
-    return frames;
-}
-
 /// The same course with another smoothing.
 std::vector<SampledCurve> smoothed(const std::vector<SweptOtf>& frames, OtfSmoothing smoothing) {
     OtfHistory history(smoothing);
@@ -154,7 +148,7 @@ void takeStills(MotionFigures& figures, int edge) {
     RayCastSettings settings = pictureSettings(edge);
     settings.colourMap = ColourMap::sepia;
     settings.shading = Shading{};
-    const FrameRenderer render = frameRenderer(figures.motionCase.phases, settings);
+    const FrameRenderer render = frameRenderer(figures.motionCase.phases, framesOf(figures.frames), settings);
     for (const std::size_t index : {std::size_t{0}, figures.frames.size() - 1}) {
         const SweptOtf& frame = figures.frames[index];
         const std::string name = nameOfFrame(figures, index);
@@ -180,7 +174,7 @@ MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfi
     figures.initial = SampledCurve{sampledOpacities(config.initial, AdaptiveOtf::sampleCount)};
     const auto& first = *motionCase.phases[static_cast<std::size_t>(motionCase.motion.firstPhase)];
     figures.oneOtf = adaptOpacity(first, motionCase.start, config)->curve;
-    const FrameRenderer render = frameRenderer(motionCase.phases, pictureSettings(edge));
+    const FrameRenderer render = frameRenderer(motionCase.phases, frames, pictureSettings(edge));
     for (const MotionMode& mode : motionModes()) figures.modes.push_back(figuresOf(mode, figures, render));
     compareCurves(figures, render);
     compareWithStatic(figures, render);
