@@ -56,7 +56,8 @@ ModeFigures figuresOf(const MotionMode& mode, const MotionFigures& figures, cons
         std::tie(result.lowest, result.highest) = unclampedRange(figures.frames, *mode);
     }
     result.otfFlicker = otfFlicker(result.shown);
-    result.pictures = *pictureFlicker(framesOf(figures.frames), result.shown, render);
+    // One OTF changes no picture.
+    if (mode) result.pictures = *pictureFlicker(framesOf(figures.frames), result.shown, render);
     return result;
 }
 
@@ -86,6 +87,10 @@ void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
     const std::size_t last = figures.frames.size() - 1, middle = last / 2;
     const SweepFrame& view = figures.frames[middle].frame;
     const auto with = [&](std::size_t index) { return *render(view, figures.frames[index].unsmoothed); };
+    figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
+    figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
+    // Frames of a still probe may show the same phase: there is nothing to compare.
+    if (!figures.motionCase.motion.probeMoves) return;
     for (const auto& [left, right] :
          {std::pair(std::size_t{0}, middle), std::pair(middle, last), std::pair(std::size_t{0}, last)}) {
         const SampledCurve &one = figures.frames[left].unsmoothed, &other = figures.frames[right].unsmoothed;
@@ -93,8 +98,6 @@ void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
                                        rmsOf(one, other), largestOf(one, other),
                                        differenceOf(with(left), with(right)).rms});
     }
-    figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
-    figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
 }
 
 void compareWithStatic(MotionFigures& figures, const FrameRenderer& render) {

@@ -82,12 +82,13 @@ void addDifferences(HtmlPage& page, const MotionFigures& figures) {
     for (const CurveDifference& one : figures.differences)
         rows.push_back({one.name, number(one.rms), number(one.largest), number(one.pictureRms),
                         share(one.rms, figures.adaptation)});
-    page.table({"OTFs of", "RMS difference", "largest difference", "RMS of the pictures", "RMS, of the adaptation"},
-               rows,
-               fmt::format(
-                   "Unsmoothed OTFs; pictures of the middle frame's view. The adaptation is the difference between the "
-                   "one OTF and the initial function: RMS {}, of the pictures {}.",
-                   number(figures.adaptation), number(figures.adaptationPicture)));
+    if (!rows.empty())
+        page.table(
+            {"OTFs of", "RMS difference", "largest difference", "RMS of the pictures", "RMS, of the adaptation"}, rows,
+            fmt::format(
+                "Unsmoothed OTFs; pictures of the middle frame's view. The adaptation is the difference between the "
+                "one OTF and the initial function: RMS {}, of the pictures {}.",
+                number(figures.adaptation), number(figures.adaptationPicture)));
     page.paragraph(
         fmt::format("Pictures with one OTF for all frames against pictures with each frame's own OTF: RMS {} over "
                     "all frames, {} in the frame that differs most.",
@@ -173,7 +174,8 @@ void addMaps(HtmlPage& page, const MotionFigures& figures) {
     const auto deviation = [&](double opacity, std::size_t sample) {
         return std::clamp(0.5 + 0.5 * (opacity - spread.mean[sample]) / scale, 0.0, 1.0);
     };
-    const std::string range = fmt::format(" deviation from the mean OTF, 0.5 ± {}", number(spread.largestDeviation));
+    const std::string range =
+        fmt::format(" deviation from the mean OTF (0: -{0}, 1: +{0})", number(spread.largestDeviation));
     page.heatMap(mapOf(figures, raw, "Unsmoothed:" + range, deviation));
     page.heatMap(mapOf(figures, shown, "Least-flicker:" + range, deviation));
 }
@@ -214,6 +216,8 @@ std::string motionPage(const std::vector<MotionFigures>& cases) {
         addCurves(page, figures);
         addCourse(page, figures);
         addMaps(page, figures);
+        if (!figures.stills.empty())
+            page.paragraph("Both ends of the motion, with one OTF for all frames and with the frame's own (Fig. 9):");
         for (const Still& still : figures.stills) page.picture(still.picture, still.caption);
     }
     return page.text();
