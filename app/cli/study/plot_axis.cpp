@@ -38,12 +38,12 @@ std::vector<PlotTick> logarithmicTicks(double low, double high) {
     const int every = std::max(1, static_cast<int>(std::ceil(decades / 10)));
     std::vector<PlotTick> ticks;
     for (int decade = static_cast<int>(std::floor(low)); decade <= static_cast<int>(std::floor(high)); ++decade) {
+        if (decade % every != 0) continue;
         const double power = std::pow(10.0, decade);
         for (int multiple = 1; multiple <= 9; ++multiple) {
             const double place = decade + std::log10(multiple);
             if (place < low || place > high || (multiple > 1 && decades > 4)) continue;
-            const bool labelled =
-                multiple == 1 ? decade % every == 0 : decades < 2.5 && (multiple == 2 || multiple == 5);
+            const bool labelled = multiple == 1 || (decades < 2.5 && (multiple == 2 || multiple == 5));
             ticks.push_back({multiple * power, labelled ? shortNumber(multiple * power) : std::string()});
         }
     }

@@ -144,9 +144,9 @@ void PlotDrawing::drawLine(std::size_t index) {
 }
 
 void PlotDrawing::drawMarker(std::size_t index, double x, double y, const std::string& says) {
-    static constexpr std::array<std::string_view, 4> shapes{"M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
+    static constexpr std::array<std::string_view, 5> shapes{"M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
                                                             "M-3.6 -3.6h7.2v7.2h-7.2z", "M0 -5L5 0L0 5L-5 0z",
-                                                            "M0 -4.8L4.6 3.6H-4.6z"};
+                                                            "M0 -4.8L4.6 3.6H-4.6z", "M0 4.8L4.6 -3.6H-4.6z"};
     m_body += fmt::format("<path class=\"marker c{}\" fill=\"{}\" transform=\"translate({:.2f} {:.2f})\" d=\"{}\">",
                           m_colours[index], colour(index).onLight, x, y, shapes[index % shapes.size()]);
     if (!says.empty()) m_body += "<title>" + escaped(says) + "</title>";
@@ -171,9 +171,10 @@ void PlotDrawing::drawLabels(std::size_t index) {
     for (std::size_t i = 0; i < std::min(countOf(series), series.labels.size()); ++i) {
         if (!shows(series, i) || series.labels[i].empty()) continue;
         const double x = pixelX(series.x[i]), y = pixelY(series.y[i]), wide = textWidth(series.labels[i]);
-        const std::array<Box, 4> places{
-            Box{x + gap, y - height / 2, wide, height}, Box{x - gap - wide, y - height / 2, wide, height},
-            Box{x - wide / 2, y - gap - height, wide, height}, Box{x - wide / 2, y + gap, wide, height}};
+        const std::array<Box, 5> places{
+            Box{x + 4, y - 3 - height, wide, height}, Box{x + gap, y - height / 2, wide, height},
+            Box{x - wide / 2, y - gap - height, wide, height}, Box{x - gap - wide, y - height / 2, wide, height},
+            Box{x - wide / 2, y + gap, wide, height}};
         // Where no side is free the label is left to the marker's tooltip: two on top of each other tell nothing.
         const auto free = std::find_if(places.begin(), places.end(), [&](const Box& place) {
             return place.x >= left && place.x + wide <= right && place.y >= top && place.y + height <= bottom &&

@@ -16,14 +16,14 @@ struct SeriesColour {
     std::string_view onLight, onDark;
     std::string_view dashes;  ///< SVG's stroke-dasharray; empty: solid
 };
-inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#387f87", "#4fb3bf", ""},
-                                                            {"manual", "#926e2f", "#e8b04b", ""},
-                                                            {"linear", "#6e767f", "#9aa5b1", "7 4"},
-                                                            {"parabolic", "#886b83", "#b48ead", "2 3"},
-                                                            {"quartic", "#5e7c5e", "#8fbc8f", "8 3 2 3"},
-                                                            {"", "#b1454f", "#e07a83", ""},
-                                                            {"", "#3f6fae", "#81a9e0", "10 3"},
-                                                            {"", "#9a5a3c", "#e39a78", "4 2"}}};
+inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8c", "#4fb3bf", ""},
+                                                            {"manual", "#966400", "#e8b04b", ""},
+                                                            {"linear", "#66717d", "#9aa5b1", "7 4"},
+                                                            {"parabolic", "#905a8a", "#b48ead", "2 3"},
+                                                            {"quartic", "#3c7f3c", "#8fbc8f", "8 3 2 3"},
+                                                            {"", "#b83f4b", "#e07a83", ""},
+                                                            {"", "#2f66b5", "#81a9e0", "10 3"},
+                                                            {"", "#a04e26", "#e39a78", "4 2"}}};
 
 /// For each series the index of its colour: a curve's own where the series' name begins with the curve's, else the next
 /// one that is free; beyond the eighth they repeat.
