@@ -168,16 +168,4 @@ void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellSt
     }
 }
 
-void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments) {
-    moments.resize(sums.size());
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        const SlabSums& slab = sums[k];
-        moments[k] = {slab.count, 0.0, 0.0};
-        if (slab.count == 0) continue;
-        moments[k].mean = static_cast<double>(slab.sum) / slab.count / whiteLevel;
-        moments[k].squaredDeviations = static_cast<double>(scaledVariance(slab.count, slab.sum, slab.sumOfSquares)) /
-                                       slab.count / whiteLevel / whiteLevel;
-    }
-}
-
 }  // namespace echolucent

@@ -41,9 +41,6 @@ void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStat
 /// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);
 
-/// Moments from exact sums, normalised; whiteLevel: the stored value of normalised intensity 1.
-void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments);
-
 /// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells);
 
