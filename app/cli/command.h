@@ -24,6 +24,7 @@ void addInfoCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
+void addBenchCommand(CLI::App& program, Action& action);
 
 /// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --all-voxels.
 struct VolumeOptions {
