@@ -291,7 +291,8 @@ HWY_INLINE void sumPiece(const Piece<Voxel>& piece, const SlabPattern& pattern, 
             FloatVector deviation;
             if constexpr (careful) {
                 const Sample sample = carefulSample<Voxel, nearest>(piece, position);
-                if (i == 0) origin = sample.value;
+                const auto isFirst = hn::And(sample.valid, hn::Eq(count, hn::Zero(floats)));
+                origin = hn::IfThenElse(isFirst, sample.value, origin);
                 deviation = hn::IfThenElseZero(sample.valid, hn::Sub(sample.value, origin));
                 count = hn::Add(count, hn::IfThenElseZero(sample.valid, one));
             } else {

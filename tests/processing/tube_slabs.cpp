@@ -125,12 +125,22 @@ TEST(TubeSlabs, TheLargest16BitCellsDoNotOverflow) {
 /// 2^-13 of the range; single precision adds 8 roundings of 2^-24.
 double toleranceFor(double largest) { return largest * (0x1p-13 + 8 * 0x1p-24); }
 
-struct Disagreements {
-    int slabs = 0, counts = 0;
-};
+/// Whether rounding a position decides what is taken: a sample next to a whole number (where a neighbour's share, and
+/// with it its lack of data, comes and goes) or half way between two (where the nearest voxel and the border change).
+bool roundingDecides(const TubeSamples& tube, int slab) {
+    const double half = (tube.cellSize - 1) / 2.0;
+    for (int b = 0; b < tube.cellSize; ++b)
+        for (int a = 0; a < tube.cellSize; ++a) {
+            const Vec3 at = tube.onAxis(slab) + tube.down * (b - half) + tube.right * (a - half);
+            for (int axis = 0; axis < 3; ++axis)
+                if (std::abs(2 * at[axis] - std::round(2 * at[axis])) < 0x1p-12) return true;
+        }
+    return false;
+}
 
-/// Compares all tubes of a view with the reference; slabs whose samples are counted differently are left to the caller.
-Disagreements compare(const Volume& volume, const View& view, TubeSampling sampling, double largest) {
+/// Compares all tubes of a view with the reference and counts the slabs compared: those in which rounding
+/// does not decide.
+int slabsLikeTheReference(const Volume& volume, const View& view, TubeSampling sampling, double largest) {
     AdaptiveOtfConfig config;
     config.tubeColumns = config.tubeRows = 9;
     const auto tubes = samplesFor(volume, view, config);
@@ -138,29 +148,22 @@ Disagreements compare(const Volume& volume, const View& view, TubeSampling sampl
     meanSlabs(volume, sampling, tubes, true, fast);
     std::vector<SlabMoments> reference;
     std::vector<double> scratch;
-    Disagreements found;
+    int compared = 0;
     const double tolerance = toleranceFor(largest), white = volume.whiteLevel();
     for (std::size_t t = 0; t < tubes.size(); ++t) {
         sampleSlabs(volume, sampling, tubes[t], reference, scratch);
         for (std::size_t k = 0; k < reference.size(); ++k) {
-            ++found.slabs;
-            if (static_cast<double>(reference[k].count) != fast[t].counts[k]) {
-                ++found.counts;
-                continue;
-            }
+            if (roundingDecides(tubes[t], static_cast<int>(k))) continue;
+            ++compared;
+            EXPECT_EQ(fast[t].counts[k], static_cast<float>(reference[k].count));
             const double n = reference[k].count, spread = std::sqrt(reference[k].squaredDeviations * n) * white;
-            if (sampling == TubeSampling::nearest) {
-                // A sample half way between two voxels may take either: then the mean is off by far more.
-                found.counts += std::abs(fast[t].means[k] - reference[k].mean * white) > tolerance ? 1 : 0;
-                continue;
-            }
             EXPECT_NEAR(fast[t].means[k], reference[k].mean * white, tolerance);
             // Samples off by e change the sum of squared deviations by at most 2 e sqrt(n D) + n e^2.
             EXPECT_NEAR(fast[t].squaredDeviations[k], reference[k].squaredDeviations * white * white,
                         2 * tolerance * spread + n * tolerance * tolerance);
         }
     }
-    return found;
+    return compared;
 }
 
 template <typename Voxel>
@@ -170,15 +173,9 @@ void expectTheReference(double largest, std::optional<double> white = std::nullo
         for (const Volume& volume : {complete, masked(complete)})
             for (const View& view : {View{.azimuthDegrees = 20, .elevationDegrees = -12},
                                      View{.beamAxis = BeamAxis::minusX, .azimuthDegrees = 63, .elevationDegrees = 31},
-                                     View{.azimuthDegrees = 45}, View{.elevationDegrees = 90, .rollDegrees = 33},
-                                     View{.beamAxis = BeamAxis::plusY}})
-                for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest}) {
-                    const Disagreements found = compare(volume, view, sampling, largest);
-                    EXPECT_GT(found.slabs, 500);
-                    // Only where a sample lies within 2^-16 of a border, or of the middle between two voxels. Views at
-                    // 45 and 90 degrees and whole spacings put samples there.
-                    EXPECT_LE(found.counts, found.slabs / 20);
-                }
+                                     View{.beamAxis = BeamAxis::plusY, .azimuthDegrees = -7, .rollDegrees = 33}})
+                for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest})
+                    EXPECT_GT(slabsLikeTheReference(volume, view, sampling, largest), 500);
     }
 }
 
@@ -289,12 +286,14 @@ TEST(TubeSlabs, SaysWhichVolumesNeedTheReference) {
 }
 
 TEST(TubeSlabs, ThinVolumesAgreeWithTheReference) {
+    int compared = 0;
     for (const std::array<std::int64_t, 3> size : {std::array<std::int64_t, 3>{40, 1, 40}, {40, 40, 1}, {4, 2, 50}}) {
         const Volume volume = noise<std::uint8_t>(size, 255);
         ASSERT_TRUE(canMeanSlabs(volume));
         for (const View& view : {View{.azimuthDegrees = 3, .elevationDegrees = 2}, View{.elevationDegrees = 81}})
-            EXPECT_EQ(compare(volume, view, TubeSampling::trilinear, 255).counts, 0);
+            compared += slabsLikeTheReference(volume, view, TubeSampling::trilinear, 255);
     }
+    EXPECT_GT(compared, 100);
 }
 
 TEST(TubeSlabs, StoredSumsAreExactOnlyForIntegersWithAnIntegerWhiteLevel) {
