@@ -1,6 +1,7 @@
 #include "processing/adaptive_otf.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -178,6 +179,7 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     result.leastContrast = thresholds.contrast;
     if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
     result.times.cells = watch.lap();
+    tbb::enumerable_thread_specific<CellStatistics> scratch;
     tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t t) {
         TubeCore& tube = result.tubes[t];
         tube.column = axes[t].column;
@@ -188,7 +190,7 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         tube.entryVoxel = axes[t].entryVoxel;
         tube.firstSampleVoxel = samples[t].first;
         tube.firstCell = profiles.firstSlab(t);
-        CellStatistics cells;
+        CellStatistics& cells = scratch.local();
         cellsFrom(means, tube.firstCell, config.cellSize, cells);
         tube.cellMeans.assign(cells.means.begin(), cells.means.end());
         const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);

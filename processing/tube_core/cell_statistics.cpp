@@ -129,11 +129,15 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
     for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
         const auto i = static_cast<std::size_t>(cell);
         const auto ofCell = slabs.subspan(i, static_cast<std::size_t>(cellSize));
+        // As deviations from one slab's mean, so that equal slabs have that mean to the last bit and no spread.
+        const auto filled =
+            std::find_if(ofCell.begin(), ofCell.end(), [](const SlabMoments& slab) { return slab.count > 0; });
+        const double near = filled == ofCell.end() ? 0.0 : filled->mean;
         std::uint32_t count = 0;
         double sum = 0.0, deviations = 0.0;
         for (const SlabMoments& slab : ofCell) {
             count += slab.count;
-            sum += slab.count * slab.mean;
+            sum += slab.count * (slab.mean - near);
         }
         if (2 * count < samples) {
             if (cell > cells.firstCell) {
@@ -142,7 +146,7 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
             }
             continue;
         }
-        const double mean = sum / count;
+        const double mean = near + sum / count;
         for (const SlabMoments& slab : ofCell)
             deviations += slab.squaredDeviations + slab.count * (slab.mean - mean) * (slab.mean - mean);
         cells.means[i] = mean;

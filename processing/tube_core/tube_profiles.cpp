@@ -45,12 +45,17 @@ void TubeProfiles::set(std::size_t tube, std::span<const SlabMoments> slabs, int
 
 void TubeProfiles::set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel) {
     const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
+        const float white = static_cast<float>(whiteLevel);
+        // In two loops: the first is of integers, of the second the compiler makes vectors.
         for (std::size_t k = 0; k < count; ++k) {
             const std::int64_t samples = slabs.counts[first + k], sum = slabs.sums[first + k];
             const auto squares = static_cast<std::int64_t>(slabs.sumsOfSquares[first + k]);
-            const double scale = static_cast<double>(std::max<std::int64_t>(samples, 1)) * whiteLevel;
-            means[k] = static_cast<float>(static_cast<double>(sum) / scale);
-            spreads[k] = static_cast<float>(std::sqrt(static_cast<double>(samples * squares - sum * sum)) / scale);
+            spreads[k] = static_cast<float>(samples * squares - sum * sum);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto samples = static_cast<float>(std::max(slabs.counts[first + k], 1)) * white;
+            means[k] = static_cast<float>(static_cast<double>(slabs.sums[first + k]) / static_cast<double>(samples));
+            spreads[k] = std::sqrt(spreads[k]) / samples;
         }
     };
     setFrom(tube, slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
