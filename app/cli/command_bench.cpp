@@ -49,6 +49,8 @@ double medianOf(std::vector<double> values) {
     return *middle;
 }
 
+double leastOf(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+
 constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"sampling", &StageTimes::sampling},
                                                                               {"cells", &StageTimes::cells},
                                                                               {"detection", &StageTimes::detection},
@@ -59,11 +61,17 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"
 class ViewBench {
 public:
     ViewBench(const Volume& volume, const View& view, const AdaptiveOtfConfig& config)
-        : m_volume(volume), m_view(view), m_config(config), m_touch(volume, view, config), m_openCv(volume, view, config) {}
+        : m_volume(volume),
+          m_view(view),
+          m_config(config),
+          m_touch(volume, view, config),
+          m_openCv(volume, view, config) {}
 
     void run(bool counts, bool withOpenCv) {
-        std::optional<AdaptiveOtf> otf;
+        // Each is run once before it is timed: what came between has filled the caches with something else.
+        auto otf = adaptOpacity(m_volume, m_view, m_config);
         const double total = millisecondsOf([&] { otf = adaptOpacity(m_volume, m_view, m_config); });
+        m_sink = m_sink + m_touch.run();
         const double touch = millisecondsOf([&] { m_sink = m_sink + m_touch.run(); });
         double openCv = 0.0;
         if (withOpenCv) openCv = millisecondsOf([&] { m_sink = m_sink + m_openCv.run(); });
@@ -83,6 +91,8 @@ public:
         report["total_ms"] = total;
         report["touch_ms"] = touch;
         report["opencv_ms"] = openCv;
+        report["least_total_ms"] = leastOf(m_total);
+        report["least_touch_ms"] = leastOf(m_touchTimes);
         report["times_touch"] = total / touch;
         report["opencv_times_total"] = openCv / total;
         for (std::size_t i = 0; i < stages.size(); ++i) report["stages_ms"][stages[i].first] = medianOf(m_stages[i]);
@@ -113,22 +123,30 @@ double sweepSeconds(const Volume& volume, const View& start, const AdaptiveOtfCo
                    view.azimuthDegrees = sweepFrom + i;
                    (void)adaptOpacity(volume, view, config);
                });
-           }) / 1000.0;
+           }) /
+           1000.0;
 }
 
 std::string tableOf(const ordered_json& report) {
     std::string table = fmt::format("{:<28}{:>12}{:>12}\n", "median ms, one thread", "axis view", "oblique");
     const auto row = [&](const std::string& name, const std::function<double(const ordered_json&)>& value, int digits) {
-        table += fmt::format("{:<28}{:>12.{}f}{:>12.{}f}\n", name, value(report["axis"]), digits, value(report["oblique"]),
-                             digits);
+        table += fmt::format("{:<28}{:>12.{}f}{:>12.{}f}\n", name, value(report["axis"]), digits,
+                             value(report["oblique"]), digits);
     };
     for (const auto& stage : stages)
-        row(stage.first, [&](const ordered_json& view) { return view["stages_ms"][stage.first].get<double>(); }, 3);
-    for (const auto& [name, key] : {std::pair{"total", "total_ms"}, {"touching the voxels", "touch_ms"},
-                                    {"the same with OpenCV", "opencv_ms"}})
-        row(name, [&, k = key](const ordered_json& view) { return view[k].get<double>(); }, 3);
-    row("total / touching", [](const ordered_json& view) { return view["times_touch"].get<double>(); }, 2);
-    row("OpenCV / total", [](const ordered_json& view) { return view["opencv_times_total"].get<double>(); }, 1);
+        row(
+            stage.first, [&](const ordered_json& view) { return view["stages_ms"][stage.first].get<double>(); }, 3);
+    for (const auto& [name, key] : {std::pair{"total", "total_ms"},
+                                    {"touching the voxels", "touch_ms"},
+                                    {"the same with OpenCV", "opencv_ms"},
+                                    {"least total", "least_total_ms"},
+                                    {"least touching", "least_touch_ms"}})
+        row(
+            name, [&, k = key](const ordered_json& view) { return view[k].get<double>(); }, 3);
+    row(
+        "total / touching", [](const ordered_json& view) { return view["times_touch"].get<double>(); }, 2);
+    row(
+        "OpenCV / total", [](const ordered_json& view) { return view["opencv_times_total"].get<double>(); }, 1);
     table += fmt::format("sweep of {} views, {} thread(s): {:.3f} s\n", report["sweep_views"].get<int>(),
                          report["threads"].get<int>(), report["sweep_s"].get<double>());
     return table;

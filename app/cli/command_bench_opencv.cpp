@@ -103,8 +103,8 @@ void OpenCvOtf::Stages::sampleBetweenVoxels() {
                                                  static_cast<float>(tube.down[c]) * (static_cast<float>(b) - half);
                                 const float last = static_cast<float>(size[static_cast<std::size_t>(c)] - 1);
                                 const float inside = std::clamp(at, 0.0f, last);
-                                low[c] = std::max(0L, std::min(static_cast<long>(inside),
-                                                               size[static_cast<std::size_t>(c)] - 2));
+                                low[c] = std::max(
+                                    0L, std::min(static_cast<long>(inside), size[static_cast<std::size_t>(c)] - 2));
                                 share[c] = inside - static_cast<float>(low[c]);
                             }
                             const auto* v = voxels.data() + low[0] + row * low[1] + plane * low[2];

@@ -72,7 +72,8 @@ public:
     SampleTouch(const Voxel* voxels, const VolumeGeometry& geometry, const TubeSamples& any)
         : m_voxels(voxels), m_size(geometry.size), m_offsets(offsetsOf(any)) {
         const double half = (any.cellSize - 1) / 2.0;
-        for (int axis = 0; axis < 3; ++axis) m_reach[axis] = (std::abs(any.right[axis]) + std::abs(any.down[axis])) * half;
+        for (int axis = 0; axis < 3; ++axis)
+            m_reach[axis] = (std::abs(any.right[axis]) + std::abs(any.down[axis])) * half;
     }
 
     [[nodiscard]] Total<Voxel> slab(const Vec3& centre) const {

@@ -33,7 +33,8 @@ template <typename Count>
 void holdAcrossHoles(std::span<const Count> counts, int cellSize, CellStatistics& cells) {
     const int samples = cellSize * cellSize * cellSize;
     int count = 0;
-    for (int k = 0; k < cellSize - 1; ++k) count += static_cast<int>(counts[static_cast<std::size_t>(cells.firstCell + k)]);
+    for (int k = 0; k < cellSize - 1; ++k)
+        count += static_cast<int>(counts[static_cast<std::size_t>(cells.firstCell + k)]);
     for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
         const auto i = static_cast<std::size_t>(cell), size = static_cast<std::size_t>(cellSize);
         count += static_cast<int>(counts[i + size - 1]);
@@ -71,7 +72,9 @@ void addSlabs(const Value* values, std::size_t first, std::size_t count, int cel
 }  // namespace
 
 void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells) {
-    if (!beginCells(slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells)) return;
+    if (!beginCells(
+            slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
+        return;
     // 32^3 samples of 65535 stay below 2^31.
     std::array<std::int32_t, batch> counts, sums;
     std::array<std::uint64_t, batch> squares;
@@ -84,8 +87,8 @@ void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStati
         addSlabs(slabs.sumsOfSquares.data(), first, count, cellSize, squares);
         for (std::size_t i = 0; i < count; ++i) {
             const double scale = std::max(counts[i], 1) * whiteLevel;
-            const auto exact = scaledVariance(static_cast<std::uint64_t>(counts[i]),
-                                              static_cast<std::uint64_t>(sums[i]), squares[i]);
+            const auto exact =
+                scaledVariance(static_cast<std::uint64_t>(counts[i]), static_cast<std::uint64_t>(sums[i]), squares[i]);
             cells.variances[first + i] = static_cast<double>(exact) / scale / scale;
         }
     });
@@ -93,7 +96,9 @@ void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStati
 }
 
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells) {
-    if (!beginCells(slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells)) return;
+    if (!beginCells(
+            slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
+        return;
     // Counts have 10 bits and means 24: their products and sums are exact in double.
     std::array<double, batch> counts, sums, deviations;
     const float* count = slabs.counts.data();
@@ -124,7 +129,9 @@ void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStat
 }
 
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells) {
-    if (!beginCells(slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, cells)) return;
+    if (!beginCells(
+            slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, cells))
+        return;
     const std::uint32_t samples = static_cast<std::uint32_t>(cellSize * cellSize * cellSize);
     for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
         const auto i = static_cast<std::size_t>(cell);
@@ -163,13 +170,13 @@ void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellSt
     const auto count = static_cast<std::size_t>(std::max(0, cells.lastCell + 1));
     cells.variances.clear();
     cells.means.assign(count, 0.0);
-    cells.complete.assign(count, 0);
-    for (int cell = 0; cell <= slabs - cellSize; ++cell) {
-        double sum = 0.0;
-        for (int k = cell; k < cell + cellSize; ++k) sum += slabMeans[static_cast<std::size_t>(k)];
-        cells.means[static_cast<std::size_t>(first + cell)] = sum / cellSize;
-        cells.complete[static_cast<std::size_t>(first + cell)] = 1;
-    }
+    cells.complete.assign(count, 1);
+    std::fill_n(cells.complete.begin(), std::min(count, static_cast<std::size_t>(first)), std::uint8_t{0});
+    std::array<double, batch> sums;
+    inBatches(cells, [&](std::size_t begin, std::size_t cellCount) {
+        addSlabs(slabMeans.data(), begin - static_cast<std::size_t>(first), cellCount, cellSize, sums);
+        for (std::size_t i = 0; i < cellCount; ++i) cells.means[begin + i] = sums[i] / cellSize;
+    });
 }
 
 }  // namespace echolucent

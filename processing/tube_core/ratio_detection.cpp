@@ -15,8 +15,7 @@ int leastBehind(const RatioRule& rule) { return (rule.behind + 1) / 2; }
 
 void scaleProfile(std::span<const float> means, const SpeckleScale& scale, std::vector<float>& scaled) {
     scaled.resize(means.size());
-    std::transform(means.begin(), means.end(), scaled.begin(),
-                   [&](float mean) { return static_cast<float>(scale.scaled(mean)); });
+    scale.scale(means, scaled);
 }
 
 double meanOf(std::span<const float> values) {

@@ -40,7 +40,8 @@ void TubeProfiles::set(std::size_t tube, std::span<const SlabMoments> slabs, int
             spreads[k] = static_cast<float>(std::sqrt(slab.squaredDeviations / std::max(slab.count, 1u)));
         }
     };
-    setFrom(tube, slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, write);
+    setFrom(
+        tube, slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, write);
 }
 
 void TubeProfiles::set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel) {
@@ -58,7 +59,8 @@ void TubeProfiles::set(std::size_t tube, const SlabSums& slabs, int cellSize, do
             spreads[k] = std::sqrt(spreads[k]) / samples;
         }
     };
-    setFrom(tube, slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
+    setFrom(
+        tube, slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
 }
 
 void TubeProfiles::set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel) {
@@ -66,10 +68,12 @@ void TubeProfiles::set(std::size_t tube, const SlabMeans& slabs, int cellSize, d
     const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
         for (std::size_t k = 0; k < count; ++k) {
             means[k] = slabs.means[first + k] / white;
-            spreads[k] = std::sqrt(slabs.squaredDeviations[first + k] / std::max(slabs.counts[first + k], 1.0f)) / white;
+            spreads[k] =
+                std::sqrt(slabs.squaredDeviations[first + k] / std::max(slabs.counts[first + k], 1.0f)) / white;
         }
     };
-    setFrom(tube, slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
+    setFrom(
+        tube, slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
 }
 
 }  // namespace echolucent

@@ -9,9 +9,9 @@ TubeReader::TubeReader(const Volume& volume, const View& view, const AdaptiveOtf
       m_withVariance(withVariance),
       m_onVoxels(tubesLieOnVoxels(volume.geometry(), view)),
       m_storedLimit(m_onVoxels ? exactStoredLimit(volume) : std::nullopt),
-      m_route(m_storedLimit                                                           ? Route::exactSums
+      m_route(m_storedLimit                                                     ? Route::exactSums
               : config.precision == Precision::single32 && canMeanSlabs(volume) ? Route::singlePrecision
-                                                                                      : Route::doublePrecision) {}
+                                                                                : Route::doublePrecision) {}
 
 TubeSamples TubeReader::samplesOf(const TubeAxis& axis) const {
     return echolucent::samplesOf(axis, m_volume.geometry(), m_view, m_config.cellSize, m_onVoxels);

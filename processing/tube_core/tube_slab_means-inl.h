@@ -98,8 +98,8 @@ HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, c
         return between(limited(hn::GatherOffset(floats, first, bytes), piece.white),
                        limited(hn::GatherOffset(floats, first + 1, bytes), piece.white), cell.partX);
     } else {
-        const auto words = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first),
-                                            hn::ShiftLeft<1>(cell.offset));
+        const auto words =
+            hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), hn::ShiftLeft<1>(cell.offset));
         const auto white = hn::Set(floats, piece.white), half = hn::Set(ints, 0xFFFF);
         return between(hn::Min(hn::ConvertTo(floats, hn::And(words, half)), white),
                        hn::Min(hn::ConvertTo(floats, hn::And(hn::ShiftRight<16>(words), half)), white), cell.partX);
@@ -152,8 +152,8 @@ HWY_INLINE Cell cellAt(const Piece<Voxel>& piece, const Position& position) {
               partOf(share(position.z, z))};
     if constexpr (sizeof(Voxel) == 1) {
         const auto far = hn::ShiftRight<positionBits - byteWeightBits>(cell.shareX);
-        if constexpr (careful) cell.partX = hn::Mul(hn::ConvertTo(Floats(), far),
-                                                    hn::Set(Floats(), storedScale<std::uint8_t>));
+        if constexpr (careful)
+            cell.partX = hn::Mul(hn::ConvertTo(Floats(), far), hn::Set(Floats(), storedScale<std::uint8_t>));
         const auto near = hn::Sub(hn::Set(ints, 1 << byteWeightBits), far);
         cell.shareX = hn::Add(hn::ShiftLeft<16>(far), near);
     } else {
@@ -165,8 +165,8 @@ HWY_INLINE Cell cellAt(const Piece<Voxel>& piece, const Position& position) {
 template <typename Voxel, bool careful>
 HWY_INLINE FloatVector trilinear(const Piece<Voxel>& piece, const Cell& cell) {
     const std::ptrdiff_t row = piece.rowStride, slice = piece.sliceStride;
-    const auto front = between(pairAt<Voxel, careful>(piece, 0, cell), pairAt<Voxel, careful>(piece, row, cell),
-                               cell.shareY);
+    const auto front =
+        between(pairAt<Voxel, careful>(piece, 0, cell), pairAt<Voxel, careful>(piece, row, cell), cell.shareY);
     const auto back = between(pairAt<Voxel, careful>(piece, slice, cell),
                               pairAt<Voxel, careful>(piece, slice + row, cell), cell.shareY);
     return between(front, back, cell.shareZ);
@@ -203,11 +203,11 @@ HWY_INLINE FloatVector voxelAt(const Piece<Voxel>& piece, IntVector offset) {
         // The last voxel has no other behind it: the word that ends with it, then.
         const auto last = hn::Set(ints, piece.lastWord + 2);
         const auto from = hn::Min(offset, last);
-        const auto words = hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(piece.first),
-                                            hn::ShiftLeft<1>(from));
+        const auto words =
+            hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(piece.first), hn::ShiftLeft<1>(from));
         const auto half = hn::Set(ints, 0xFFFF);
-        const auto word = hn::IfThenElse(hn::Gt(offset, last), hn::And(hn::ShiftRight<16>(words), half),
-                                         hn::And(words, half));
+        const auto word =
+            hn::IfThenElse(hn::Gt(offset, last), hn::And(hn::ShiftRight<16>(words), half), hn::And(words, half));
         return hn::Min(hn::ConvertTo(floats, word), hn::Set(floats, piece.white));
     }
 }

@@ -156,7 +156,8 @@ private:
             const std::int64_t voxel = std::clamp(static_cast<std::int64_t>(std::floor(at)), std::int64_t{0}, last);
             origin += voxel * m_strides[axis];
             constexpr int spare = stepBits - positionBits;
-            const std::int64_t first = fixedPoint(at - static_cast<double>(voxel), stepBits) + (std::int64_t{1} << (spare - 1));
+            const std::int64_t first =
+                fixedPoint(at - static_cast<double>(voxel), stepBits) + (std::int64_t{1} << (spare - 1));
             for (int k = 0; k < pieceLength; ++k)
                 (*positions[axis])[static_cast<std::size_t>(k)] =
                     static_cast<std::int32_t>((first + std::min(k, piece.slabs - 1) * m_step[axis]) >> spare);
@@ -203,7 +204,7 @@ private:
     float m_white;
     SlabPattern m_pattern;
     PieceRoute m_route;
-    Vec3 m_reach{0, 0, 0};                    ///< of a slab's samples from the axis
+    Vec3 m_reach{0, 0, 0};                 ///< of a slab's samples from the axis
     std::array<std::int64_t, 3> m_step{};  ///< from slab to slab, fixed point with stepBits
 };
 

@@ -29,8 +29,8 @@ enum class Surroundings {
 template <typename Voxel>
 struct Piece {
     const Voxel* first = nullptr;
-    const std::uint8_t* mask = nullptr;  ///< of the voxel at `first`; null: all are data
-    std::int32_t rowStride = 0, sliceStride = 0;    ///< voxels; 0 along an axis of one voxel
+    const std::uint8_t* mask = nullptr;               ///< of the voxel at `first`; null: all are data
+    std::int32_t rowStride = 0, sliceStride = 0;      ///< voxels; 0 along an axis of one voxel
     std::array<std::int32_t, 3> lowest{}, highest{};  ///< the outermost voxels' positions
     std::array<std::int32_t, 3> lastCell{};           ///< the last cell with a voxel on either side
     std::int32_t lastWord = 0;  ///< offset of the last voxel from which four bytes can be read, voxels of a byte

@@ -135,7 +135,8 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
         auto sum = hn::Zero(lanes), square = hn::Zero(lanes), count = hn::Zero(lanes);
         for (int column = 0; column < tube.columns; column += perLane) {
             const int inside = std::min(perLane, tube.columns - column);
-            const auto used = hn::Set(lanes, ~std::uint64_t{0} >> (8 * sizeof(Stored) * static_cast<unsigned>(perLane - inside)));
+            const auto used =
+                hn::Set(lanes, ~std::uint64_t{0} >> (8 * sizeof(Stored) * static_cast<unsigned>(perLane - inside)));
             for (int row = 0; row < tube.rows; ++row) {
                 const std::int64_t at = tube.first + begin * tube.along + row * tube.down + column;
                 auto voxels = hn::And(gather(grid.voxels + at, start), used);

@@ -15,14 +15,14 @@ namespace echolucent {
 /// Sums over the data voxels of a tube's slabs, in stored values: exact. One entry a slab.
 struct SlabSums {
     std::vector<std::int32_t> counts;
-    std::vector<std::int32_t> sums;              ///< at most 32^2 * 65535
-    std::vector<std::uint64_t> sumsOfSquares;    ///< empty where variance was not asked for
+    std::vector<std::int32_t> sums;            ///< at most 32^2 * 65535
+    std::vector<std::uint64_t> sumsOfSquares;  ///< empty where variance was not asked for
 };
 
 /// Moments of a tube's slabs over the samples that have data, in stored values. One entry a slab; a slab without data
 /// has zeros.
 struct SlabMeans {
-    std::vector<float> counts;             ///< whole numbers
+    std::vector<float> counts;  ///< whole numbers
     std::vector<float> means;
     std::vector<float> squaredDeviations;  ///< sum of squared deviations from the mean; empty: not asked for
 };

@@ -268,7 +268,8 @@ TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
         std::vector<SlabSums> sums(onVoxels.size());
         sumSlabs(volume, 255, onVoxels, true, sums);
         allSums.emplace_back();
-        for (const SlabSums& tube : sums) allSums.back().insert(allSums.back().end(), tube.sums.begin(), tube.sums.end());
+        for (const SlabSums& tube : sums)
+            allSums.back().insert(allSums.back().end(), tube.sums.begin(), tube.sums.end());
     }
     hwy::SetSupportedTargetsForTest(0);
     for (std::size_t i = 1; i < all.size(); ++i) {
