@@ -8,10 +8,12 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/panels/chosen_reading.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/value_slider.h"
 
@@ -51,6 +53,9 @@ Value clampedInto(const Control* control, Value value) {
     return std::clamp<Value>(value, control->minimum(), control->maximum());
 }
 
+/// The entry of the choice of readings that nobody can choose: a parameter was changed.
+constexpr int changedReading = -1;
+
 /// Mean of I_L or I_H over the tube cores with a surface, weighted by what they bring to the curve.
 double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*intensity) {
     double sum = 0.0;
@@ -68,12 +73,47 @@ double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*
 MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("adaptive");
     setAccessibleName(tr("Adaptive opacity transfer function"));
+    createMethodChoices();
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(createMainControls());
     layout->addWidget(createAdvancedControls());
     layout->addStretch(1);
     connectControls();
     showConfig();
+}
+
+void MethodPanel::createMethodChoices() {
+    const auto choice = [](const QString& name, const QString& accessibleName, const QString& toolTip) {
+        auto* comboBox = named(new QComboBox, "adaptive." + name, accessibleName, toolTip);
+        wheelNeedsFocus(comboBox);
+        return comboBox;
+    };
+    m_form =
+        choice("form", tr("Form of the curve"),
+               tr("What the found surfaces make of the curve. Ramp: clear up to the fluid, full from the surface on, "
+                  "averaged over the tube cores. Product: the initial function times one basis function for each tube "
+                  "core, as published"));
+    m_form->addItem(tr("Ramp"), static_cast<int>(CurveForm::ramp));
+    m_form->addItem(tr("Product of basis functions"), static_cast<int>(CurveForm::product));
+
+    m_reading =
+        choice("reading", tr("Reading"),
+               tr("How the method is understood, all parameters at once. As published: the paper's words taken "
+                  "literally. Settled: its open points decided as the notes on the method say. Default: what this "
+                  "program takes"));
+    m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
+    m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));
+    m_reading->addItem(tr("Default"), static_cast<int>(MethodReading::standard));
+    m_reading->addItem(tr("Changed"), changedReading);
+    qobject_cast<QStandardItemModel*>(m_reading->model())->item(m_reading->count() - 1)->setEnabled(false);
+
+    m_interfaceFunction =
+        choice("interfaceFunction", tr("Interface function"),
+               tr("What tells tissue from fluid along a tube core. Ratio of means: how much brighter it is behind than "
+                  "before, which speckle does not disturb. Variance in scale space: where intensities vary most, as "
+                  "published"));
+    m_interfaceFunction->addItem(tr("Ratio of means"), static_cast<int>(InterfaceFunction::ratio));
+    m_interfaceFunction->addItem(tr("Variance in scale space"), static_cast<int>(InterfaceFunction::variance));
 }
 
 QWidget* MethodPanel::createMainControls() {
@@ -110,14 +150,16 @@ QWidget* MethodPanel::createMainControls() {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(labelFor(m_strength, tr("Strength")), 0, 0);
     grid->addWidget(m_strength, 0, 1, 1, 3);
-    grid->addWidget(labelFor(m_initial, tr("Initial")), 1, 0);
-    grid->addWidget(m_initial, 1, 1);
-    grid->addWidget(labelFor(m_opacityScale, tr("Scale a")), 1, 2);
-    grid->addWidget(m_opacityScale, 1, 3);
-    grid->addWidget(compute, 2, 0, 1, 3);
-    grid->addWidget(reset, 2, 3);
-    grid->addWidget(m_summary, 3, 0, 1, 4);
-    grid->addWidget(m_message, 4, 0, 1, 4);
+    grid->addWidget(labelFor(m_form, tr("Form")), 1, 0);
+    grid->addWidget(m_form, 1, 1, 1, 3);
+    grid->addWidget(labelFor(m_initial, tr("Initial")), 2, 0);
+    grid->addWidget(m_initial, 2, 1);
+    grid->addWidget(labelFor(m_opacityScale, tr("Scale a")), 2, 2);
+    grid->addWidget(m_opacityScale, 2, 3);
+    grid->addWidget(compute, 3, 0, 1, 3);
+    grid->addWidget(reset, 3, 3);
+    grid->addWidget(m_summary, 4, 0, 1, 4);
+    grid->addWidget(m_message, 5, 0, 1, 4);
     grid->setColumnStretch(1, 1);
     clearResult();
     return controls;
@@ -145,8 +187,8 @@ QWidget* MethodPanel::createAdvancedControls() {
         createSpinBox("slopeHalfStep", tr("Slope half step"),
                       tr("The slope at a surface is taken over this many units to either side"), 1, 32, tr(" units"));
 
-    m_advanced =
-        named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"), tr("Tube cores, cells and scales"));
+    m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
+                       tr("Reading, tube cores, cells and scales"));
     m_advanced->setText(tr("Advanced"));
     m_advanced->setCheckable(true);
     m_advanced->setAutoRaise(true);
@@ -157,14 +199,19 @@ QWidget* MethodPanel::createAdvancedControls() {
     auto* hidden = new QWidget;
     auto* grid = new QGridLayout(hidden);
     grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(labelFor(m_reading, tr("Reading")), 0, 0);
+    grid->addWidget(m_reading, 0, 1, 1, 3);
+    grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
+    grid->addWidget(m_interfaceFunction, 1, 1, 1, 3);
+    constexpr int rowsAbove = 2;
     const std::array<QWidget*, 8> controls{m_tubeColumns,   m_tubeRows,    m_tubeSpacing,  m_cellSize,
                                            m_coarsestScale, m_finestScale, m_significance, m_slopeHalfStep};
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
         control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
         control->setMinimumWidth(84);
-        grid->addWidget(labelFor(control, control->accessibleName()), i / 2, 2 * (i % 2));
-        grid->addWidget(control, i / 2, 2 * (i % 2) + 1);
+        grid->addWidget(labelFor(control, control->accessibleName()), rowsAbove + i / 2, 2 * (i % 2));
+        grid->addWidget(control, rowsAbove + i / 2, 2 * (i % 2) + 1);
     }
     grid->setColumnStretch(1, 4);  // "automatic" is the longest text
     grid->setColumnStretch(3, 3);
@@ -187,7 +234,7 @@ void MethodPanel::connectControls() {
         using Control = std::remove_pointer_t<decltype(control)>;
         connect(control, &Control::valueChanged, this, [this, field](auto value) {
             m_config.*field = value;
-            emit configChanged(config());
+            changed();
         });
     };
     changes(m_strength, &AdaptiveOtfConfig::strength);
@@ -201,8 +248,31 @@ void MethodPanel::connectControls() {
             [this](int scale) { takeScales(scale, std::min(scale, m_config.finestScale)); });
     connect(m_finestScale, &QSpinBox::valueChanged, this,
             [this](int scale) { takeScales(std::max(scale, m_config.coarsestScale), scale); });
+    connect(m_form, &QComboBox::currentIndexChanged, this, [this] {
+        m_config.form = static_cast<CurveForm>(m_form->currentData().toInt());
+        changed();
+    });
+    connect(m_interfaceFunction, &QComboBox::currentIndexChanged, this, [this] {
+        m_config.interfaceFunction = static_cast<InterfaceFunction>(m_interfaceFunction->currentData().toInt());
+        changed();
+    });
+    connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
     connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
     connect(m_opacityScale, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeInitial);
+}
+
+void MethodPanel::changed() {
+    showReading();
+    emit configChanged(config());
+}
+
+void MethodPanel::takeReading() {
+    const int reading = m_reading->currentData().toInt();
+    if (reading == changedReading) return;
+    AdaptiveOtfConfig config = configOf(static_cast<MethodReading>(reading));
+    config.initial = m_config.initial;
+    setConfig(config);
+    emit configChanged(this->config());
 }
 
 void MethodPanel::takeScales(int coarsest, int finest) {
@@ -210,7 +280,7 @@ void MethodPanel::takeScales(int coarsest, int finest) {
     m_config.finestScale = finest;
     showIn(m_coarsestScale, coarsest);
     showIn(m_finestScale, finest);
-    emit configChanged(config());
+    changed();
 }
 
 void MethodPanel::takeInitial() {
@@ -253,7 +323,19 @@ void MethodPanel::showConfig() {
     showIn(m_finestScale, m_config.finestScale);
     showIn(m_significance, m_config.significance);
     showIn(m_slopeHalfStep, m_config.slopeHalfStep);
+    selectData(m_form, static_cast<int>(m_config.form));
+    selectData(m_interfaceFunction, static_cast<int>(m_config.interfaceFunction));
     showInitial();
+    showReading();
+}
+
+void MethodPanel::showReading() {
+    const auto reading = readingOf(m_config);
+    selectData(m_reading, reading ? static_cast<int>(*reading) : changedReading);
+    // The ratio looks at means as they are; only the variance is followed through scales.
+    for (QWidget* ofScales : {static_cast<QWidget*>(m_coarsestScale), static_cast<QWidget*>(m_finestScale),
+                              static_cast<QWidget*>(m_significance)})
+        ofScales->setEnabled(m_config.interfaceFunction == InterfaceFunction::variance);
 }
 
 void MethodPanel::showInitial() {

@@ -23,9 +23,9 @@ enum class InitialKind {
     manual,     ///< the manual nodes of the editor
 };
 
-/// Objects: adaptive.strength (+ .value), .initial, .opacityScale, .compute, .reset, .summary, .message, .advanced and,
-/// under it, .tubeColumns, .tubeRows, .tubeSpacing, .cellSize, .coarsestScale, .finestScale, .significance,
-/// .slopeHalfStep.
+/// Objects: adaptive.strength (+ .value), .form, .initial, .opacityScale, .compute, .reset, .summary, .message,
+/// .advanced and, under it, .reading, .interfaceFunction, .tubeColumns, .tubeRows, .tubeSpacing, .cellSize,
+/// .coarsestScale, .finestScale, .significance, .slopeHalfStep.
 class MethodPanel : public QWidget {
     Q_OBJECT
 
@@ -58,8 +58,12 @@ private:
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
     void connectControls();
+    void createMethodChoices();
     void showConfig();
+    void showReading();
     void showInitial();
+    void takeReading();
+    void changed();
     void takeScales(int coarsest, int finest);
     void takeInitial();
     void resetToDefaults();
@@ -68,6 +72,9 @@ private:
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
     ValueSlider* m_strength = nullptr;
+    QComboBox* m_form = nullptr;
+    QComboBox* m_reading = nullptr;
+    QComboBox* m_interfaceFunction = nullptr;
     QComboBox* m_initial = nullptr;
     QDoubleSpinBox* m_opacityScale = nullptr;
     QSpinBox* m_tubeColumns = nullptr;
