@@ -35,12 +35,17 @@ struct SweptOtf {
 };
 
 /// The frames of a probe that turns from `from` to `to` degrees in steps; where there are several phases, the object
-/// moves by one phase a frame, over and over.
+/// moves by one phase a frame, over and over. `to` below `from` turns backwards; `to` itself is a frame where the range
+/// is a whole number of steps. Throws std::invalid_argument for angles that are not finite, a step not above 0, no
+/// phase, or more than a million frames.
 [[nodiscard]] std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to,
                                                   double step, int phases);
 
 /// Computes every frame's OTF. phases: the volumes of the study, by phase. Empty only where cancelled.
-/// Frames are computed side by side; the same bits for any number of threads.
+/// Frames are computed side by side; the same bits for any number of threads. Frames of one phase and view are computed
+/// once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs in frame order
+/// afterwards: frame times must not descend. Throws std::invalid_argument where a phase is not there or
+/// problemOf(config) is not empty.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,
