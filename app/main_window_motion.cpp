@@ -46,16 +46,7 @@ void MainWindow::beginMotionAtRest() {
     m_motionPlayer.setAngle(0);
 }
 
-View MainWindow::motionView() const {
-    View view = m_motionStart;
-    const double angle = m_motionPlayer.angle();
-    switch (m_motionPlayer.axis()) {
-        case MotionAxis::x: view.elevationDegrees += angle; break;
-        case MotionAxis::y: view.azimuthDegrees += angle; break;
-        case MotionAxis::z: view.rollDegrees += angle; break;
-    }
-    return view;
-}
+View MainWindow::motionView() const { return turned(m_motionStart, m_motionPlayer.axis(), m_motionPlayer.angle()); }
 
 void MainWindow::showMotionFrame(double angle, int phase) {
     m_motionPanel->setAngle(angle);

@@ -183,6 +183,63 @@ private slots:
         QCOMPARE(spy.count(), 1);  // nothing was left to change
     }
 
+    void aReadingSetsEveryParameterButTheInitialFunction() {
+        MethodPanel panel;
+        auto* reading = child<QComboBox>(panel, "adaptive.reading");
+        QCOMPARE(reading->currentText(), "Default");
+        panel.setConfig({.cellSize = 9, .initial = PowerCurve{4, 0.5}});
+        QCOMPARE(reading->currentText(), "Changed");
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        const QList<std::pair<QString, MethodReading>> readings{{"Default", MethodReading::standard},
+                                                                {"Settled", MethodReading::settled},
+                                                                {"As published", MethodReading::asPublished}};
+        for (const auto& [text, value] : readings) {
+            QTest::keyClick(reading, Qt::Key_Up);  // "Changed" stands last and cannot be chosen
+            QCOMPARE(reading->currentText(), text);
+            AdaptiveOtfConfig expected = configOf(value);
+            expected.initial = PowerCurve{4, 0.5};
+            QCOMPARE(onlyConfigOf(spy), expected);
+            spy.clear();
+        }
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Up);
+        QCOMPARE(reading->currentText(), "Changed");
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Down);
+        QCOMPARE(reading->currentText(), "As published");
+        for (int i = 0; i < 5; ++i) QTest::keyClick(reading, Qt::Key_Down);
+        QCOMPARE(reading->currentText(), "Default");
+    }
+
+    void formAndInterfaceFunctionAreChoices() {
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        auto* form = child<QComboBox>(panel, "adaptive.form");
+        auto* function = child<QComboBox>(panel, "adaptive.interfaceFunction");
+        AdaptiveOtfConfig config;
+        for (const auto& [text, value] :
+             {std::pair{"Ramp", CurveForm::ramp}, std::pair{"Product", CurveForm::product}}) {
+            config.form = value == CurveForm::ramp ? CurveForm::product : CurveForm::ramp;
+            panel.setConfig(config);
+            QTest::keyClicks(form, text);
+            config.form = value;
+            QCOMPARE(onlyConfigOf(spy), config);
+            spy.clear();
+        }
+        for (const auto& [text, value] :
+             {std::pair{"Ratio", InterfaceFunction::ratio}, std::pair{"Variance", InterfaceFunction::variance}}) {
+            config.interfaceFunction =
+                value == InterfaceFunction::ratio ? InterfaceFunction::variance : InterfaceFunction::ratio;
+            panel.setConfig(config);
+            QTest::keyClicks(function, text);
+            config.interfaceFunction = value;
+            QCOMPARE(onlyConfigOf(spy), config);
+            spy.clear();
+            const bool scales = value == InterfaceFunction::variance;
+            for (const char* name : {"adaptive.coarsestScale", "adaptive.finestScale", "adaptive.significance"})
+                QCOMPARE(child<QWidget>(panel, name)->isEnabled(), scales);
+            QVERIFY(child<QSpinBox>(panel, "adaptive.cellSize")->isEnabled());
+        }
+    }
+
     void computeAsksAndChangesNothing() {
         MethodPanel panel;
         QSignalSpy compute(&panel, &MethodPanel::computeRequested);

@@ -1,6 +1,7 @@
 #include "widgets/motion/course_drawing.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -34,18 +35,38 @@ QString rowName(const OtfCourse& course, int row) {
     return QStringLiteral("%1%2°").arg(sign).arg(std::abs(number));
 }
 
+double plotLeft(const QFontMetrics& metrics) { return metrics.horizontalAdvance("+45°") + 2 * markWidth; }
+
+double plotRight(const QFontMetrics& metrics) {
+    return legendGap + legendWidth + metrics.horizontalAdvance("0.5") + 10;
+}
+
+namespace {
+
+std::vector<double> intensityTicks(const QPainter& painter, const PlotAxes& axes) {
+    const double cell = painter.fontMetrics().horizontalAdvance("0.00");
+    return tickPositions(axes.intensity, std::clamp(static_cast<int>(axes.rect.width() / (1.6 * cell)), 2, 6));
+}
+
+}  // namespace
+
+void paintIntensityTicks(QPainter& painter, const PlotAxes& axes, const PlotColours& colours) {
+    painter.setPen(QPen(colours.frame, 1.0));
+    for (const double tick : intensityTicks(painter, axes)) {
+        const double x = axes.positionOf({tick, 0.0}).x();
+        painter.drawLine(QPointF(x, axes.rect.bottom()), QPointF(x, axes.rect.bottom() + tickLength));
+    }
+}
+
 void paintIntensityAxis(QPainter& painter, const PlotAxes& axes, const PlotColours& colours) {
+    paintIntensityTicks(painter, axes, colours);
     const QFontMetrics metrics = painter.fontMetrics();
     const double cell = metrics.horizontalAdvance("0.00");
-    const int most = std::clamp(static_cast<int>(axes.rect.width() / (1.6 * cell)), 2, 6);
-    for (const double tick : tickPositions(axes.intensity, most)) {
-        const double x = axes.positionOf({tick, 0.0}).x();
-        painter.setPen(QPen(colours.frame, 1.0));
-        painter.drawLine(QPointF(x, axes.rect.bottom()), QPointF(x, axes.rect.bottom() + tickLength));
-        painter.setPen(colours.text);
-        painter.drawText(QRectF(x - cell, axes.rect.bottom() + numberGap, 2 * cell, metrics.height()), Qt::AlignHCenter,
-                         QString::number(tick, 'f', 1));
-    }
+    painter.setPen(colours.text);
+    for (const double tick : intensityTicks(painter, axes))
+        painter.drawText(
+            QRectF(axes.positionOf({tick, 0.0}).x() - cell, axes.rect.bottom() + numberGap, 2 * cell, metrics.height()),
+            Qt::AlignHCenter, QString::number(tick, 'f', 1));
     painter.setPen(colours.secondary);
     painter.drawText(QRectF(axes.rect.left(), axes.rect.bottom() + numberGap + metrics.height(), axes.rect.width(),
                             metrics.height()),

@@ -1,8 +1,9 @@
 #include "widgets/motion/otf_course.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
+
+#include "processing/motion/flicker.h"
 
 namespace echolucent {
 namespace {
@@ -15,16 +16,6 @@ constexpr std::array modesWithHistory{MotionOtf::eachView, MotionOtf::mean, Moti
 int stepBetween(const CourseFrame& a, const CourseFrame& b) {
     const int phases = std::abs(a.phase - b.phase);
     return std::max(std::abs(a.angle - b.angle), std::min(phases, b.phases - phases));
-}
-
-/// Sum over the intensities of the squared second difference.
-double squaredSecondDifference(const SampledCurve& oldest, const SampledCurve& middle, const SampledCurve& newest) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < newest.opacities.size(); ++i) {
-        const double difference = newest.opacities[i] - 2.0 * middle.opacities[i] + oldest.opacities[i];
-        sum += difference * difference;
-    }
-    return sum;
 }
 
 }  // namespace
@@ -57,7 +48,7 @@ void OtfCourse::add(const CourseFrame& frame, const SampledCurve& unsmoothed) {
         auto& recent = m_recent[indexOf(mode)];
         if (again && !recent.empty()) recent.pop_back();
         recent.push_back(newest(mode));
-        if (recent.size() > flickerFrames) recent.pop_front();
+        if (recent.size() > flickerFrames) recent.erase(recent.begin());
     }
 }
 
@@ -75,10 +66,7 @@ std::optional<double> OtfCourse::flicker(MotionOtf mode) const {
     if (mode == MotionOtf::oneOtf) return newest(mode).opacities.empty() ? std::nullopt : std::optional(0.0);
     const auto& recent = m_recent[indexOf(mode)];
     if (recent.size() < 3) return std::nullopt;
-    double sum = 0.0;
-    for (std::size_t i = 2; i < recent.size(); ++i)
-        sum += squaredSecondDifference(recent[i - 2], recent[i - 1], recent[i]);
-    return std::sqrt(sum / static_cast<double>((recent.size() - 2) * recent.back().opacities.size()));
+    return otfFlicker(recent);
 }
 
 int OtfCourse::numberOf(int row) const { return m_rows == Rows::phases ? row + 1 : firstMotionAngle + row; }

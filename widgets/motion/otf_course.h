@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -41,8 +40,7 @@ public:
 
     /// What a mode shows for the frame added last; empty before the first.
     [[nodiscard]] const SampledCurve& newest(MotionOtf mode) const { return m_newest[indexOf(mode)]; }
-    /// Root mean square, over intensities and the newest frames, of opacity(t) - 2 opacity(t-1) + opacity(t-2). None
-    /// before the third frame since the last jump.
+    /// otfFlicker() of the newest frames in a mode. None before the third frame since the last jump.
     [[nodiscard]] std::optional<double> flicker(MotionOtf mode) const;
 
     [[nodiscard]] Rows rows() const { return m_rows; }
@@ -66,7 +64,7 @@ private:
     std::array<OtfHistory, 4> m_histories{OtfHistory(OtfSmoothing::none), OtfHistory(OtfSmoothing::mean),
                                           OtfHistory(OtfSmoothing::movingLeastSquares),
                                           OtfHistory(OtfSmoothing::leastFlicker)};
-    std::array<std::deque<SampledCurve>, allMotionOtfs.size()> m_recent;  // since the last jump, oldest first
+    std::array<std::vector<SampledCurve>, allMotionOtfs.size()> m_recent;  // since the last jump, oldest first
     std::optional<CourseFrame> m_last;
     std::optional<int> m_presentRow;
     double m_time = 0.0;  // in frames

@@ -12,7 +12,9 @@ namespace {
 constexpr double shownWidth = 2.0;
 constexpr double presentWidth = 3.0;
 constexpr double unsmoothedWidth = 1.0;
-constexpr double sampleLength = 26.0;  // of a line in the legend, pixels
+constexpr double sampleLength = 20.0;  // of a line in the legend, pixels
+constexpr double legendNameGap = 4.0;
+constexpr double legendEntryGap = 9.0;
 
 /// Colour and dashes of the fixed rows, as in the paper's Fig. 10: dotted, solid, dashed.
 QPen penOf(std::size_t place) {
@@ -44,9 +46,8 @@ void OtfCurvesCanvas::showCourse() { update(); }
 
 void OtfCurvesCanvas::layOut() {
     const QFontMetrics metrics(font());
-    const double left = metrics.horizontalAdvance("0.5") + metrics.height() + 10;
-    const double top = metrics.height() / 2.0 + 2;
-    const double right = metrics.horizontalAdvance("0.5") / 2.0 + 2;
+    const double left = plotLeft(metrics), right = plotRight(metrics);
+    const double top = 1.5 * metrics.height() + 4;  // the legend and half a number
     const double bottom = 2.0 * metrics.height() + 6;
     m_axes.rect = QRectF(left, top, std::max(10.0, width() - left - right), std::max(10.0, height() - top - bottom));
 }
@@ -56,15 +57,22 @@ std::vector<OtfCurvesCanvas::Line> OtfCurvesCanvas::lines() const {
     const auto exists = [this](int row) {
         return m_course.curve(row, m_mode) != nullptr || m_course.curve(row, MotionOtf::eachView) != nullptr;
     };
+    // The word "phase" once is enough.
+    const auto shortName = [this](int row) {
+        return m_course.rows() == OtfCourse::Rows::phases ? QString::number(m_course.numberOf(row))
+                                                          : rowName(m_course, row);
+    };
     const int last = m_course.rowCount() - 1;
     const std::array<int, 3> fixedRows{0, last / 2, last};
     for (std::size_t i = 0; i < fixedRows.size(); ++i) {
         const bool twice = i > 0 && fixedRows[i] == fixedRows[i - 1];
-        if (!twice && exists(fixedRows[i])) lines.push_back({fixedRows[i], penOf(i), rowName(m_course, fixedRows[i])});
+        if (twice || !exists(fixedRows[i])) continue;
+        lines.push_back(
+            {fixedRows[i], penOf(i), lines.empty() ? rowName(m_course, fixedRows[i]) : shortName(fixedRows[i])});
     }
     if (const auto present = m_course.presentRow(); present && exists(*present))
         lines.push_back({*present, QPen(accentColor, presentWidth, Qt::SolidLine, Qt::FlatCap),
-                         tr("now: %1").arg(rowName(m_course, *present))});
+                         tr("now %1").arg(shortName(*present))});
     return lines;
 }
 
@@ -137,18 +145,18 @@ void OtfCurvesCanvas::paintOpacityAxis(QPainter& painter) const {
 void OtfCurvesCanvas::paintLegend(QPainter& painter, const std::vector<Line>& lines) const {
     const PlotColours colours = plotColours(palette());
     const double height = painter.fontMetrics().height();
-    double top = m_axes.rect.top() + 5;
-    const double left = m_axes.rect.left() + 8;
+    double left = m_axes.rect.left();
     const auto entry = [&](const QPen& pen, const QString& name) {
         painter.setPen(pen);
-        painter.drawLine(QPointF(left, top + height / 2), QPointF(left + sampleLength, top + height / 2));
+        painter.drawLine(QPointF(left, height / 2), QPointF(left + sampleLength, height / 2));
+        left += sampleLength + legendNameGap;
         painter.setPen(colours.text);
-        painter.drawText(QRectF(left + sampleLength + 6, top, width(), height), Qt::AlignLeft | Qt::AlignVCenter, name);
-        top += height;
+        painter.drawText(QRectF(left, 0, width(), height), Qt::AlignLeft | Qt::AlignVCenter, name);
+        left += painter.fontMetrics().horizontalAdvance(name) + legendEntryGap;
     };
     for (const Line& line : lines) entry(line.pen, line.name);
     const bool smoothed = m_mode != MotionOtf::oneOtf && m_mode != MotionOtf::eachView;
-    if (smoothed && !lines.empty()) entry(QPen(colours.secondary, unsmoothedWidth), tr("thin: not smoothed"));
+    if (smoothed && !lines.empty()) entry(QPen(colours.secondary, unsmoothedWidth), tr("unsmoothed"));
 }
 
 void OtfCurvesCanvas::resizeEvent(QResizeEvent*) { layOut(); }

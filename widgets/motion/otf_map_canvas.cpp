@@ -14,9 +14,6 @@ namespace echolucent {
 namespace {
 
 constexpr int columns = AdaptiveOtf::sampleCount;
-constexpr double legendGap = 16.0;  // pixels between the map and its legend
-constexpr double legendWidth = 12.0;
-constexpr double markLength = 6.0;  // of the marks beside the present row
 constexpr double rowTickLength = 3.0;
 constexpr int degreesBetweenTicks = 15;
 
@@ -44,11 +41,9 @@ void OtfMapCanvas::showCourse() { update(); }
 
 void OtfMapCanvas::layOut() {
     const QFontMetrics metrics(font());
-    const double left = metrics.horizontalAdvance("+45°") + markLength + 6;
-    const double right = legendGap + legendWidth + metrics.horizontalAdvance("0.5") + 10;
-    const double top = metrics.height() / 2.0 + 2;
-    const double bottom = 2.0 * metrics.height() + 6;
-    m_axes.rect = QRectF(left, top, std::max(10.0, width() - left - right), std::max(10.0, height() - top - bottom));
+    const double left = plotLeft(metrics), right = plotRight(metrics);
+    const double margin = metrics.height() / 2.0 + 2;
+    m_axes.rect = QRectF(left, margin, std::max(10.0, width() - left - right), std::max(10.0, height() - 2 * margin));
 }
 
 QImage OtfMapCanvas::image() const {
@@ -82,7 +77,7 @@ void OtfMapCanvas::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(colours.frame, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(m_axes.rect.adjusted(-0.5, -0.5, 0.5, 0.5));
-    paintIntensityAxis(painter, m_axes, colours);
+    paintIntensityTicks(painter, m_axes, colours);
     paintRowAxis(painter);
     paintLegend(painter);
     if (m_course.presentRow()) return;
@@ -104,7 +99,7 @@ void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
         painter.setPen(QPen(colours.frame, 1.0));
         painter.drawLine(QPointF(m_axes.rect.left() - rowTickLength, y), QPointF(m_axes.rect.left(), y));
         painter.setPen(colours.text);
-        painter.drawText(QRectF(0, y - height / 2, m_axes.rect.left() - markLength - 3, height),
+        painter.drawText(QRectF(0, y - height / 2, m_axes.rect.left() - markWidth - 3, height),
                          Qt::AlignRight | Qt::AlignVCenter,
                          angles ? rowName(m_course, row) : QString::number(m_course.numberOf(row)));
     }
@@ -112,9 +107,9 @@ void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
     const double y = bandOf(*m_course.presentRow()).center().y();
     painter.setPen(Qt::NoPen);
     painter.setBrush(accentColor);
-    const double half = markLength / 2;
-    for (const auto& [tip, base] : {std::pair{m_axes.rect.left() - 1, m_axes.rect.left() - markLength},
-                                    std::pair{m_axes.rect.right() + 1, m_axes.rect.right() + markLength}})
+    const double half = markWidth / 2;
+    for (const auto& [tip, base] : {std::pair{m_axes.rect.left() - 1, m_axes.rect.left() - markWidth},
+                                    std::pair{m_axes.rect.right() + 1, m_axes.rect.right() + markWidth}})
         painter.drawPolygon(QPolygonF{{tip, y}, {base, y - half - 1}, {base, y + half + 1}});
 }
 
@@ -132,11 +127,16 @@ void OtfMapCanvas::paintLegend(QPainter& painter) const {
     for (const double opacity : {0.0, 0.5, 1.0})
         painter.drawText(QRectF(bar.right() + 4, bar.bottom() - opacity * bar.height() - height / 2, width(), height),
                          Qt::AlignLeft | Qt::AlignVCenter, QString::number(opacity));
-    painter.setPen(colours.secondary);
-    const QString word = tr("opacity");
-    painter.drawText(QRectF(width() - painter.fontMetrics().horizontalAdvance(word) - 2, bar.bottom() + height / 2 + 3,
-                            width(), height),
-                     Qt::AlignLeft, word);
+    // Along the bar, on its dark half.
+    painter.save();
+    painter.translate(bar.center().x(), bar.bottom());
+    painter.rotate(-90);
+    painter.setPen(Qt::white);
+    QFont small = painter.font();
+    small.setPointSizeF(0.8 * small.pointSizeF());
+    painter.setFont(small);
+    painter.drawText(QRectF(4, -height / 2, bar.height() / 2, height), Qt::AlignLeft | Qt::AlignVCenter, tr("opacity"));
+    painter.restore();
 }
 
 void OtfMapCanvas::resizeEvent(QResizeEvent*) { layOut(); }

@@ -3,10 +3,11 @@
 
 #include <array>
 
+#include "processing/motion/otf_sweep.h"
+
 namespace echolucent {
 
-/// The axis of the view's frame about which the view turns: x changes the elevation, y the azimuth, z the roll.
-enum class MotionAxis { x, y, z };
+using MotionAxis = SweepAxis;
 
 /// What moves from frame to frame (Petersch 2005, section 5).
 enum class MotionScenario {

@@ -119,6 +119,8 @@ void MotionPanel::createControls() {
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
     m_pingPong->setChecked(true);
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
+    // Room from the start: what stands beside it must not move, nor the picture above, when playing begins.
+    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(88)));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -159,14 +161,14 @@ void MotionPanel::arrange() {
     first->addWidget(m_angle, 1);
     first->addWidget(endLabel(lastMotionAngle));
     first->addWidget(m_angleValue);
+    first->addWidget(m_scenario);
+    first->addWidget(m_axis);
 
     auto* second = new FlowLayout(10);
     for (QRadioButton* button : m_modes) second->addWidget(button);
     second->addStretch();
     second->addWidget(m_frameRate);
     second->addWidget(m_pingPong);
-    second->addWidget(m_scenario);
-    second->addWidget(m_axis);
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(first);
