@@ -11,9 +11,13 @@
 
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/ramp.h"
+#include "processing/tube_core/ratio_detection.h"
 #include "processing/tube_core/scale_space.h"
+#include "processing/tube_core/speckle_scale.h"
 #include "processing/tube_core/surface_detection.h"
 #include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/tube_profiles.h"
 #include "processing/tube_core/tube_quality.h"
 #include "processing/tube_core/tube_samples.h"
 
@@ -103,6 +107,7 @@ private:
         // A cell of too little data repeats the one before it: that one is meant.
         while (surface > m_cells.firstCell && m_cells.complete[static_cast<std::size_t>(surface)] == 0) --surface;
         if (!describeSurface(m_cells, surface, m_config.cellSize, m_config.slopeHalfStep, tube)) return;
+        readNeighbourhood(m_cells, m_config, tube);
         tube.status = TubeStatus::surface;
         tube.surfaceVoxel = samples.onAxis(surface + (m_config.cellSize - 1) / 2.0);
     }
@@ -155,6 +160,73 @@ bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& pro
     return !progress.cancelled();
 }
 
+/// Detection by ratio: all tubes are read before one is judged, because they say together how strong speckle is and
+/// where fluid ends. False where cancelled.
+bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progress& progress) {
+    StopWatch watch;
+    const AdaptiveOtfConfig& config = result.config;
+    const std::vector<TubeAxis> axes = tubeAxes(volume.geometry(), result.view, config);
+    const bool onVoxels = tubesLieOnVoxels(volume.geometry(), result.view);
+    const auto storedLimit = onVoxels ? exactStoredLimit(volume) : std::nullopt;
+    std::vector<TubeSamples> samples(axes.size());
+    int longest = 0;
+    for (std::size_t t = 0; t < axes.size(); ++t) {
+        samples[t] = samplesOf(axes[t], volume.geometry(), result.view, config.cellSize, onVoxels);
+        longest = std::max(longest, samples[t].slabs);
+    }
+    TubeProfiles profiles(axes.size(), longest);
+    result.tubes.resize(axes.size());
+    const auto columns = static_cast<std::size_t>(config.tubeColumns);
+    tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(config.tubeRows), [&](std::size_t row) {
+        if (progress.cancelled()) return;
+        std::vector<SlabMoments> moments;
+        std::vector<double> values;
+        std::vector<std::vector<SlabSums>> sums(columns);
+        if (storedLimit) sumSlabs(volume, *storedLimit, std::span(samples).subspan(row * columns, columns), sums);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const std::size_t t = row * columns + column;
+            if (storedLimit)
+                momentsFrom(sums[column], volume.whiteLevel(), moments);
+            else
+                sampleSlabs(volume, samples[t], moments, values);
+            profiles.set(t, moments, config.cellSize);
+        }
+    });
+    result.times.sampling = watch.lap();
+    if (progress.cancelled()) return false;
+    const SpeckleScale scale(profiles);
+    RatioRule rule;
+    rule.falseAlarm = config.falseAlarm;
+    const RatioThresholds thresholds = ratioThresholds(profiles, scale, rule);
+    result.leastContrast = thresholds.contrast;
+    if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
+    result.times.cells = watch.lap();
+    tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t t) {
+        TubeCore& tube = result.tubes[t];
+        tube.column = axes[t].column;
+        tube.row = axes[t].row;
+        const auto means = profiles.means(t);
+        if (!axes[t].entryVoxel || means.empty()) return;
+        tube.status = TubeStatus::none;
+        tube.entryVoxel = axes[t].entryVoxel;
+        tube.firstSampleVoxel = samples[t].first;
+        tube.firstCell = profiles.firstSlab(t);
+        CellStatistics cells;
+        cellsFrom(means, tube.firstCell, config.cellSize, cells);
+        tube.cellMeans.assign(cells.means.begin(), cells.means.end());
+        const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);
+        if (!surface) return;
+        const int cell = surface->cell + tube.firstCell;
+        if (!describeSurface(cells, cell, config.cellSize, config.slopeHalfStep, tube)) return;
+        readNeighbourhood(cells, config, tube);
+        tube.contrast = surface->contrast;
+        tube.status = TubeStatus::surface;
+        tube.surfaceVoxel = samples[t].onAxis(cell + (config.cellSize - 1) / 2.0);
+    });
+    result.times.detection = watch.lap();
+    return !progress.cancelled();
+}
+
 /// Why the curve is the initial function, as a sentence; empty: it is not.
 std::string messageFor(const AdaptiveOtf& result) {
     const std::string consequence = ": the initial function is used.";
@@ -171,6 +243,24 @@ std::string messageFor(const AdaptiveOtf& result) {
     if (result.dMax == 0.0) return "The strength is 0" + consequence;
     // Ranks compare tubes with each other: one tube, or tubes that are all equal, weigh nothing.
     return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
+}
+
+/// The ramp form's curve; sets the trust in it.
+std::vector<double> rampLogOpacity(AdaptiveOtf& result) {
+    const AdaptiveOtfConfig& config = result.config;
+    std::vector<double> curve = meanRamp(result.tubes, config.rampBegin, config.rampEnd, AdaptiveOtf::sampleCount);
+    const double needed = config.trustedShare * result.tubesMeetingVolume;
+    result.trust = curve.empty() ? 0.0 : std::min(1.0, needed > 0.0 ? result.tubesWithSurface / needed : 1.0);
+    curve.resize(AdaptiveOtf::sampleCount, 0.0);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const double x = static_cast<double>(i) / (AdaptiveOtf::sampleCount - 1);
+        if (result.trust == 0.0)
+            curve[i] = logOpacityAt(config.initial, x);
+        else
+            curve[i] = std::log(result.trust * config.rampOpacity * curve[i] +
+                                (1.0 - result.trust) * opacityAt(config.initial, x));
+    }
+    return curve;
 }
 
 }  // namespace
@@ -192,6 +282,13 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (!between(config.floorQuantile, 0.0, 1.0)) return "the floor quantile must be 0 to 1";
     if (!between(config.slopeHalfStep, 1, 1000)) return "the slope's half step must be 1 to 1000 units";
     if (!between(config.leastEdgeToNoise, 0.0, 1e6)) return "the least edge to noise must be 0 to 1000000";
+    if (!between(config.lowReach, 0, 1000) || !between(config.highReach, 0, 1000))
+        return "the reach of I_L and I_H must be 0 to 1000 units";
+    if (!between(config.falseAlarm, 0.0, 1e6)) return "the false alarm threshold must be 0 to 1000000";
+    if (!between(config.rampBegin, -10.0, 10.0) || !between(config.rampEnd, config.rampBegin + 1e-3, 20.0))
+        return "the ramp must begin at -10 to 10 and end behind that, at most at 20";
+    if (!between(config.rampOpacity, 1e-6, 1.0)) return "the ramp's opacity must be above 0, at most 1";
+    if (!between(config.trustedShare, 0.0, 1.0)) return "the trusted share must be 0 to 1";
     if (!between(config.strength, 0.0, 1e12)) return "the strength must be 0 to 1e12";
     return {};
 }
@@ -206,19 +303,23 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, 
     result.tubeSpacingUnits = tubeSpacingUnits(volume.geometry(), view, config);
     result.directionVoxel = directionInVoxels(view, volume.geometry());
     result.tubeLengthUnit = volume.geometry().unit();
-    if (!analyseTubes(volume, result, progress)) return std::nullopt;
+    const bool byRatio = config.interfaceFunction == InterfaceFunction::ratio;
+    if (!(byRatio ? analyseTubesByRatio : analyseTubes)(volume, result, progress)) return std::nullopt;
 
     stage.lap();
     result.tubesMeetingVolume =
         static_cast<int>(std::count_if(result.tubes.begin(), result.tubes.end(),
                                        [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
     if (result.tubesMeetingVolume > 0) result.dMax = config.strength / result.tubesMeetingVolume;
-    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, config.leastEdgeToNoise);
+    // The ratio's own threshold is the absolute test.
+    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, byRatio ? 0.0 : config.leastEdgeToNoise);
     result.tubesWithSurface = static_cast<int>(
         std::count_if(result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.d > 0.0; }));
     result.times.weights = stage.lap();
 
-    result.logOpacity = adaptedLogOpacity(config.initial, result.tubes, AdaptiveOtf::sampleCount);
+    result.logOpacity = config.form == CurveForm::ramp
+                            ? rampLogOpacity(result)
+                            : adaptedLogOpacity(config.initial, result.tubes, AdaptiveOtf::sampleCount);
     result.curve = curveFromLogOpacity(result.logOpacity);
     result.message = messageFor(result);
     result.times.curve = stage.lap();

@@ -49,8 +49,8 @@ enum class Precision { single32, double64 };
 
 /// How the method is run. Lengths are in units (the volume's smallest spacing) along and across the tube cores.
 struct AdaptiveOtfConfig {
-    InterfaceFunction interfaceFunction = InterfaceFunction::variance;
-    CurveForm form = CurveForm::product;
+    InterfaceFunction interfaceFunction = InterfaceFunction::ratio;
+    CurveForm form = CurveForm::ramp;
     int tubeColumns = 15;      ///< tube cores across the view's right axis, >= 1 (Petersch 2005, 6.1)
     int tubeRows = 15;         ///< tube cores across the view's down axis, >= 1
     double tubeSpacing = 0.0;  ///< units between tube cores; 0: automatic, so that the grid covers the volume (13 in
@@ -79,7 +79,15 @@ struct AdaptiveOtfConfig {
     int slopeHalfStep = 5;          ///< slope: central difference of cell means over +- this many units
     double leastEdgeToNoise = 4.0;  ///< a surface whose edge to noise is less weighs nothing: the absolute test that
                                     ///< ranks cannot be; 0: no test, as in method.md's table
-    double strength = 6.75;         ///< T * d_max: one rule for any number of tube cores, >= 0
+    int lowReach = 10;  ///< I_L: mean over so many of the last prior cells; 0: over all of them (Petersch 2005, 4.1)
+    int highReach = 8;  ///< I_H: largest cell mean from the surface to so many cells behind it; 0: at the surface
+    double falseAlarm = 3.25;    ///< ratio: least contrast, in standard deviations of the contrast where nothing is
+    double rampBegin = 0.6;      ///< ramp: an intensity is clear up to this share of the way from I_L to I_H
+    double rampEnd = 1.4;        ///< ramp: ... and full from this share on; above rampBegin
+    double rampOpacity = 1.0;    ///< ramp: opacity where all tube cores say surface, (0,1]
+    double trustedShare = 0.05;  ///< ramp: share of the tube cores that must have a weight for the initial function to
+                                 ///< have no say in the curve; below, both are mixed
+    double strength = 6.75;      ///< T * d_max: one rule for any number of tube cores, >= 0
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
 };
@@ -121,17 +129,18 @@ struct TubeCore {
     std::optional<double> slope;            ///< S: per unit; may be negative
     std::optional<double> edgeToNoise;  ///< rise from the median prior cell mean to the mean slopeHalfStep behind the
                                         ///< surface, over the scatter of the prior cell means; none: too few of them
+    std::optional<double> contrast;     ///< ratio: at the surface, standard deviations of the voxels of a slab
     double intensityWeight = 0.0;       ///< w_I, eq. 9
     double slopeWeight = 0.0;           ///< w_S, eq. 10
     double extraWeight = 1.0;  ///< 0 where I_H <= I_L (eq. 6 has no meaning there) or the edge drowns in the noise
                                ///< (leastEdgeToNoise), else 1
     double d = 0.0;            ///< d_t = d_max w_I w_S extraWeight, eq. 11
 
-    std::vector<float> cellMeans;  ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
-    std::vector<float>
-        interfaceFunction;          ///< variance of normalised intensity of cell i: the interface indicating function
-    std::vector<int> trackedCells;  ///< detected cell at each scale, for Fig. 4: from the coarsest that has a
-                                    ///< maximum to the finest, the unsmoothed function last
+    std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i+cellSize-1)
+    std::vector<float> interfaceFunction;  ///< the interface indicating function of cell i: variance of normalised
+                                           ///< intensity, or the contrast at its middle (ratio)
+    std::vector<int> trackedCells;         ///< detected cell at each scale, for Fig. 4: from the coarsest that has a
+                                           ///< maximum to the finest, the unsmoothed function last
 };
 
 /// Where the time went, in ms of wall time. The tubes' stages run mixed on all threads; their wall time is shared out
@@ -145,14 +154,18 @@ struct AdaptiveOtf {
     AdaptiveOtfConfig config;                      ///< as asked for
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, along the view's right and down axes
     View view;
-    Vec3 directionVoxel{0, 0, 1};    ///< unit, voxel index space
-    double tubeLengthUnit = 1.0;     ///< mm per unit
-    int tubesMeetingVolume = 0;      ///< T and N
-    int tubesWithSurface = 0;        ///< status surface and d > 0
-    double dMax = 0.0;               ///< strength / T
-    std::vector<TubeCore> tubes;     ///< row-major: index = row * tubeColumns + column
-    std::vector<double> logOpacity;  ///< sampleCount values: ln initial(x) + sum ln(1+d) g(x), before any clamp
-    SampledCurve curve;              ///< min(1, exp(logOpacity))
+    Vec3 directionVoxel{0, 0, 1};          ///< unit, voxel index space
+    double tubeLengthUnit = 1.0;           ///< mm per unit
+    int tubesMeetingVolume = 0;            ///< T and N
+    int tubesWithSurface = 0;              ///< status surface and d > 0
+    double dMax = 0.0;                     ///< strength / T
+    std::vector<TubeCore> tubes;           ///< row-major: index = row * tubeColumns + column
+    std::optional<double> leastContrast;   ///< ratio: a boundary counted from here on
+    std::optional<double> fluidIntensity;  ///< ratio: means below it counted as fluid; none: no boundary anywhere
+    double trust = 1.0;                    ///< ramp: the curve is trust * ramp + (1 - trust) * initial function, [0,1]
+    std::vector<double> logOpacity;        ///< sampleCount values: ln of the curve before any clamp; the product:
+                                           ///< ln initial(x) + sum ln(1+d) g(x)
+    SampledCurve curve;                    ///< min(1, exp(logOpacity))
     std::string message;  ///< a sentence where something could not be done ("no surface found: ..."); else empty
     StageTimes times;
 };

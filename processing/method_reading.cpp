@@ -29,6 +29,8 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
     config.interfaceFunction = InterfaceFunction::variance;
     config.form = CurveForm::product;
     config.strength = 6.75;
+    config.lowReach = 0;
+    config.highReach = 0;
     config.floorQuantile = 0.0;
     config.leastEdgeToNoise = 0.0;
     config.kernelEndsAtZero = false;

@@ -90,4 +90,33 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
     }
 }
 
+void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells) {
+    const int slabs = static_cast<int>(slabMeans.size());
+    cells.anyData = slabs > 0;
+    cells.firstCell = first;
+    cells.lastCell = first + slabs - cellSize;
+    const auto count = static_cast<std::size_t>(std::max(0, cells.lastCell + 1));
+    cells.variances.clear();
+    cells.means.assign(count, 0.0);
+    cells.complete.assign(count, 0);
+    for (int cell = 0; cell <= slabs - cellSize; ++cell) {
+        double sum = 0.0;
+        for (int k = cell; k < cell + cellSize; ++k) sum += slabMeans[static_cast<std::size_t>(k)];
+        cells.means[static_cast<std::size_t>(first + cell)] = sum / cellSize;
+        cells.complete[static_cast<std::size_t>(first + cell)] = 1;
+    }
+}
+
+void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments) {
+    moments.resize(sums.size());
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const SlabSums& slab = sums[k];
+        moments[k] = {slab.count, 0.0, 0.0};
+        if (slab.count == 0) continue;
+        moments[k].mean = static_cast<double>(slab.sum) / slab.count / whiteLevel;
+        moments[k].squaredDeviations = static_cast<double>(scaledVariance(slab.count, slab.sum, slab.sumOfSquares)) /
+                                       slab.count / whiteLevel / whiteLevel;
+    }
+}
+
 }  // namespace echolucent

@@ -34,6 +34,12 @@ struct CellStatistics {
 /// Cells from exact sums; whiteLevel: the stored value of normalised intensity 1.
 void cellsFrom(std::span<const SlabSums> slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
+/// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.
+void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);
+
+/// Moments from exact sums, normalised; whiteLevel: the stored value of normalised intensity 1.
+void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments);
+
 /// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells);
 

@@ -1,0 +1,61 @@
+// Finding the first transition from fluid to tissue along a tube core by the ratio of means before and behind it.
+//
+// Speckle multiplies: inside tissue the variance of the echo is as large as that of an edge, so along a tube core the
+// variance is a step rather than a peak. Detectors of edges in radar pictures therefore compare means by their ratio,
+// whose false alarms do not depend on the mean (Touzi 1988); Petersch 2005 (section 5) notes that both kinds of speckle
+// are of one nature. Here the ratio is a difference on the SpeckleScale, so that it stays right for compressed echo.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "processing/tube_core/speckle_scale.h"
+#include "processing/tube_core/tube_profiles.h"
+
+namespace echolucent {
+
+/// Lengths in units along the tube core. Contrasts in standard deviations of the voxels of a slab (SpeckleScale).
+struct RatioRule {
+    int before = 10;           ///< slabs averaged before a boundary; at least leastFluid where the tube begins later
+    int behind = 6;            ///< slabs averaged behind it; at least half of them where the tube ends
+    int leastFluid = 8;        ///< slabs of fluid that must lie before a surface
+    double falseAlarm = 3.25;  ///< the least contrast of a surface, in standard deviations of the contrast where there
+                               ///< is no boundary; >= 0. 0: leastContrast alone
+    double certainty = 5.0;    ///< a view holds surfaces at all only if ...
+    double certainShare = 0.01;  ///< ... this share of its tube cores, at least one, has a contrast of so many of these
+                                 ///< standard deviations: among thousands of boundaries some are strong by accident
+    double leastContrast = 0.5;  ///< ... but never less than this
+    double sureContrast = 4.0;   ///< ... nor more: what stands out so far is never speckle
+};
+
+/// What the tubes of a view have in common: how strong a contrast is no accident, and where fluid ends.
+struct RatioThresholds {
+    double contrast = 0.0;     ///< a boundary counts from here on
+    double fluidLevel = 0.0;   ///< means below it are fluid, above it tissue: value of the scale
+    bool anyBoundary = false;  ///< whether any tube holds a contrast that counts
+};
+
+/// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
+/// Element i belongs to the boundary between slabs i + leastFluid - 1 and i + leastFluid; shorter than half of `behind`
+/// past it: none. `scaled`: the profile on the scale.
+void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::vector<float>& contrasts);
+
+/// Looks at all tubes. The contrast's spread without boundaries is read off its lower quartile, which boundaries, being
+/// few, hardly move. The fluid level parts the slabs around the tubes' strongest boundaries into two classes (Otsu).
+[[nodiscard]] RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale& scale,
+                                              const RatioRule& rule);
+
+/// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
+/// contrast counts; where several do in a row, the one of highest contrast. `means`: its profile. Returns the slab
+/// (counted from the profile's first) that begins the surface cell, so that the cell's mean is halfway between fluid
+/// and tissue; none: no surface. contrast: at the surface.
+struct RatioSurface {
+    int cell = 0;
+    double contrast = 0.0;
+};
+[[nodiscard]] std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, const SpeckleScale& scale,
+                                                             const RatioThresholds& thresholds, const RatioRule& rule,
+                                                             int cellSize);
+
+}  // namespace echolucent

@@ -1,0 +1,122 @@
+#include "processing/tube_core/speckle_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace echolucent {
+
+namespace {
+
+constexpr int meanBins = 64;
+constexpr int spreadBins = 128;
+/// Spreads are counted in bins that grow by the same factor, from the least to the largest a slab can have (0.5).
+constexpr double leastSpread = 0.001;
+constexpr double largestSpread = 0.5;
+/// A bin of means speaks for itself from this share of all slabs on; else it is joined with the next.
+constexpr double leastShare = 1.0 / 64.0;
+
+struct Knot {
+    double mean, spread;
+};
+
+struct SpreadCounts {
+    std::array<std::uint32_t, spreadBins> bins{};
+    std::uint32_t count = 0;
+    double sumOfMeans = 0.0;
+
+    void add(const SpreadCounts& other) {
+        for (std::size_t i = 0; i < bins.size(); ++i) bins[i] += other.bins[i];
+        count += other.count;
+        sumOfMeans += other.sumOfMeans;
+    }
+    /// The median, interpolated within its bin.
+    [[nodiscard]] double medianSpread() const {
+        const double half = count / 2.0, step = std::log(largestSpread / leastSpread) / spreadBins;
+        double below = 0.0;
+        std::size_t bin = 0;
+        while (bin + 1 < bins.size() && below + bins[bin] < half) below += bins[bin++];
+        const double part = bins[bin] > 0 ? (half - below) / bins[bin] : 0.0;
+        return leastSpread * std::exp(step * (static_cast<double>(bin) + part));
+    }
+};
+
+std::array<SpreadCounts, meanBins> countSpreads(const TubeProfiles& profiles) {
+    std::array<SpreadCounts, meanBins> counts;
+    const float perFactor = spreadBins / static_cast<float>(std::log(largestSpread / leastSpread));
+    // Neighbouring slabs share their speckle: every second one says as much.
+    constexpr std::size_t stride = 2;
+    for (std::size_t t = 0; t < profiles.tubes(); ++t) {
+        const auto means = profiles.means(t), spreads = profiles.spreads(t);
+        for (std::size_t k = t % stride; k < means.size(); k += stride) {
+            SpreadCounts& slot =
+                counts[static_cast<std::size_t>(std::clamp(static_cast<int>(means[k] * meanBins), 0, meanBins - 1))];
+            const float factor =
+                std::log(std::max(spreads[k], static_cast<float>(leastSpread)) / static_cast<float>(leastSpread));
+            ++slot.bins[static_cast<std::size_t>(std::clamp(static_cast<int>(factor * perFactor), 0, spreadBins - 1))];
+            ++slot.count;
+            slot.sumOfMeans += means[k];
+        }
+    }
+    return counts;
+}
+
+std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
+    double all = 0.0;
+    for (const SpreadCounts& bin : counts) all += bin.count;
+    std::vector<Knot> knots;
+    SpreadCounts joined;
+    for (const SpreadCounts& bin : counts) {
+        joined.add(bin);
+        if (joined.count == 0 || joined.count < leastShare * all) continue;
+        knots.push_back({joined.sumOfMeans / joined.count, joined.medianSpread()});
+        joined = {};
+    }
+    if (knots.empty()) knots.push_back({0.5, leastSpread});
+    return knots;
+}
+
+/// Linear between the knots, constant above the last; below the first in proportion to the mean, as echo without any
+/// offset has it, but not to nothing: the darkest voxels are rounded.
+double spreadFrom(const std::vector<Knot>& knots, double mean) {
+    const auto above = std::find_if(knots.begin(), knots.end(), [mean](const Knot& knot) { return knot.mean > mean; });
+    if (above == knots.end()) return knots.back().spread;
+    if (above == knots.begin())
+        return std::max(leastSpread, above->spread * std::max(0.5, above->mean > 0.0 ? mean / above->mean : 1.0));
+    const Knot& below = *(above - 1);
+    const double part = (mean - below.mean) / (above->mean - below.mean);
+    return below.spread + part * (above->spread - below.spread);
+}
+
+}  // namespace
+
+SpeckleScale::SpeckleScale(const TubeProfiles& profiles) {
+    const std::vector<Knot> knots = knotsOf(countSpreads(profiles));
+    constexpr double step = 1.0 / (sampleCount - 1);
+    for (std::size_t i = 0; i < m_spread.size(); ++i) m_spread[i] = spreadFrom(knots, static_cast<double>(i) * step);
+    for (std::size_t i = 1; i < m_scaled.size(); ++i)
+        m_scaled[i] = m_scaled[i - 1] + step * (1.0 / m_spread[i - 1] + 1.0 / m_spread[i]) / 2.0;
+}
+
+namespace {
+template <std::size_t count>
+double between(const std::array<double, count>& samples, double intensity) {
+    const double position = std::clamp(intensity, 0.0, 1.0) * (count - 1);
+    const auto low = std::min(static_cast<std::size_t>(position), count - 2);
+    return samples[low] + (position - static_cast<double>(low)) * (samples[low + 1] - samples[low]);
+}
+}  // namespace
+
+double SpeckleScale::spreadAt(double intensity) const { return between(m_spread, intensity); }
+
+double SpeckleScale::scaled(double intensity) const { return between(m_scaled, intensity); }
+
+double SpeckleScale::intensityAt(double scaled) const {
+    const auto above = std::upper_bound(m_scaled.begin(), m_scaled.end(), scaled);
+    if (above == m_scaled.begin()) return 0.0;
+    if (above == m_scaled.end()) return 1.0;
+    const auto low = static_cast<double>(above - m_scaled.begin() - 1);
+    return (low + (scaled - above[-1]) / (above[0] - above[-1])) / (sampleCount - 1);
+}
+
+}  // namespace echolucent
