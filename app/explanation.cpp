@@ -72,16 +72,22 @@ QString readingSentence(const AdaptiveOtfConfig& config) {
 }
 
 /// What tells surfaces, and what becomes of them.
-QString methodSentences(const AdaptiveOtfConfig& config) {
-    const QString found =
-        config.interfaceFunction == InterfaceFunction::ratio
-            ? tr("Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
-            : tr("Surfaces are looked for where the intensity varies most, from coarse to fine scales.");
-    const QString made = config.form == CurveForm::ramp
-                             ? tr("The curve is the mean of one ramp for each tube core, clear up to its fluid and "
-                                  "full from its surface on.")
-                             : tr("The curve is the initial function times one basis function for each tube core.");
-    return QStringList{readingSentence(config), found, made}.join(QLatin1Char(' '));
+QString methodSentences(const AdaptiveOtf& otf) {
+    const AdaptiveOtfConfig& config = otf.config;
+    const bool ramp = config.form == CurveForm::ramp;
+    QStringList sentences{readingSentence(config)};
+    sentences
+        << (config.interfaceFunction == InterfaceFunction::ratio
+                ? tr("Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
+                : tr("Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
+    sentences
+        << (ramp ? tr("The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "
+                      "surface on.")
+                 : tr("The curve is the initial function times one basis function for each tube core."));
+    if (ramp && otf.trust > 0.0 && otf.trust < 1.0)
+        sentences << tr("As few tube cores found a surface, %1 % of the curve is the initial function.")
+                         .arg(100.0 * (1.0 - otf.trust), 0, 'f', 0);
+    return sentences.join(QLatin1Char(' '));
 }
 
 QString motionSentence(MotionOtf motion) {
@@ -116,7 +122,7 @@ QString explainPicture(const PictureFacts& facts) {
                          .arg(facts.view.nearCutMm, 0, 'f', 1);
     sentences << curveSentence(facts);
     if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
-        sentences << surfaceSentence(*facts.otf) << methodSentences(facts.otf->config) << motionSentence(facts.motion);
+        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
     if (facts.shaded) sentences << tr("Light from the upper left in front shows the shape of surfaces.");
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");

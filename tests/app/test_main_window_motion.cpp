@@ -153,6 +153,8 @@ private slots:
         m_fixture.click("motion.mode.leastFlicker");
         m_fixture.waitUntilIdle();
         (void)play(4);
+        QTest::keyClick(m_fixture.child<QComboBox>("adaptive.form"), Qt::Key_End);  // the product, which has a strength
+        m_fixture.waitUntilIdle();
         auto* strength = m_fixture.child<QSlider>("adaptive.strength");
         m_fixture.child<QDockWidget>("dock.method")->raise();
         QTRY_VERIFY(strength->isVisible());

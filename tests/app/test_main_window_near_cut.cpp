@@ -1,5 +1,7 @@
 // The near cut that the program suggests: what it does, what it says, and the way back.
+#include <QAbstractSpinBox>
 #include <QLocale>
+#include <QThread>
 
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"

@@ -42,7 +42,7 @@ private slots:
     void everyControlHasItsNames_data() {
         QTest::addColumn<QString>("prefix");
         QTest::addColumn<int>("leastControls");
-        for (const auto& [prefix, count] : {std::pair{"adaptive", 18},
+        for (const auto& [prefix, count] : {std::pair{"adaptive", 21},
                                             {"view", 11},
                                             {"motion", 9},
                                             {"status", 1},

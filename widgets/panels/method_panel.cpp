@@ -8,12 +8,10 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/panels/chosen_reading.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/value_slider.h"
 
@@ -53,9 +51,6 @@ Value clampedInto(const Control* control, Value value) {
     return std::clamp<Value>(value, control->minimum(), control->maximum());
 }
 
-/// The entry of the choice of readings that nobody can choose: a parameter was changed.
-constexpr int changedReading = -1;
-
 /// Mean of I_L or I_H over the tube cores with a surface, weighted by what they bring to the curve.
 double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*intensity) {
     double sum = 0.0;
@@ -82,46 +77,17 @@ MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     showConfig();
 }
 
-void MethodPanel::createMethodChoices() {
-    const auto choice = [](const QString& name, const QString& accessibleName, const QString& toolTip) {
-        auto* comboBox = named(new QComboBox, "adaptive." + name, accessibleName, toolTip);
-        wheelNeedsFocus(comboBox);
-        return comboBox;
-    };
-    m_form =
-        choice("form", tr("Form of the curve"),
-               tr("What the found surfaces make of the curve. Ramp: clear up to the fluid, full from the surface on, "
-                  "averaged over the tube cores. Product: the initial function times one basis function for each tube "
-                  "core, as published"));
-    m_form->addItem(tr("Ramp"), static_cast<int>(CurveForm::ramp));
-    m_form->addItem(tr("Product of basis functions"), static_cast<int>(CurveForm::product));
-
-    m_reading =
-        choice("reading", tr("Reading"),
-               tr("How the method is understood, all parameters at once. As published: the paper's words taken "
-                  "literally. Settled: its open points decided as the notes on the method say. Default: what this "
-                  "program takes"));
-    m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
-    m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));
-    m_reading->addItem(tr("Default"), static_cast<int>(MethodReading::standard));
-    m_reading->addItem(tr("Changed"), changedReading);
-    qobject_cast<QStandardItemModel*>(m_reading->model())->item(m_reading->count() - 1)->setEnabled(false);
-
-    m_interfaceFunction =
-        choice("interfaceFunction", tr("Interface function"),
-               tr("What tells tissue from fluid along a tube core. Ratio of means: how much brighter it is behind than "
-                  "before, which speckle does not disturb. Variance in scale space: where intensities vary most, as "
-                  "published"));
-    m_interfaceFunction->addItem(tr("Ratio of means"), static_cast<int>(InterfaceFunction::ratio));
-    m_interfaceFunction->addItem(tr("Variance in scale space"), static_cast<int>(InterfaceFunction::variance));
-}
-
 QWidget* MethodPanel::createMainControls() {
     m_strength = new ValueSlider("adaptive.strength", tr("Strength"), 0.25, 2);
     m_strength->setRange(0, 40);
     m_strength->setToolTip(
         tr("How far the found surfaces bend the initial function: number of tube cores times the "
            "largest weight of one"));
+    m_rampOpacity = new ValueSlider("adaptive.rampOpacity", tr("Opacity"), 0.01, 2);
+    m_rampOpacity->setRange(0.01, 1);
+    m_rampOpacity->setToolTip(tr("Opacity where all tube cores say surface"));
+    m_strengthLabel = labelFor(m_strength, tr("Strength"));
+    m_rampOpacityLabel = labelFor(m_rampOpacity, tr("Opacity"));
     m_initial = named(new QComboBox, "adaptive.initial", tr("Initial function"),
                       tr("The function that the method starts from"));
     m_initial->addItem(tr("x² (parabolic)"), static_cast<int>(InitialKind::parabolic));
@@ -148,8 +114,11 @@ QWidget* MethodPanel::createMainControls() {
     auto* controls = new QWidget;
     auto* grid = new QGridLayout(controls);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(labelFor(m_strength, tr("Strength")), 0, 0);
+    // One of the two, as the form has it.
+    grid->addWidget(m_strengthLabel, 0, 0);
     grid->addWidget(m_strength, 0, 1, 1, 3);
+    grid->addWidget(m_rampOpacityLabel, 0, 0);
+    grid->addWidget(m_rampOpacity, 0, 1, 1, 3);
     grid->addWidget(labelFor(m_form, tr("Form")), 1, 0);
     grid->addWidget(m_form, 1, 1, 1, 3);
     grid->addWidget(labelFor(m_initial, tr("Initial")), 2, 0);
@@ -187,6 +156,12 @@ QWidget* MethodPanel::createAdvancedControls() {
         createSpinBox("slopeHalfStep", tr("Slope half step"),
                       tr("The slope at a surface is taken over this many units to either side"), 1, 32, tr(" units"));
 
+    m_falseAlarm =
+        createDoubleSpinBox("falseAlarm", tr("Least contrast"),
+                            tr("Ratio of means: a surface counts from this contrast on, in standard deviations "
+                               "of the contrast where nothing is"),
+                            20, 2, 0.25);
+
     m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
                        tr("Reading, tube cores, cells and scales"));
     m_advanced->setText(tr("Advanced"));
@@ -204,8 +179,8 @@ QWidget* MethodPanel::createAdvancedControls() {
     grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
     grid->addWidget(m_interfaceFunction, 1, 1, 1, 3);
     constexpr int rowsAbove = 2;
-    const std::array<QWidget*, 8> controls{m_tubeColumns,   m_tubeRows,    m_tubeSpacing,  m_cellSize,
-                                           m_coarsestScale, m_finestScale, m_significance, m_slopeHalfStep};
+    const std::array<QWidget*, 9> controls{m_tubeColumns,   m_tubeRows,      m_tubeSpacing, m_cellSize,    m_falseAlarm,
+                                           m_slopeHalfStep, m_coarsestScale, m_finestScale, m_significance};
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
         control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
@@ -238,6 +213,8 @@ void MethodPanel::connectControls() {
         });
     };
     changes(m_strength, &AdaptiveOtfConfig::strength);
+    changes(m_rampOpacity, &AdaptiveOtfConfig::rampOpacity);
+    changes(m_falseAlarm, &AdaptiveOtfConfig::falseAlarm);
     changes(m_tubeColumns, &AdaptiveOtfConfig::tubeColumns);
     changes(m_tubeRows, &AdaptiveOtfConfig::tubeRows);
     changes(m_tubeSpacing, &AdaptiveOtfConfig::tubeSpacing);
@@ -259,20 +236,6 @@ void MethodPanel::connectControls() {
     connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
     connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
     connect(m_opacityScale, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeInitial);
-}
-
-void MethodPanel::changed() {
-    showReading();
-    emit configChanged(config());
-}
-
-void MethodPanel::takeReading() {
-    const int reading = m_reading->currentData().toInt();
-    if (reading == changedReading) return;
-    AdaptiveOtfConfig config = configOf(static_cast<MethodReading>(reading));
-    config.initial = m_config.initial;
-    setConfig(config);
-    emit configChanged(this->config());
 }
 
 void MethodPanel::takeScales(int coarsest, int finest) {
@@ -302,6 +265,8 @@ double MethodPanel::opacityScale() const { return m_opacityScale->value(); }
 void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
     m_config = config;
     m_config.strength = clampedInto(m_strength, config.strength);
+    m_config.rampOpacity = clampedInto(m_rampOpacity, config.rampOpacity);
+    m_config.falseAlarm = clampedInto(m_falseAlarm, config.falseAlarm);
     m_config.tubeColumns = clampedInto(m_tubeColumns, config.tubeColumns);
     m_config.tubeRows = clampedInto(m_tubeRows, config.tubeRows);
     m_config.tubeSpacing = clampedInto(m_tubeSpacing, config.tubeSpacing);
@@ -315,6 +280,8 @@ void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
 
 void MethodPanel::showConfig() {
     showIn(m_strength, m_config.strength);
+    showIn(m_rampOpacity, m_config.rampOpacity);
+    showIn(m_falseAlarm, m_config.falseAlarm);
     showIn(m_tubeColumns, m_config.tubeColumns);
     showIn(m_tubeRows, m_config.tubeRows);
     showIn(m_tubeSpacing, m_config.tubeSpacing);
@@ -327,15 +294,6 @@ void MethodPanel::showConfig() {
     selectData(m_interfaceFunction, static_cast<int>(m_config.interfaceFunction));
     showInitial();
     showReading();
-}
-
-void MethodPanel::showReading() {
-    const auto reading = readingOf(m_config);
-    selectData(m_reading, reading ? static_cast<int>(*reading) : changedReading);
-    // The ratio looks at means as they are; only the variance is followed through scales.
-    for (QWidget* ofScales : {static_cast<QWidget*>(m_coarsestScale), static_cast<QWidget*>(m_finestScale),
-                              static_cast<QWidget*>(m_significance)})
-        ofScales->setEnabled(m_config.interfaceFunction == InterfaceFunction::variance);
 }
 
 void MethodPanel::showInitial() {

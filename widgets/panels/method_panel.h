@@ -23,9 +23,10 @@ enum class InitialKind {
     manual,     ///< the manual nodes of the editor
 };
 
-/// Objects: adaptive.strength (+ .value), .form, .initial, .opacityScale, .compute, .reset, .summary, .message,
-/// .advanced and, under it, .reading, .interfaceFunction, .tubeColumns, .tubeRows, .tubeSpacing, .cellSize,
-/// .coarsestScale, .finestScale, .significance, .slopeHalfStep.
+/// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
+/// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,
+/// .tubeRows, .tubeSpacing, .cellSize, .slopeHalfStep, for the ratio .falseAlarm, for the variance .coarsestScale,
+/// .finestScale, .significance.
 class MethodPanel : public QWidget {
     Q_OBJECT
 
@@ -72,6 +73,9 @@ private:
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
     ValueSlider* m_strength = nullptr;
+    ValueSlider* m_rampOpacity = nullptr;
+    QLabel* m_strengthLabel = nullptr;
+    QLabel* m_rampOpacityLabel = nullptr;
     QComboBox* m_form = nullptr;
     QComboBox* m_reading = nullptr;
     QComboBox* m_interfaceFunction = nullptr;
@@ -84,6 +88,7 @@ private:
     QSpinBox* m_coarsestScale = nullptr;
     QSpinBox* m_finestScale = nullptr;
     QDoubleSpinBox* m_significance = nullptr;
+    QDoubleSpinBox* m_falseAlarm = nullptr;
     QSpinBox* m_slopeHalfStep = nullptr;
     QToolButton* m_advanced = nullptr;
     QLabel* m_summary = nullptr;
