@@ -252,16 +252,18 @@ private slots:
     void everyModeAndScenarioIsSaidOnce() {
         MotionPanel panel;
         panel.setPhaseCount(20);
+        panel.show();
         AllSignals all(panel);
         QSignalSpy otf(&panel, &MotionPanel::otfChanged);
-        const QList<std::pair<const char*, MotionOtf>> modes{{"motion.mode.mean", MotionOtf::mean},
-                                                             {"motion.mode.movingLeastSquares",
-                                                              MotionOtf::movingLeastSquares},
-                                                             {"motion.mode.leastFlicker", MotionOtf::leastFlicker},
-                                                             {"motion.mode.eachView", MotionOtf::eachView},
-                                                             {"motion.mode.static", MotionOtf::oneOtf}};
+        const QList<std::pair<const char*, MotionOtf>> modes{
+            {"motion.mode.mean", MotionOtf::mean},
+            {"motion.mode.movingLeastSquares", MotionOtf::movingLeastSquares},
+            {"motion.mode.leastFlicker", MotionOtf::leastFlicker},
+            {"motion.mode.eachView", MotionOtf::eachView},
+            {"motion.mode.static", MotionOtf::oneOtf}};
         for (const auto& [name, mode] : modes) {
             QTest::mouseClick(child<QRadioButton>(panel, name), Qt::LeftButton);
+            QCOMPARE(otf.count(), 1);
             QCOMPARE(otf.takeFirst().first().value<MotionOtf>(), mode);
             QCOMPARE(panel.otf(), mode);
         }

@@ -145,7 +145,7 @@ void OtfCurvesCanvas::paintOpacityAxis(QPainter& painter) const {
 void OtfCurvesCanvas::paintLegend(QPainter& painter, const std::vector<Line>& lines) const {
     const PlotColours colours = plotColours(palette());
     const double height = painter.fontMetrics().height();
-    double left = m_axes.rect.left();
+    double left = 2.0;
     const auto entry = [&](const QPen& pen, const QString& name) {
         painter.setPen(pen);
         painter.drawLine(QPointF(left, height / 2), QPointF(left + sampleLength, height / 2));
