@@ -54,14 +54,22 @@ PictureDifference differenceOf(const Picture& left, const Picture& right) {
     return difference;
 }
 
-FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases, const RayCastSettings& settings,
-                            const Progress& progress) {
-    return [volumes = std::vector(phases.begin(), phases.end()), settings, progress](const SweepFrame& frame,
-                                                                                     const SampledCurve& otf) {
+FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
+                            const RayCastSettings& settings, const Progress& progress) {
+    const double aspect = static_cast<double>(settings.width) / settings.height;
+    const auto volumeOf = [phases](const SweepFrame& frame) -> const Volume& {
+        return *phases[static_cast<std::size_t>(frame.phase)];
+    };
+    double heightMm = 0.0;
+    for (const SweepFrame& frame : frames)
+        heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).geometry(), frame.view, aspect).heightMm);
+    return [volumes = std::vector(phases.begin(), phases.end()), heightMm, aspect, settings, progress](
+               const SweepFrame& frame, const SampledCurve& otf) {
         const Volume& volume = *volumes.at(static_cast<std::size_t>(frame.phase));
         RayCastSettings ofFrame = settings;
-        ofFrame.camera =
-            defaultCamera(volume.geometry(), frame.view, static_cast<double>(settings.width) / settings.height);
+        ofFrame.camera = defaultCamera(volume.geometry(), frame.view, aspect);
+        // A box that grew and shrank with its outline would seem to come and go.
+        ofFrame.camera.heightMm = heightMm;
         ofFrame.nearPlaneDepthMm = nearPlaneDepthMm(frame.view, volume.geometry());
         return castRays(volume, otf, ofFrame, {{}, progress.cancel});
     };

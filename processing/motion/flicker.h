@@ -35,9 +35,11 @@ struct PictureFlicker {
 /// Renders a frame's view and phase with an OTF; empty only where cancelled.
 using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, const SampledCurve&)>;
 
-/// A renderer of views by castRays with these settings; camera and near plane follow each frame's view.
+/// A renderer of these frames by castRays with these settings, parallel projection; direction and near plane follow
+/// each frame's view, the scale is the same for all of them: the one at which the whole box is in every picture.
 [[nodiscard]] FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases,
-                                          const RayCastSettings& settings, const Progress& progress = {});
+                                          std::span<const SweepFrame> frames, const RayCastSettings& settings,
+                                          const Progress& progress = {});
 
 /// otfs: as shown, one a frame. Up to three pictures a frame. Empty only where cancelled. Throws std::invalid_argument
 /// where the numbers of frames and OTFs differ.

@@ -96,6 +96,12 @@ View turned(const View& start, SweepAxis axis, double degrees) {
     return view;
 }
 
+std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
+    std::vector<SweepFrame> frames;
+    for (const SweptOtf& frame : swept) frames.push_back(frame.frame);
+    return frames;
+}
+
 std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to, double step,
                                     int phases) {
     if (!std::isfinite(from) || !std::isfinite(to) || !(step > 0.0) || phases < 1)
@@ -107,6 +113,20 @@ std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double fr
         // Not summed up, so that a sweep of a hundred steps of 0.1 ends where it should.
         const double degrees = from + (to < from ? -step : step) * i;
         frames.push_back({static_cast<double>(i), degrees, i % phases, turned(start, axis, degrees)});
+    }
+    return frames;
+}
+
+std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases) {
+    if (motion.firstPhase < 0 || motion.firstPhase >= phases)
+        throw std::invalid_argument("motionFrames: the first phase is not there");
+    std::vector<SweepFrame> frames =
+        sweepFrames(start, motion.axis, motion.from, motion.to, motion.step, motion.objectMoves ? phases : 1);
+    for (SweepFrame& frame : frames) {
+        frame.phase = (frame.phase + motion.firstPhase) % phases;
+        if (motion.probeMoves) continue;
+        frame.degrees = 0.0;
+        frame.view = start;
     }
     return frames;
 }
