@@ -63,15 +63,16 @@ struct AdaptiveOtfConfig {
     double significance = 0.4;         ///< a local maximum counts from this share of the largest value in its range
     double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1];
                                  ///< 0: nothing, as in method.md's table
-    int cellStride = 1;  ///< units between the cells that are looked at, >= 1; 5: abutting, as the paper's figures may
-                         ///< be read
+    int cellStride = 1;  ///< units between the cells that are looked at, >= 1, from the tube's first on (interface
+                         ///< function, tracking, prior cells); 5: abutting, as the paper's figures may be read. Sigma
+                         ///< stays in units. cellMeans and interfaceFunction of a TubeCore hold all cells even so.
     TubeBorder border = TubeBorder::mirrorThenZero;
     SmoothingRoute smoothing = SmoothingRoute::direct;
     bool kernelEndsAtZero = true;          ///< lowered so that it ends at zero; false: cut, as in method.md's table
     bool coarsestMustHaveMaximum = false;  ///< true: without a maximum at the coarsest scale there is no surface;
                                            ///< false: tracking begins at the coarsest scale that has one
-    double trackingRangeSigmas = 0.0;   ///< a scale looks this many of its sigmas around the maximum of the one before;
-                                        ///< 0: from valley to valley
+    double trackingRangeSigmas = 0.0;   ///< how far around a scale's maximum the next one looks, in sigmas of the scale
+                                        ///< where it was found; 0: from valley to valley
     bool priorCellsMayOverlap = false;  ///< prior cells are i < s (Petersch 2005, eq. 8); false: i <= s - cellSize
     int rankBins = 0;  ///< bins of the histograms of eqs. 9 and 10, over 0 to the largest value; 0: exact ranks
     TubeSampling sampling = TubeSampling::trilinear;
@@ -103,6 +104,8 @@ enum class MethodReading {
 [[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
+/// The reading that a config is, whatever its tube grid and initial function; none: another.
+[[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 /// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing.
 [[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);

@@ -20,9 +20,12 @@ std::vector<double> stairs(std::initializer_list<std::pair<int, double>> steps) 
     return function;
 }
 
-std::vector<int> track(const std::vector<double>& function, TrackingRule rule = {}) {
+std::vector<int> track(const std::vector<double>& function, TrackingRule rule = {},
+                       const AdaptiveOtfConfig& config = {}) {
     DetectionScratch scratch;
-    return trackSurface(function, scaleSpaceKernels(7, 3, 0.25, 3.0), rule, scratch);
+    const ScaleSpace space(config);
+    ScaleSmoother smoother(space);
+    return trackSurface(function, smoother, rule, scratch);
 }
 
 TEST(FirstSignificantMaximum, TakesTheFirstThatIsLargeEnough) {

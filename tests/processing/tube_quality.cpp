@@ -22,7 +22,7 @@ TEST(DescribeSurface, ReadsPriorCellsSurfaceCellAndSlope) {
     for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
     means[3] = 0.9;
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 20, 5, 5, tube));
+    ASSERT_TRUE(describeSurface(cellsWith(means), 20, {}, tube));
     EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
     EXPECT_EQ(*tube.lowIntensityMax, 0.9);
     EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.2);
@@ -33,20 +33,20 @@ TEST(DescribeSurface, ShortensTheSlopeAtTheTubesEnds) {
     std::vector<double> means;
     for (int i = 0; i < 12; ++i) means.push_back(0.01 * i * i);
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 9, 5, 5, tube));
+    ASSERT_TRUE(describeSurface(cellsWith(means), 9, {}, tube));
     EXPECT_NEAR(*tube.slope, (0.01 * 121 - 0.01 * 16) / 7, 1e-15) << "from cell 4 to cell 11, the last";
 }
 
 TEST(DescribeSurface, NeedsACellThatEndsBeforeTheSurface) {
     TubeCore tube;
     CellStatistics cells = cellsWith(std::vector<double>(20, 0.5));
-    EXPECT_FALSE(describeSurface(cells, 4, 5, 5, tube));
-    EXPECT_TRUE(describeSurface(cells, 5, 5, 5, tube));
+    EXPECT_FALSE(describeSurface(cells, 4, {}, tube));
+    EXPECT_TRUE(describeSurface(cells, 5, {}, tube));
     cells.firstCell = 3;
-    EXPECT_FALSE(describeSurface(cells, 7, 5, 5, tube));
-    EXPECT_TRUE(describeSurface(cells, 8, 5, 5, tube));
+    EXPECT_FALSE(describeSurface(cells, 7, {}, tube));
+    EXPECT_TRUE(describeSurface(cells, 8, {}, tube));
     std::fill(cells.complete.begin(), cells.complete.begin() + 4, std::uint8_t{0});
-    EXPECT_FALSE(describeSurface(cells, 8, 5, 5, tube)) << "cells of too little data do not count";
+    EXPECT_FALSE(describeSurface(cells, 8, {}, tube)) << "cells of too little data do not count";
 }
 
 TEST(ScatterOf, IsTheStandardDeviationOfNoiseAndIgnoresAWall) {
