@@ -24,6 +24,10 @@ enum class PhantomScene {
 [[nodiscard]] std::optional<PhantomScene> phantomSceneFromName(std::string_view name);
 [[nodiscard]] std::string_view nameOf(PhantomScene scene);
 
+/// What the anatomy of a phantom is made of.
+enum class PhantomMaterial { fluid, tissue, object };
+[[nodiscard]] std::string_view nameOf(PhantomMaterial material);
+
 /// Intensities are 0..255 whatever the number of bits stored. A unit is the smallest spacing. The scene is laid out
 /// relative to the volume's extent in mm (one scale for all axes), so that any size and spacing show the same anatomy.
 struct PhantomConfig {
@@ -106,6 +110,8 @@ public:
     [[nodiscard]] std::optional<Vec3> firstInterfacePoint(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
+    /// The sharp material at a position in grid mm; on a boundary that of the body it bounds.
+    [[nodiscard]] PhantomMaterial materialAt(const Vec3& gridMm) const;
     /// Signed distance (mm) to the fluid, negative within it: the sharp materials.
     [[nodiscard]] double fluidDistance(const Vec3& gridMm) const;
 

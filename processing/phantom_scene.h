@@ -12,9 +12,6 @@
 
 namespace echolucent {
 
-enum class PhantomMaterial { fluid, tissue, object };
-[[nodiscard]] std::string_view nameOf(PhantomMaterial material);
-
 /// One body and what it is made of; it covers the layers before it.
 struct PhantomLayer {
     ImplicitBody body;

@@ -90,6 +90,13 @@ double PhantomTruth::echoAt(const Vec3& gridMm) const {
     return painted.echo;
 }
 
+PhantomMaterial PhantomTruth::materialAt(const Vec3& gridMm) const {
+    const auto& layers = m_scenery->layers;
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+        if (layer->body.distance(gridMm) <= 0) return layer->material;
+    return PhantomMaterial::tissue;
+}
+
 double PhantomTruth::fluidDistance(const Vec3& gridMm) const {
     double distance = ImplicitBody::far;
     for (const PhantomLayer& layer : m_scenery->layers) {

@@ -24,6 +24,7 @@ void addInfoCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
+void addStudyCommand(CLI::App& program, Action& action);
 
 /// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --all-voxels.
 struct VolumeOptions {
@@ -44,8 +45,13 @@ struct VolumeOptions {
 struct ViewOptions {
     View view;
     std::string beamAxis = "+z";
+    std::string near = "0";
     void addTo(CLI::App& command);
+    [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
+    /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
     [[nodiscard]] Result<View> get() const;
+    /// The view of a volume, the near cut suggested where that was asked for (and said on stderr).
+    [[nodiscard]] Result<View> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 
 /// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale, ...

@@ -44,7 +44,9 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto volume = options.volume.readPhase();
     if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto otf = adaptOpacity(**volume, *view, *config);
+    const auto cut = options.view.get(**volume, *config);
+    if (!cut) return tl::unexpected<Failure>(cut.error());
+    const auto otf = adaptOpacity(**volume, *cut, *config);
     return write(options, **volume, *otf);
 }
 

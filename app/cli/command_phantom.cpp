@@ -128,6 +128,8 @@ Result<void> writePhantom(const PhantomOptions& options) {
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;
+    if (options.view.nearCutSuggested())
+        return wrong("--near", "must be 0 mm or more", "A near cut is suggested for a volume that is there already.");
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto tubes = tubesFrom(options);

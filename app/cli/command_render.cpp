@@ -90,8 +90,7 @@ void writeInto(std::vector<std::uint8_t>& rgb, int width, int height, const char
 
 Result<void> render(const RenderOptions& options) {
     if (auto distinct = differentFiles({options.volume.path, options.output}); !distinct) return distinct;
-    const auto view = options.view.get();
-    if (!view) return tl::unexpected<Failure>(view.error());
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     std::optional<OpacityCurve> named;
@@ -114,6 +113,8 @@ Result<void> render(const RenderOptions& options) {
     const VolumeGeometry& geometry = (*volume)->geometry();
     if (!geometry.spacingKnown)
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the picture may be wrong.\n");
+    const auto view = options.view.get(**volume, *config);
+    if (!view) return tl::unexpected<Failure>(view.error());
     settings->camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
     if (options.perspective) settings->camera.projection = Projection::perspective;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);

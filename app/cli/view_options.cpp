@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdio>
 
 #include "app/cli/command.h"
+#include "processing/near_cut.h"
 
 namespace echolucent::cli {
 
@@ -16,8 +20,11 @@ void ViewOptions::addTo(CLI::App& command) {
     command.add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
         ->type_name("DEG")
         ->capture_default_str();
-    command.add_option("--near", view.nearCutMm, "Near cut: nothing nearer than this behind the foremost corner, mm")
-        ->type_name("MM")
+    command
+        .add_option("--near", near,
+                    "Near cut: nothing nearer than this behind the foremost corner, mm; auto: where most tube cores "
+                    "have entered fluid")
+        ->type_name("MM|auto")
         ->capture_default_str();
 }
 
@@ -31,10 +38,27 @@ Result<View> ViewOptions::get() const {
     if (!(std::abs(view.azimuthDegrees) <= 36000.0) || !(std::abs(view.elevationDegrees) <= 36000.0))
         return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation",
                     "must be angles in degrees, -36000 to 36000");
-    if (!std::isfinite(view.nearCutMm) || view.nearCutMm < 0.0)
-        return fail(FailureKind::wrongUsage, "", "--near", "must be 0 mm or more");
     View chosen = view;
     chosen.beamAxis = *axis;
+    if (nearCutSuggested()) return chosen;
+    const auto cut = parseNumbers(near, 1, "--near");
+    if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
+        return fail(FailureKind::wrongUsage, "", "--near", "must be 0 mm or more, or auto");
+    chosen.nearCutMm = cut->front();
+    return chosen;
+}
+
+Result<View> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config) const {
+    auto chosen = get();
+    if (!chosen || !nearCutSuggested()) return chosen;
+    const auto suggestion = suggestNearCut(volume, *chosen, config);
+    chosen->nearCutMm = suggestion->nearCutMm;
+    const std::string sentence =
+        suggestion->message.empty()
+            ? fmt::format("Near cut at {:.2f} mm: {} of {} tube cores with a surface are in fluid there.",
+                          suggestion->nearCutMm, suggestion->tubesInFluid, suggestion->tubesWithSurface)
+            : suggestion->message;
+    std::fprintf(stderr, "%s\n", sentence.c_str());
     return chosen;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "processing/opacity_curve.h"
 #include "processing/phantom.h"
@@ -25,5 +27,17 @@ struct SurfaceContrast {
 /// full intensity, on a black ground (docs/method.md).
 [[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const View& view,
                                               const OpacityCurve& curve);
+
+/// One of these rays.
+struct ObjectRay {
+    Vec3 pointMm{0, 0, 0};        ///< a point of it, grid mm; its direction is the view's forward
+    double surfaceDepthMm = 0.0;  ///< of the true surface along forward, from the grid's origin
+};
+/// The rays that surfaceContrast looks at, row by row: where the truth is asked once for many curves.
+[[nodiscard]] std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
+                                                const View& view);
+/// One contrast a curve, of given rays; each equals surfaceContrast's, bit for bit. The volume is sampled once.
+[[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
+                                                            const View& view, std::span<const OpacityCurve> curves);
 
 }  // namespace echolucent

@@ -15,6 +15,16 @@
 namespace echolucent {
 namespace {
 
+/// The paper's interface function and product, with what the program adds to them.
+AdaptiveOtfConfig productOfVariance() {
+    AdaptiveOtfConfig config;
+    config.interfaceFunction = InterfaceFunction::variance;
+    config.form = CurveForm::product;
+    config.lowReach = 0;
+    config.highReach = 0;
+    return config;
+}
+
 TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
     PlaneVolume plane;
     plane.size = {120, 60, 50};
@@ -47,7 +57,7 @@ TEST(AdaptiveOtf, FindsAPlaneAlongEveryBeamAxisAndObliquely) {
 TEST(AdaptiveOtf, MeasuresTheIntensitiesOnBothSidesInUnits) {
     PlaneVolume plane;
     plane.noise = 0.7;
-    const AdaptiveOtf result = adapted(plane.make());
+    const AdaptiveOtf result = adapted(plane.make(), {}, productOfVariance());
     EXPECT_EQ(result.tubesMeetingVolume, 225);
     EXPECT_DOUBLE_EQ(result.dMax, 6.75 / 225);
     for (const TubeCore& tube : result.tubes) {
@@ -84,7 +94,7 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
     plane.normal = normalized(Vec3(0.5, 0.3, 1));
     plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
     plane.noise = 20;
-    AdaptiveOtfConfig config;
+    AdaptiveOtfConfig config = productOfVariance();
     config.initial = PowerCurve{2, 0.7};
     const AdaptiveOtf result = adapted(plane.make(), View{.azimuthDegrees = 10}, config);
     const double n = result.tubesMeetingVolume;
@@ -131,7 +141,7 @@ TEST(AdaptiveOtf, PriorCellsEndBeforeTheSurfaceCellBegins) {
     // I_L and the largest prior mean by counting over the published cell means (which are floats).
     PlaneVolume plane;
     plane.noise = 10;
-    const AdaptiveOtf result = adapted(plane.make());
+    const AdaptiveOtf result = adapted(plane.make(), {}, productOfVariance());
     for (const TubeCore& tube : result.tubes) {
         double sum = 0, largest = 0;
         int count = 0;

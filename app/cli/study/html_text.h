@@ -1,0 +1,17 @@
+// Text and pictures as parts of an HTML or SVG document.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace echolucent::cli {
+
+/// &, <, > and both quotes as entities; control characters, which XML does not allow, as spaces.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+/// 8-bit RGB, rows from the top, as "data:image/png;base64,...". rgb holds width * height * 3 bytes.
+[[nodiscard]] std::string pngDataUri(int width, int height, std::span<const std::uint8_t> rgb);
+
+}  // namespace echolucent::cli

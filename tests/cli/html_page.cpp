@@ -1,0 +1,227 @@
+// The report page and its plots: well-formed, escaped, readable, and true to what was given.
+#include "app/cli/study/html_page.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "app/cli/study/html_text.h"
+#include "app/cli/study/plot_axis.h"
+#include "app/cli/study/series_style.h"
+#include "app/cli/study/study.h"
+
+namespace echolucent::cli {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Empty where every element that is opened is closed, in order; else what is wrong. The page is written as XML, but
+/// for its first line.
+std::string problemOf(const std::string& markup) {
+    static const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)((?:\s+[a-zA-Z:-]+="[^"<]*")*)\s*(/?)>)");
+    std::vector<std::string> open;
+    std::size_t at = markup.starts_with("<!DOCTYPE html>") ? 15 : 0;
+    for (std::smatch found; at < markup.size();) {
+        const std::size_t next = markup.find('<', at);
+        if (markup.substr(at, next - at).find('>') != std::string::npos && (open.empty() || open.back() != "style"))
+            return "a bare > near " + markup.substr(at, 60);
+        if (next == std::string::npos) break;
+        const auto begin = markup.cbegin() + static_cast<std::ptrdiff_t>(next);
+        if (!std::regex_search(begin, markup.cend(), found, tag, std::regex_constants::match_continuous))
+            return "no element: " + markup.substr(next, 80);
+        at = next + static_cast<std::size_t>(found.length());
+        if (found[4].length() > 0) continue;
+        if (found[1].length() == 0) {
+            open.push_back(found[2]);
+            continue;
+        }
+        if (open.empty() || open.back() != found[2]) return "closes what is not open: " + found.str();
+        open.pop_back();
+    }
+    return open.empty() ? "" : "not closed: " + open.back();
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
+
+Plot plotOf(std::vector<PlotSeries> series) { return {"Title", "across", "up", false, false, std::move(series)}; }
+
+PlotSeries markersOf(std::vector<double> x, std::vector<double> y) {
+    return {.name = "some", .x = std::move(x), .y = std::move(y), .line = false, .markers = true, .labels = {}};
+}
+
+TEST(HtmlText, EscapesWhatMarkupMeans) {
+    EXPECT_EQ(escaped("a<b> & \"c\" 'd'\x01"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39; ");
+    EXPECT_EQ(escaped("Δα ≤ 1"), "Δα ≤ 1");
+}
+
+TEST(HtmlText, PicturesAreBase64OfThePng) {
+    const std::vector<std::uint8_t> rgb{255, 0, 0, 0, 255, 0};
+    const std::string uri = pngDataUri(2, 1, rgb);
+    // The eight bytes every PNG begins with, in base64.
+    EXPECT_TRUE(uri.starts_with("data:image/png;base64,iVBORw0KGgo")) << uri;
+    EXPECT_EQ((uri.size() - uri.find(',') - 1) % 4, 0U);
+}
+
+TEST(Plot, IsWellFormedWithAnyNames) {
+    Plot plot = plotOf({markersOf({1, 2}, {3, 4})});
+    plot.title = "<script>alert(1)</script> & \"more\"";
+    plot.series[0].name = "a < b";
+    plot.series[0].labels = {"<b>", "'"};
+    const std::string svg = svgOf(plot);
+    EXPECT_EQ(problemOf(svg), "");
+    EXPECT_EQ(svg.find("<script>"), std::string::npos);
+    EXPECT_NE(svg.find("&lt;b&gt;"), std::string::npos);
+}
+
+TEST(Plot, NothingToShowIsAnEmptyFrame) {
+    for (const bool logarithmic : {false, true}) {
+        Plot plot = plotOf({markersOf({nan}, {1}), {}});
+        plot.logX = plot.logY = logarithmic;
+        const std::string svg = svgOf(plot);
+        EXPECT_EQ(problemOf(svg), "");
+        EXPECT_EQ(svg.find("nan"), std::string::npos);
+        EXPECT_EQ(svg.find("inf"), std::string::npos);
+    }
+}
+
+TEST(Plot, ALogarithmicAxisLeavesOutWhatIsNotAboveZero) {
+    const PlotSeries series = markersOf({1, 10, 100, 1000}, {0, -1, 2, 3});
+    // One marker in the legend beside those in the plot.
+    EXPECT_EQ(countOf(svgOf(plotOf({series})), "class=\"marker"), 5U);
+    Plot plot = plotOf({series});
+    plot.logY = true;
+    EXPECT_EQ(countOf(svgOf(plot), "class=\"marker"), 3U);
+}
+
+TEST(Plot, AValueThatIsNotFiniteIsAGap) {
+    PlotSeries line;
+    line.x = {0, 1, 2, 3, 4};
+    line.y = {0, 1, nan, 1, 0};
+    const std::string svg = svgOf(plotOf({line}));
+    static const std::regex path("class=\"line[^>]* d=\"([^\"]*)\"");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(svg, found, path));
+    EXPECT_EQ(countOf(found[1], "M"), 2U);
+    EXPECT_EQ(countOf(found[1], "L"), 2U);
+}
+
+TEST(Plot, SeriesOfTheCurvesHaveTheirColours) {
+    std::vector<PlotSeries> series(7);
+    const char* names[] = {"other", "quartic", "linear, eq. 1", "adaptive", "parabolic", "manual", "adaptive, settled"};
+    for (std::size_t i = 0; i < series.size(); ++i) series[i].name = names[i];
+    EXPECT_EQ(coloursOf(series), (std::vector<std::size_t>{5, 4, 2, 0, 3, 1, 6}));
+    const auto many = coloursOf(std::vector<PlotSeries>(20));
+    EXPECT_EQ(many.size(), 20U);
+    EXPECT_EQ(std::set<std::size_t>(many.begin(), many.end()).size(), seriesColours.size());
+}
+
+/// WCAG 2's relative luminance of "#rrggbb".
+double luminance(std::string_view colour) {
+    double sum = 0;
+    for (const auto& [at, weight] : {std::pair{1, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
+        const double c = std::stoi(std::string(colour.substr(static_cast<std::size_t>(at), 2)), nullptr, 16) / 255.0;
+        sum += weight * (c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+TEST(Plot, ColoursStandOffTheirGround) {
+    for (const SeriesColour& colour : seriesColours) {
+        EXPECT_GE(1.05 / (luminance(colour.onLight) + 0.05), 4.5) << colour.onLight;
+        EXPECT_GE((luminance(colour.onDark) + 0.05) / (luminance("#16191d") + 0.05), 4.5) << colour.onDark;
+    }
+}
+
+TEST(PlotAxis, TicksAreRoundAndWithin) {
+    for (const auto& [low, high] :
+         {std::pair{0.0, 1.0}, {-3.7, 12.2}, {1e-7, 3e-7}, {99999.0, 100001.0}, {5.0, 5.0}, {0.0, 0.0}}) {
+        const PlotAxis axis({low, high}, false);
+        EXPECT_GE(axis.ticks().size(), 2U) << low << " " << high;
+        EXPECT_LE(axis.ticks().size(), 12U);
+        for (const PlotTick& tick : axis.ticks()) {
+            EXPECT_GE(axis.placeOf(tick.value), -1e-9);
+            EXPECT_LE(axis.placeOf(tick.value), 1 + 1e-9);
+        }
+        EXPECT_GT(axis.placeOf(low), 0.0);
+        EXPECT_LT(axis.placeOf(high), 1.0);
+    }
+}
+
+TEST(PlotAxis, LogarithmicPlacesAreEvenByDecade) {
+    const PlotAxis axis({0.0, -5.0, 0.01, 0.1, 100}, true);
+    EXPECT_FALSE(axis.shows(0));
+    EXPECT_FALSE(axis.shows(-5));
+    EXPECT_TRUE(axis.shows(0.01));
+    EXPECT_NEAR(axis.placeOf(0.1) - axis.placeOf(0.01), axis.placeOf(100) - axis.placeOf(10), 1e-12);
+    std::vector<std::string> labels;
+    for (const PlotTick& tick : axis.ticks())
+        if (!tick.label.empty()) labels.push_back(tick.label);
+    EXPECT_EQ(labels, (std::vector<std::string>{"0.01", "0.1", "1", "10", "100"}));
+    for (const auto& [low, high] : {std::pair{1.1, 1.9}, {3.0, 3.0}, {1e-300, 1e300}}) {
+        std::size_t labelled = 0;
+        const PlotAxis wide({low, high}, true);
+        for (const PlotTick& tick : wide.ticks()) labelled += !tick.label.empty();
+        EXPECT_GE(labelled, 2U) << low;
+        EXPECT_LE(labelled, 12U) << low;
+    }
+}
+
+TEST(PlotAxis, NumbersAreShort) {
+    EXPECT_EQ(shortNumber(0.1 + 0.2), "0.3");
+    EXPECT_EQ(shortNumber(1e-7), "1e-7");
+    EXPECT_EQ(shortNumber(2.5e12), "2.5e12");
+    EXPECT_EQ(shortNumber(-40), "-40");
+}
+
+TEST(HtmlPage, HoldsEverythingAndIsWellFormed) {
+    HtmlPage page("A & <B>");
+    page.heading("<i>heading</i>");
+    page.paragraph("x < y");
+    page.table({"name", "value"}, {{"a<b", "1.5×"}, {"b", "—"}}, "caption & more");
+    page.plot(plotOf({markersOf({1, 2}, {3, 4})}));
+    page.heatMap({"map", "across", "down", -45, 45, 0, 1, 3, {0, 0.5, 1, nan, 2, -1}});
+    Picture picture{2, 1, {1, 0, 0, 1, 0, 0, 0, 0}};
+    page.picture(picture, "seen \"so\"");
+    const std::string text = page.text();
+    EXPECT_EQ(problemOf(text), "");
+    EXPECT_NE(text.find("&lt;i&gt;heading"), std::string::npos);
+    EXPECT_NE(text.find("<td>a&lt;b</td><td class=\"number\">1.5×</td>"), std::string::npos) << text;
+    EXPECT_EQ(countOf(text, "data:image/png;base64,"), 3U);
+    EXPECT_NE(text.find("not a medical device"), std::string::npos);
+    // Self-contained: the only addresses are the name of SVG's vocabulary.
+    EXPECT_EQ(countOf(text, "http"), countOf(text, "http://www.w3.org/2000/svg"));
+    EXPECT_EQ(text.find("<script"), std::string::npos);
+}
+
+TEST(HtmlPage, AHeatMapHasWholeRows) {
+    HtmlPage page("map");
+    EXPECT_THROW(page.heatMap({"map", "x", "y", 0, 1, 0, 1, 2, {0, 1, 0}}), std::invalid_argument);
+    EXPECT_THROW(page.heatMap({"map", "x", "y", 0, 1, 0, 1, 0, {}}), std::invalid_argument);
+}
+
+TEST(CsvTable, QuotesAndLeavesUnknownNumbersEmpty) {
+    CsvTable csv({"a", "b", "c"});
+    csv.row({"x, \"y\"", 0.1, 7});
+    csv.row({"", nan, -1});
+    EXPECT_EQ(csv.text(), "a,b,c\n\"x, \"\"y\"\"\",0.1,7\n,,-1\n");
+    EXPECT_THROW(csv.row({"too few"}), std::invalid_argument);
+}
+
+TEST(Seeds, AreListsAndRanges) {
+    EXPECT_EQ(*parseSeeds("1,2,5", "--seeds"), (std::vector<std::uint64_t>{1, 2, 5}));
+    EXPECT_EQ(*parseSeeds("3-5,9", "--seeds"), (std::vector<std::uint64_t>{3, 4, 5, 9}));
+    EXPECT_EQ(parseSeeds("18446744073709551615", "--seeds")->front(), 18446744073709551615U);
+    for (const char* wrong : {"", "a", "1,", "5-3", "-1", "1-", "1.5", "1-9999999"})
+        EXPECT_FALSE(parseSeeds(wrong, "--seeds")) << wrong;
+}
+
+}  // namespace
+}  // namespace echolucent::cli
