@@ -63,7 +63,8 @@ HWY_INLINE DoubleVector basis(const BasisFactor& factor, DoubleVector intensity)
     const auto way = exactSum(hn::Mul(intensity, constant(factor.twice)), constant(-factor.centre2));
     const auto wayLost = hn::Sub(way.lost, constant(factor.centre2Lost));
     const auto inverseGap = constant(factor.inverseGap), magic = constant(roundsTo24Bits);
-    const auto unbounded = hn::Mul(way.value, inverseGap);
+    // Where the gap is a few ulps, what rounding drops is as large as the gap.
+    const auto unbounded = hn::Mul(hn::Add(way.value, wayLost), inverseGap);
     const auto near = hn::Lt(hn::Abs(unbounded), constant(far));
     const auto u = hn::Sub(hn::Add(hn::IfThenElseZero(near, unbounded), magic), magic);
     const auto remainder =

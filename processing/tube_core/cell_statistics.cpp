@@ -73,17 +73,21 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
     const std::uint32_t samples = static_cast<std::uint32_t>(cellSize * cellSize * cellSize);
     for (int i = cells.firstCell; i <= cells.lastCell; ++i) {
         const auto cell = slabs.subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(cellSize));
+        // As deviations from one slab's mean, so that equal slabs have that mean to the last bit and no spread.
+        const auto first =
+            std::find_if(cell.begin(), cell.end(), [](const SlabMoments& slab) { return slab.count > 0; });
+        const double near = first == cell.end() ? 0.0 : first->mean;
         std::uint32_t count = 0;
         double sum = 0.0, deviations = 0.0;
         for (const SlabMoments& slab : cell) {
             count += slab.count;
-            sum += slab.count * slab.mean;
+            sum += slab.count * (slab.mean - near);
         }
         if (2 * count < samples) {
             hold(cells, i);
             continue;
         }
-        const double mean = sum / count;
+        const double mean = near + sum / count;
         for (const SlabMoments& slab : cell)
             deviations += slab.squaredDeviations + slab.count * (slab.mean - mean) * (slab.mean - mean);
         set(cells, i, mean, deviations / count);

@@ -211,16 +211,18 @@ private:
     double m_white;
 };
 
-/// Two passes: no cancellation however large the mean is beside the spread.
+/// Two passes: no cancellation however large the mean is beside the spread. As deviations from the first value, so that
+/// equal values have that mean to the last bit and no spread.
 SlabMoments momentsOf(std::span<const double> values) {
+    const auto first = std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
     SlabMoments moments;
+    if (first == values.end()) return moments;
     for (const double value : values)
         if (!std::isnan(value)) {
             ++moments.count;
-            moments.mean += value;
+            moments.mean += value - *first;
         }
-    if (moments.count == 0) return moments;
-    moments.mean /= moments.count;
+    moments.mean = *first + moments.mean / moments.count;
     for (const double value : values)
         if (!std::isnan(value)) moments.squaredDeviations += (value - moments.mean) * (value - moments.mean);
     return moments;
