@@ -83,8 +83,8 @@ struct AdaptiveOtfConfig {
     int lowReach = 10;  ///< I_L: mean over so many of the last prior cells; 0: over all of them (Petersch 2005, 4.1)
     int highReach = 8;  ///< I_H: largest cell mean from the surface to so many cells behind it; 0: at the surface
     double falseAlarm = 3.25;    ///< ratio: least contrast, in standard deviations of the contrast where nothing is
-    double rampBegin = 0.6;      ///< ramp: an intensity is clear up to this share of the way from I_L to I_H
-    double rampEnd = 1.4;        ///< ramp: ... and full from this share on; above rampBegin
+    double rampBegin = 0.65;     ///< ramp: an intensity is clear up to this share of the way from I_L to I_H
+    double rampEnd = 1.25;       ///< ramp: ... and full from this share on; above rampBegin
     double rampOpacity = 1.0;    ///< ramp: opacity where all tube cores say surface, (0,1]
     double trustedShare = 0.05;  ///< ramp: share of the tube cores that must have a weight for the initial function to
                                  ///< have no say in the curve; below, both are mixed

@@ -207,7 +207,7 @@ TEST(AdaptiveOtf, LeavesOutNoDataAndBeginsAtTheFirstData) {
         EXPECT_GT(outside, 15);
         EXPECT_EQ(result.tubesMeetingVolume, 225 - outside);
     }
-    EXPECT_LT(*adapted(posing).tubes[224].lowIntensity, 30 / 255.0);
+    EXPECT_LT(*adapted(posing, {}, productOfVariance()).tubes[224].lowIntensity, 30 / 255.0);
 }
 
 TEST(AdaptiveOtf, GivesTheSameBitsOnAnyNumberOfThreads) {
