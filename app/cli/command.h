@@ -25,6 +25,7 @@ void addOtfCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
+void addSweepCommand(CLI::App& program, Action& action);
 
 /// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --all-voxels.
 struct VolumeOptions {

@@ -62,11 +62,12 @@ int main(int count, char** arguments) {
     addRenderCommand(program, action);
     addPhantomCommand(program, action);
     addStudyCommand(program, action);
+    addSweepCommand(program, action);
     try {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
         if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
-            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom or study.\n", word.c_str());
+            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study or sweep.\n", word.c_str());
             return 2;
         }
         return program.exit(error) == 0 ? 0 : 2;
