@@ -216,6 +216,7 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         const int cell = surface->cell + tube.firstCell;
         if (!describeSurface(cells, cell, config, tube)) return;
         readNeighbourhood(cells, config, tube);
+        tube.fluidSpread = scale.spreadAt(*tube.lowIntensity);
         tube.contrast = surface->contrast;
         tube.status = TubeStatus::surface;
         tube.surfaceVoxel = samples[t].onAxis(cell + (config.cellSize - 1) / 2.0);
@@ -245,7 +246,7 @@ std::string messageFor(const AdaptiveOtf& result) {
 /// The ramp form's curve; sets the trust in it.
 std::vector<double> rampLogOpacity(AdaptiveOtf& result) {
     const AdaptiveOtfConfig& config = result.config;
-    std::vector<double> curve = meanRamp(result.tubes, config.rampBegin, config.rampEnd, AdaptiveOtf::sampleCount);
+    std::vector<double> curve = meanRamp(result.tubes, config, AdaptiveOtf::sampleCount);
     const double needed = config.trustedShare * result.tubesMeetingVolume;
     result.trust = curve.empty() ? 0.0 : std::min(1.0, needed > 0.0 ? result.tubesWithSurface / needed : 1.0);
     curve.resize(AdaptiveOtf::sampleCount, 0.0);
@@ -288,6 +289,7 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (!between(config.falseAlarm, 0.0, 1e6)) return "the false alarm threshold must be 0 to 1000000";
     if (!between(config.rampBegin, -10.0, 10.0) || !between(config.rampEnd, config.rampBegin + 1e-3, 20.0))
         return "the ramp must begin at -10 to 10 and end behind that, at most at 20";
+    if (!between(config.clearSpreads, 0.0, 1000.0)) return "the clear spreads must be 0 to 1000";
     if (!between(config.rampOpacity, 1e-6, 1.0)) return "the ramp's opacity must be above 0, at most 1";
     if (!between(config.trustedShare, 0.0, 1.0)) return "the trusted share must be 0 to 1";
     if (!between(config.strength, 0.0, 1e12)) return "the strength must be 0 to 1e12";

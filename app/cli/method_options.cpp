@@ -78,6 +78,13 @@ void MethodOptions::addCurveAndGrid(CLI::App& command) {
              "T * d_max: how far all tube cores together bend the curve");
     addChoice(command, "--form", &AdaptiveOtfConfig::form, curveFormNames,
               "What the tube cores make of the initial function");
+    addField(command, "--ramp-begin", &AdaptiveOtfConfig::rampBegin, "SHARE",
+             "Ramp: clear up to this share of the way from I_L to I_H");
+    addField(command, "--ramp-end", &AdaptiveOtfConfig::rampEnd, "SHARE", "Ramp: full from this share on");
+    addField(command, "--ramp-opacity", &AdaptiveOtfConfig::rampOpacity, "A",
+             "Ramp: opacity where all tubes say surface");
+    addField(command, "--trusted-share", &AdaptiveOtfConfig::trustedShare, "SHARE",
+             "Ramp: share of weighted tube cores from which the initial function has no say");
     command.add_option("--tube-grid", tubeGrid, "Tube cores across and down the view (default 15x15)")
         ->type_name("NxM");
     addField(command, "--tube-spacing", &AdaptiveOtfConfig::tubeSpacing, "UNITS",
@@ -106,6 +113,12 @@ void MethodOptions::addDetection(CLI::App& command) {
              "Slope: central difference over +- this many units");
     addField(command, "--least-edge-to-noise", &AdaptiveOtfConfig::leastEdgeToNoise, "RATIO",
              "Weaker surfaces weigh nothing; 0: no test");
+    addField(command, "--low-reach", &AdaptiveOtfConfig::lowReach, "UNITS",
+             "I_L: mean over so many of the last prior cells; 0: over all of them");
+    addField(command, "--high-reach", &AdaptiveOtfConfig::highReach, "UNITS",
+             "I_H: largest cell mean up to so many units behind the surface; 0: at the surface");
+    addField(command, "--false-alarm", &AdaptiveOtfConfig::falseAlarm, "SIGMAS",
+             "Ratio: least contrast, in standard deviations of the contrast where nothing is");
     addField(command, "--rank-bins", &AdaptiveOtfConfig::rankBins, "N",
              "Bins of the weights' histograms; 0: exact ranks");
 }

@@ -27,11 +27,13 @@ namespace {
 struct Ramp {
     double from, perIntensity, weight;
 
-    Ramp(const TubeCore& tube, double begin, double end) : weight(tube.d) {
+    Ramp(const TubeCore& tube, const AdaptiveOtfConfig& config) : weight(tube.d) {
         const double rise = *tube.highIntensity - *tube.lowIntensity;
-        from = *tube.lowIntensity + begin * rise;
+        const double clear = std::max(config.rampBegin * rise, config.clearSpreads * tube.fluidSpread.value_or(0.0));
+        const double full = std::max(config.rampEnd * rise, clear + leastRampWidth * rise);
+        from = *tube.lowIntensity + clear;
         // A rise of next to nothing would vanish in the product, and 0 / 0 is no number.
-        perIntensity = 1.0 / std::max((end - begin) * rise, std::numeric_limits<double>::min());
+        perIntensity = 1.0 / std::max(full - clear, std::numeric_limits<double>::min());
     }
     [[nodiscard]] double at(double intensity) const {
         const double share = (intensity - from) * perIntensity;
@@ -43,14 +45,14 @@ struct Ramp {
 
 }  // namespace
 
-double rampAt(double intensity, const TubeCore& tube, double begin, double end) {
-    return Ramp(tube, begin, end).at(intensity);
+double rampAt(double intensity, const TubeCore& tube, const AdaptiveOtfConfig& config) {
+    return Ramp(tube, config).at(intensity);
 }
 
-std::vector<double> meanRamp(std::span<const TubeCore> tubes, double begin, double end, int count) {
+std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count) {
     std::vector<Ramp> ramps;
     for (const TubeCore& tube : tubes)
-        if (tube.d > 0.0) ramps.emplace_back(tube, begin, end);
+        if (tube.d > 0.0) ramps.emplace_back(tube, config);
     if (ramps.empty()) return {};
     // Summed in an order of their own: the same bits whatever the order of the tubes.
     std::sort(ramps.begin(), ramps.end());

@@ -297,7 +297,7 @@ TEST(AdaptiveOtfExtremes, HighIntensityEqualToLowOrOneUlpAbove) {
         weighTubes(tubes, 16, 1e6, 4.0);
         for (std::size_t t = 0; t < tubes.size(); ++t) EXPECT_EQ(tubes[t].d > 0.0, t % 2 == 1) << low << " " << t;
         const auto logOpacity = adaptedLogOpacity(PowerCurve{2, 1.0}, tubes, 256);
-        const auto ramp = meanRamp(tubes, 0.6, 1.2, 256);
+        const auto ramp = meanRamp(tubes, AdaptiveOtfConfig{}, 256);
         for (std::size_t i = 0; i < 256; ++i) {
             const double x = static_cast<double>(i) / 255;
             EXPECT_FALSE(std::isnan(logOpacity[i]));

@@ -52,6 +52,7 @@ private:
         add(tube.column, tube.row, tube.status, tube.firstCell, tube.surfaceCell);
         add(tube.entryVoxel, tube.surfaceVoxel);
         add(tube.lowIntensity, tube.highIntensity, tube.lowIntensityMax, tube.slope, tube.edgeToNoise, tube.contrast);
+        add(tube.fluidSpread);
         add(tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
         addAll(tube.cellMeans);
         addAll(tube.interfaceFunction);
@@ -133,12 +134,12 @@ TEST(SameBits, WhateverTheOrderOfTheTubes) {
     for (const std::size_t count : {std::size_t{225}, std::size_t{20000}}) {
         std::vector<TubeCore> tubes = tubesWithTies(count);
         const auto product = adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 256);
-        const auto ramp = meanRamp(tubes, 0.6, 1.2, 256);
+        const auto ramp = meanRamp(tubes, AdaptiveOtfConfig{}, 256);
         std::mt19937 random(4);
         for (int turn = 0; turn < 5; ++turn) {
             std::shuffle(tubes.begin(), tubes.end(), random);
             EXPECT_EQ(adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 256), product);
-            EXPECT_EQ(meanRamp(tubes, 0.6, 1.2, 256), ramp);
+            EXPECT_EQ(meanRamp(tubes, AdaptiveOtfConfig{}, 256), ramp);
         }
     }
 }
