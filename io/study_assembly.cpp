@@ -6,24 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "processing/white_level.h"
+
 namespace echolucent {
 
 namespace {
 
-/// Largest finite value of all phases, so that they share one white level; none for 8 bits.
-std::optional<double> sharedWhiteLevel(const std::vector<Voxels>& phases) {
-    double largest = 0.0;
-    for (const Voxels& phase : phases) {
-        if (std::holds_alternative<std::vector<std::uint8_t>>(phase)) return std::nullopt;
-        std::visit(
-            [&](const auto& values) {
-                for (const auto value : values)
-                    if (std::isfinite(static_cast<double>(value)))
-                        largest = std::max(largest, static_cast<double>(value));
-            },
-            phase);
-    }
-    return largest > 0 ? std::optional(largest) : std::nullopt;
+/// A sentence where absurd voxels were left out of the white level; else empty.
+std::string absurdVoxelsWarning(const WhiteLevel& white) {
+    if (white.above == 0) return {};
+    return fmt::format(
+        "{} voxels hold values up to {:.3g}, beyond all reason beside the others: the white level is {:.6g} without them, "
+        "and they are shown as white.",
+        white.above, white.largest, white.level);
 }
 
 Volume withGuess(Volume volume, const ReadOptions& options) {
@@ -128,7 +123,14 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     if (!whiteLevel) {
         const bool eightBit = std::holds_alternative<std::vector<std::uint8_t>>(parts.voxels.phases.front());
         whiteLevelSource = eightBit ? "8-bit voxels" : "largest value in the data";
-        whiteLevel = sharedWhiteLevel(parts.voxels.phases);
+        if (!eightBit) {
+            const WhiteLevel white = whiteLevelOf(parts.voxels.phases);
+            if (white.level > 0) whiteLevel = white.level;
+            if (std::string warning = absurdVoxelsWarning(white); !warning.empty()) {
+                whiteLevelSource = "largest value in the data that is not absurd";
+                study.warnings.push_back(std::move(warning));
+            }
+        }
     }
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "processing/white_level.h"
+
 namespace echolucent {
 
 double VolumeGeometry::unit() const { return std::min({spacing[0], spacing[1], spacing[2]}); }
@@ -32,17 +34,6 @@ void requireValid(const VolumeGeometry& geometry, std::size_t voxels) {
         throw std::invalid_argument("Volume: the number of voxels does not match the size");
 }
 
-double largestFinite(const Voxels& voxels) {
-    return std::visit(
-        [](const auto& values) {
-            double largest = 0.0;
-            for (const auto value : values)
-                if (std::isfinite(static_cast<double>(value))) largest = std::max(largest, static_cast<double>(value));
-            return largest;
-        },
-        voxels);
-}
-
 std::vector<std::uint8_t> finiteMask(const Voxels& voxels) {
     const auto* values = std::get_if<std::vector<float>>(&voxels);
     if (values == nullptr || std::all_of(values->begin(), values->end(), [](float v) { return std::isfinite(v); }))
@@ -62,8 +53,8 @@ Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whi
         m_whiteLevel = *whiteLevel;
     else if (std::holds_alternative<std::vector<std::uint8_t>>(*m_voxels))
         m_whiteLevel = 255.0;
-    else if (const double largest = largestFinite(*m_voxels); largest > 0)
-        m_whiteLevel = largest;
+    else if (const double level = whiteLevelOf({m_voxels.get(), 1}).level; level > 0)
+        m_whiteLevel = level;
     m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(finiteMask(*m_voxels));
 }
 

@@ -48,8 +48,9 @@ struct VolumeGeometry {
 /// One volume (one phase of a 4D study).
 class Volume {
 public:
-    /// Takes the voxels. whiteLevel: the stored value that is normalised intensity 1; none: 255 for 8 bits, else the
-    /// largest finite value (1 where there is none above 0). Float voxels that are not finite count as no data.
+    /// Takes the voxels. whiteLevel: the stored value that is normalised intensity 1; none: 255 for 8 bits, else
+    /// whiteLevelOf() these voxels, the largest but for absurd ones (1 where there is none above 0). Float voxels that
+    /// are not finite count as no data.
     /// Throws std::invalid_argument where sizes disagree or geometry is not valid (readers check before).
     Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
 

@@ -10,7 +10,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyOtfCommand(study, action);
     addStudyContrastCommand(study, action);
     addStudyMotionCommand(study, action);
-    // addStudyStabilityCommand(study, action);
+    addStudyStabilityCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

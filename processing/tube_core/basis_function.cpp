@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+
+#include "processing/tube_core/basis_factor.h"
 
 namespace echolucent {
 
 double basisFunction(double intensity, double low, double high) {
-    const double u = ((intensity - low) + (intensity - high)) / (high - low);
-    // A gap of a few ulps makes u overflow: far from it the function is 0.
-    if (!(std::abs(u) < 1e6)) return 0.0;
-    return u * std::exp((1.0 - u * u) / 2.0);
+    const BasisFactor factor(low, high, 1.0);
+    double value = 0.0, lost = 0.0;
+    addFactors({&factor, 1}, {&intensity, 1}, {&value, 1}, {&lost, 1});
+    return value;
 }
 
 void CompensatedSum::add(double term) {
@@ -21,29 +24,43 @@ void CompensatedSum::add(double term) {
     m_sum = sum;
 }
 
-std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<const TubeCore> tubes, int count) {
-    struct Factor {
-        double logRange, low, high;
-    };
-    std::vector<Factor> factors;
-    for (const TubeCore& tube : tubes)
-        if (tube.d > 0.0) factors.push_back({std::log1p(tube.d), *tube.lowIntensity, *tube.highIntensity});
+namespace {
 
-    std::vector<double> logOpacity(static_cast<std::size_t>(count));
-    tbb::parallel_for(tbb::blocked_range<int>(0, count, 32), [&](const tbb::blocked_range<int>& samples) {
-        for (int i = samples.begin(); i < samples.end(); ++i) {
-            const double x = static_cast<double>(i) / (count - 1);
-            const double initialLog = logOpacityAt(initial, x);
-            CompensatedSum sum;
-            if (std::isfinite(initialLog)) {
-                sum.add(initialLog);
-                for (const Factor& factor : factors)
-                    sum.add(factor.logRange * basisFunction(x, factor.low, factor.high));
-            }
-            logOpacity[static_cast<std::size_t>(i)] = std::isfinite(initialLog) ? sum.value() : initialLog;
-        }
-    });
-    return logOpacity;
+/// The factors of the tubes that have a weight, in an order that does not depend on that of the tubes.
+std::vector<BasisFactor> factorsOf(std::span<const TubeCore> tubes) {
+    std::vector<std::tuple<double, double, double>> keys;
+    for (const TubeCore& tube : tubes)
+        if (tube.d > 0.0) keys.emplace_back(*tube.lowIntensity, *tube.highIntensity, tube.d);
+    std::sort(keys.begin(), keys.end());
+    std::vector<BasisFactor> factors;
+    factors.reserve(keys.size());
+    for (const auto& [low, high, d] : keys) factors.emplace_back(low, high, std::log1p(d));
+    return factors;
+}
+
+}  // namespace
+
+std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<const TubeCore> tubes, int count) {
+    const std::vector<BasisFactor> factors = factorsOf(tubes);
+    const auto size = static_cast<std::size_t>(count);
+    std::vector<double> intensities(size), sums(size, 0.0), lost(size, 0.0);
+    for (std::size_t i = 0; i < size; ++i) {
+        intensities[i] = static_cast<double>(i) / (count - 1);
+        if (const double first = logOpacityAt(initial, intensities[i]); std::isfinite(first)) sums[i] = first;
+    }
+    const auto partOf = [](auto& values, const tbb::blocked_range<std::size_t>& range) {
+        return std::span(values).subspan(range.begin(), range.size());
+    };
+    constexpr std::size_t grain = 32;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, grain),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          addFactors(factors, partOf(intensities, range), partOf(sums, range), partOf(lost, range));
+                      });
+    for (std::size_t i = 0; i < size; ++i) {
+        const double first = logOpacityAt(initial, intensities[i]);
+        sums[i] = std::isfinite(first) ? sums[i] + lost[i] : first;
+    }
+    return sums;
 }
 
 SampledCurve curveFromLogOpacity(std::span<const double> logOpacity) {

@@ -18,9 +18,10 @@ private:
     double m_sum = 0.0, m_lost = 0.0;
 };
 
-/// ln initial(x) + sum over tubes of ln(1 + d) g(x) at `count` equidistant intensities 0 ... 1, before any clamp;
-/// -infinity where the initial function is 0. Summed in the tubes' order at every intensity: the same bits for any
-/// number of threads.
+/// ln initial(x) + sum over tubes of ln(1 + d) g(x) at `count` (>= 2) equidistant intensities 0 ... 1, before any
+/// clamp; -infinity where the initial function is 0. Tubes without a weight are left out. Compensated, and summed in
+/// the order of I_L, I_H, d at every intensity: the same bits for any order of the tubes, number of threads and
+/// instruction set.
 [[nodiscard]] std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<const TubeCore> tubes,
                                                     int count);
 

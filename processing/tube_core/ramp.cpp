@@ -1,7 +1,9 @@
 #include "processing/tube_core/ramp.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+
+#include "processing/tube_core/basis_function.h"
 
 namespace echolucent {
 
@@ -19,26 +21,57 @@ void readNeighbourhood(const CellStatistics& cells, const AdaptiveOtfConfig& con
         tube.highIntensity = std::max(*tube.highIntensity, meanOf(cell));
 }
 
+namespace {
+
+/// A ramp prepared for many intensities.
+struct Ramp {
+    double from, perIntensity, weight;
+
+    Ramp(const TubeCore& tube, const AdaptiveOtfConfig& config) : weight(tube.d) {
+        const double rise = *tube.highIntensity - *tube.lowIntensity;
+        const double clear = std::max(config.rampBegin * rise, config.clearSpreads * tube.fluidSpread.value_or(0.0));
+        const double full = std::max(config.rampEnd * rise, clear + leastRampWidth * rise);
+        from = *tube.lowIntensity + clear;
+        // A rise of next to nothing would vanish in the product, and 0 / 0 is no number.
+        perIntensity = 1.0 / std::max(full - clear, std::numeric_limits<double>::min());
+    }
+    [[nodiscard]] double at(double intensity) const {
+        const double share = (intensity - from) * perIntensity;
+        const double risen = share > 0.0 ? share : 0.0;
+        return risen < 1.0 ? risen : 1.0;
+    }
+    friend auto operator<=>(const Ramp&, const Ramp&) = default;
+};
+
+}  // namespace
+
 double rampAt(double intensity, const TubeCore& tube, const AdaptiveOtfConfig& config) {
-    const double rise = *tube.highIntensity - *tube.lowIntensity;
-    const double from = std::max(config.rampBegin * rise, config.clearSpreads * tube.fluidSpread.value_or(0.0));
-    const double to = std::max(config.rampEnd * rise, from + leastRampWidth * rise);
-    return std::clamp((intensity - *tube.lowIntensity - from) / (to - from), 0.0, 1.0);
+    return Ramp(tube, config).at(intensity);
 }
 
 std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count) {
+    std::vector<Ramp> ramps;
+    for (const TubeCore& tube : tubes)
+        if (tube.d > 0.0) ramps.emplace_back(tube, config);
+    if (ramps.empty()) return {};
+    // Summed in an order of their own: the same bits whatever the order of the tubes.
+    std::sort(ramps.begin(), ramps.end());
     const auto size = static_cast<std::size_t>(count);
-    std::vector<double> ramp(size, 0.0);
-    double weight = 0.0;
-    for (const TubeCore& tube : tubes) {
-        if (!(tube.d > 0.0)) continue;
-        weight += tube.d;
-        for (std::size_t i = 0; i < size; ++i)
-            ramp[i] += tube.d * rampAt(static_cast<double>(i) / (count - 1), tube, config);
+    CompensatedSum weight;
+    std::vector<double> intensities(size), mean(size, 0.0), lost(size, 0.0);
+    for (std::size_t i = 0; i < size; ++i) intensities[i] = static_cast<double>(i) / (count - 1);
+    for (const Ramp& ramp : ramps) {
+        weight.add(ramp.weight);
+        for (std::size_t i = 0; i < size; ++i) {
+            // What rounding drops is kept (Knuth's two-sum, which has no branch).
+            const double term = ramp.weight * ramp.at(intensities[i]), sum = mean[i] + term;
+            const double ofTerm = sum - mean[i];
+            lost[i] += (mean[i] - (sum - ofTerm)) + (term - ofTerm);
+            mean[i] = sum;
+        }
     }
-    if (weight == 0.0) return {};
-    for (double& value : ramp) value = std::min(1.0, value / weight);
-    return ramp;
+    for (std::size_t i = 0; i < size; ++i) mean[i] = std::min(1.0, (mean[i] + lost[i]) / weight.value());
+    return mean;
 }
 
 }  // namespace echolucent

@@ -23,7 +23,8 @@ void readNeighbourhood(const CellStatistics& cells, const AdaptiveOtfConfig& con
 inline constexpr double leastRampWidth = 0.3;
 
 /// The tubes' ramps at `count` equidistant intensities 0 ... 1, their mean weighted by d: how surely an intensity is
-/// surface, [0,1]; empty: no tube has a weight. The same bits for any number of threads.
+/// surface, [0,1]; empty: no tube has a weight. Compensated and summed in an order of the ramps' own: the same bits for
+/// any order of the tubes.
 [[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count);
 
 }  // namespace echolucent

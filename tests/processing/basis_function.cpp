@@ -39,6 +39,18 @@ TEST(BasisFunction, StaysFiniteForAGapOfOneUlp) {
     EXPECT_EQ(basisFunction(high, low, high), 1.0);
     EXPECT_EQ(basisFunction(0.0, low, high), 0.0);
     EXPECT_EQ(basisFunction(1.0, 5e-324, 1e-323), 0.0);
+    EXPECT_EQ(basisFunction(5e-324, 5e-324, 1e-323), -1.0);
+    EXPECT_EQ(basisFunction(1e-323, 5e-324, 1e-323), 1.0);
+    for (const double gap : {1.0, 2.0, 3.0, 5.0, 7.0, 1000.0}) {
+        // A few ulps apart; in between and beside: u of small odd numbers over the gap.
+        const double end = low + gap * 0x1p-53 * 2;
+        for (int i = -3; i <= 2000; i += i < 12 ? 1 : 331) {
+            const long double u = (2.0L * i - gap) / gap;
+            EXPECT_NEAR(basisFunction(low + i * 0x1p-52, low, end), static_cast<double>(u * std::exp((1 - u * u) / 2)),
+                        4e-16)
+                << gap << " " << i;
+        }
+    }
 }
 
 TEST(CompensatedSum, KeepsWhatRoundingDrops) {
