@@ -55,12 +55,13 @@ void tableValues(const double* table, std::size_t samples, const float* position
         const hn::Rebind<float, decltype(tag)> floats;
         const hn::RebindToSigned<decltype(tag)> offsets;
         const auto intervals = hn::Set(tag, static_cast<double>(samples - 1));
-        const auto inside = hn::Min(hn::Max(hn::PromoteTo(tag, hn::LoadU(floats, positions + i)), hn::Zero(tag)),
-                                    hn::Set(tag, 1.0));
+        const auto inside =
+            hn::Min(hn::Max(hn::PromoteTo(tag, hn::LoadU(floats, positions + i)), hn::Zero(tag)), hn::Set(tag, 1.0));
         const auto position = hn::Mul(inside, intervals);
         const auto low = hn::Min(hn::Floor(position), hn::Sub(intervals, hn::Set(tag, 1.0)));
-        const auto index = hn::BitCast(offsets, hn::Sub(hn::BitCast(offsets, hn::Add(low, hn::Set(tag, 4503599627370496.0))),
-                                                        hn::BitCast(offsets, hn::Set(tag, 4503599627370496.0))));
+        const auto index =
+            hn::BitCast(offsets, hn::Sub(hn::BitCast(offsets, hn::Add(low, hn::Set(tag, 4503599627370496.0))),
+                                         hn::BitCast(offsets, hn::Set(tag, 4503599627370496.0))));
         const auto left = hn::GatherIndex(tag, table, index), right = hn::GatherIndex(tag, table + 1, index);
         const auto value = hn::Add(left, hn::Mul(hn::Sub(position, low), hn::Sub(right, left)));
         hn::StoreU(hn::DemoteTo(floats, value), floats, values + i);
@@ -73,7 +74,8 @@ void differences(const float* profile, int before, int behind, std::size_t count
         const auto meanOf = [&](std::size_t first, int length) HWY_ATTR {
             auto sum = hn::Zero(tag);
             for (int k = 0; k < length; ++k)
-                sum = hn::Add(sum, hn::PromoteTo(tag, hn::LoadU(floats, profile + first + static_cast<std::size_t>(k))));
+                sum =
+                    hn::Add(sum, hn::PromoteTo(tag, hn::LoadU(floats, profile + first + static_cast<std::size_t>(k))));
             return hn::Mul(sum, hn::Set(tag, 1.0 / length));
         };
         const auto difference = hn::Sub(meanOf(i + static_cast<std::size_t>(before), behind), meanOf(i, before));
