@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/picture_words.h"
 #include "io/picture_file.h"
 #include "processing/ray_caster.h"
 
@@ -78,16 +77,6 @@ OpacityCurve curveFor(const Volume& volume, const View& view, const std::optiona
     return otf->curve;
 }
 
-/// Words in the lower left corner, as large as a sixteenth of the picture's height allows.
-void writeInto(std::vector<std::uint8_t>& rgb, int width, int height, const char* words) {
-    cv::Mat image(height, width, CV_8UC3, rgb.data());
-    const double scale = std::clamp(height / 512.0, 0.3, 4.0) * 0.6;
-    const cv::Point corner(width / 50 + 1, height - height / 50 - 2);
-    // Dark under light, so that it can be read on any picture.
-    cv::putText(image, words, corner, cv::FONT_HERSHEY_SIMPLEX, scale, cv::Scalar(0, 0, 0), 3, cv::LINE_AA);
-    cv::putText(image, words, corner, cv::FONT_HERSHEY_SIMPLEX, scale, cv::Scalar(255, 255, 255), 1, cv::LINE_AA);
-}
-
 Result<void> render(const RenderOptions& options) {
     if (auto distinct = differentFiles({options.volume.path, options.output}); !distinct) return distinct;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
@@ -120,7 +109,7 @@ Result<void> render(const RenderOptions& options) {
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
     const auto picture = castRays(**volume, curveFor(**volume, *view, named, *config), *settings);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
-    if (!geometry.spacingKnown) writeInto(rgb, picture->width, picture->height, "spacing unknown");
+    if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
     return writePng(options.output, picture->width, picture->height, rgb);
 }
 

@@ -9,7 +9,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     study.fallthrough();
     addStudyOtfCommand(study, action);
     addStudyContrastCommand(study, action);
-    // addStudyMotionCommand(study, action);
+    addStudyMotionCommand(study, action);
     // addStudyStabilityCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }

@@ -34,13 +34,31 @@ struct SweptOtf {
     int tubesWithSurface = 0;
 };
 
+[[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
+
 /// The frames of a probe that turns from `from` to `to` degrees in steps; where there are several phases, the object
-/// moves by one phase a frame, over and over.
+/// moves by one phase a frame, over and over. `to` below `from` turns backwards; `to` itself is a frame where the range
+/// is a whole number of steps. Throws std::invalid_argument for angles that are not finite, a step not above 0, no
+/// phase, or more than a million frames.
 [[nodiscard]] std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to,
                                                   double step, int phases);
 
+/// What moves, for as many frames as the angles have steps: the three scenarios of Petersch 2005, section 5.
+struct Motion {
+    SweepAxis axis = SweepAxis::y;
+    double from = -45.0, to = 45.0, step = 1.0;  ///< degrees, as for sweepFrames()
+    bool probeMoves = true;                      ///< false: every frame has the first view, degrees 0
+    bool objectMoves = false;                    ///< phases follow each other; false: firstPhase stays
+    int firstPhase = 0;
+};
+/// phases: of the study. Throws std::invalid_argument as sweepFrames() does, and where firstPhase is not one of them.
+[[nodiscard]] std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases);
+
 /// Computes every frame's OTF. phases: the volumes of the study, by phase. Empty only where cancelled.
-/// Frames are computed side by side; the same bits for any number of threads.
+/// Frames are computed side by side; the same bits for any number of threads. Frames of one phase and view are computed
+/// once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs in frame order
+/// afterwards: frame times must not descend. Throws std::invalid_argument where a phase is not there or
+/// problemOf(config) is not empty.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,

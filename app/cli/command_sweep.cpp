@@ -1,0 +1,210 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/picture_words.h"
+#include "app/cli/sweep_report.h"
+#include "io/atomic_file.h"
+#include "io/movie_file.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct SweepOptions {
+    VolumeOptions volume;
+    ViewOptions view;
+    MethodOptions method;
+    std::string axis = "y", smoothing = "least-flicker", object = "still", probe = "moving", size = "512x512";
+    double from = -45, to = 45, step = 1, frameRate = 25;
+    bool oneOtf = false, pictureFlicker = false, shade = false;
+    std::string csv, json, movie;
+};
+
+constexpr double largestPictureEdge = 4096;
+constexpr double mostFrames = 100'000;
+
+tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
+    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
+}
+
+Result<Motion> motionFrom(const SweepOptions& options) {
+    const auto isAngle = [](double degrees) { return std::abs(degrees) <= 36000.0; };
+    if (!isAngle(options.from) || !isAngle(options.to))
+        return wrong("--from and --to", "must be angles in degrees, -36000 to 36000");
+    if (!(options.step > 0.0) || !std::isfinite(options.step)) return wrong("--step", "must be above 0 degrees");
+    if (std::abs(options.to - options.from) / options.step > mostFrames)
+        return wrong("--step", "makes more than 100000 frames", "Use a larger one.");
+    Motion motion{
+        .axis = *sweepAxisFromName(options.axis), .from = options.from, .to = options.to, .step = options.step};
+    motion.probeMoves = options.probe == "moving";
+    motion.objectMoves = options.object == "moving";
+    motion.firstPhase = options.volume.phase;
+    if (!motion.probeMoves && !motion.objectMoves)
+        return wrong("--probe", "is still, and so is the object", "Use --object moving with a 4D volume.");
+    return motion;
+}
+
+Result<RayCastSettings> settingsFrom(const SweepOptions& options) {
+    const auto size = parseNumbers(options.size, 2, "--size");
+    if (!size) return tl::unexpected<Failure>(size.error());
+    for (const double edge : *size)
+        if (!(edge >= 1 && edge <= largestPictureEdge) || edge != std::floor(edge))
+            return wrong("--size", "must be two whole numbers from 1 to 4096", "Write it as 512x512.");
+    if (!(options.frameRate >= 1 && options.frameRate <= 1000))
+        return wrong("--frame-rate", "must be 1 to 1000 a second");
+    RayCastSettings settings;
+    settings.width = static_cast<int>((*size)[0]);
+    settings.height = static_cast<int>((*size)[1]);
+    if (options.shade) settings.shading = Shading{};
+    return settings;
+}
+
+/// The OTF of the view from which the probe turns, for all frames: what a person sees who computes no other.
+std::vector<SweptOtf> withOneOtf(const Study& study, const View& start, const std::vector<SweepFrame>& frames,
+                                 const AdaptiveOtfConfig& config, int phase) {
+    const auto otf = adaptOpacity(*study.phases[static_cast<std::size_t>(phase)], start, config);
+    double sumOfD = 0.0;
+    for (const TubeCore& tube : otf->tubes) sumOfD += tube.d;
+    std::vector<SweptOtf> swept;
+    for (const SweepFrame& frame : frames)
+        swept.push_back({frame, otf->curve, otf->curve, sumOfD, otf->tubesWithSurface});
+    return swept;
+}
+
+Result<void> writeMovie(const SweepOptions& options, const Study& study, const std::vector<SweptOtf>& swept,
+                        const RayCastSettings& settings) {
+    auto movie = MovieFile::begin(options.movie, settings.width, settings.height, options.frameRate);
+    if (!movie) return tl::unexpected<Failure>(movie.error());
+    const FrameRenderer render = frameRenderer(study.phases, framesOf(swept), settings);
+    for (const SweptOtf& frame : swept) {
+        std::vector<std::uint8_t> rgb = overBackground(*render(frame.frame, frame.shown), Vec3(0, 0, 0));
+        if (!study.phases.front()->geometry().spacingKnown)
+            writeWords(rgb, settings.width, settings.height, "spacing unknown");
+        if (auto added = movie->add(rgb); !added) return added;
+    }
+    return movie->finish();
+}
+
+Result<void> write(const SweepOptions& options, const Study& study, SweepReport& report,
+                   const RayCastSettings& settings) {
+    if (options.pictureFlicker) {
+        const std::vector<SweepFrame> frames = framesOf(report.frames);
+        const FrameRenderer render = frameRenderer(study.phases, frames, settings);
+        report.unsmoothedPictures = pictureFlicker(frames, unsmoothedOf(report.frames), render);
+        report.shownPictures = pictureFlicker(frames, shownOf(report.frames), render);
+    }
+    if (!options.csv.empty())
+        if (auto done = writeFileAtomically(options.csv, sweepTable(report.frames)); !done) return done;
+    if (!options.json.empty())
+        if (auto done = writeFileAtomically(options.json, sweepJson(report)); !done) return done;
+    if (options.csv.empty() && options.json.empty() && options.movie.empty())
+        return writeFileAtomically("-", sweepSummary(report));
+    return {};
+}
+
+void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bool pictures) {
+    const auto without =
+        std::count_if(swept.begin(), swept.end(), [](const SweptOtf& frame) { return frame.tubesWithSurface == 0; });
+    if (without > 0)
+        std::fprintf(stderr, "No surface found in %d of %d frames: the initial function is used there.\n",
+                     static_cast<int>(without), static_cast<int>(swept.size()));
+    if (pictures && !study.phases.front()->geometry().spacingKnown)
+        std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the movie may be wrong.\n");
+}
+
+Result<void> checkOutputs(const SweepOptions& options) {
+    if ((options.json == "-") + (options.csv == "-") + (options.movie == "-") > 1)
+        return wrong("", "only one of --csv, --json and --movie can go to standard output");
+    return differentFiles({options.volume.path, options.csv, options.json, options.movie});
+}
+
+Result<void> sweep(const SweepOptions& options) {
+    if (auto possible = checkOutputs(options); !possible) return possible;
+    const auto motion = motionFrom(options);
+    if (!motion) return tl::unexpected<Failure>(motion.error());
+    const auto settings = settingsFrom(options);
+    if (!settings) return tl::unexpected<Failure>(settings.error());
+    const auto view = options.view.get();
+    if (!view) return tl::unexpected<Failure>(view.error());
+    const auto config = options.method.get();
+    if (!config) return tl::unexpected<Failure>(config.error());
+    const auto study = options.volume.readAll();
+    if (!study) return tl::unexpected<Failure>(study.error());
+    if (motion->objectMoves && study->phases.size() < 2)
+        return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
+                    "Use --object still, or a 4D volume.");
+
+    const auto frames = motionFrames(*view, *motion, static_cast<int>(study->phases.size()));
+    SweepReport report{.volume = options.volume.path, .start = *view, .motion = *motion};
+    if (!options.oneOtf) report.smoothing = otfSmoothingFromName(options.smoothing);
+    const std::vector<SweptOtf> swept = report.smoothing
+                                            ? *sweepOtfs(study->phases, frames, *config, *report.smoothing)
+                                            : withOneOtf(*study, *view, frames, *config, motion->firstPhase);
+    report.frames = swept;
+    sayWhatIsMissing(*study, swept, !options.movie.empty());
+    if (auto done = write(options, *study, report, *settings); !done) return done;
+    return options.movie.empty() ? Result<void>() : writeMovie(options, *study, swept, *settings);
+}
+
+void addMotion(CLI::App& command, SweepOptions& options) {
+    const auto movement = CLI::IsMember({"still", "moving"});
+    command.add_option("--axis", options.axis, "Axis of the view about which the probe turns: x, y or z")
+        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->capture_default_str();
+    command.add_option("--from", options.from, "First angle from the given view, degrees")
+        ->type_name("DEG")
+        ->capture_default_str();
+    command.add_option("--to", options.to, "Last angle, degrees")->type_name("DEG")->capture_default_str();
+    command.add_option("--step", options.step, "Degrees a frame")->type_name("DEG")->capture_default_str();
+    command.add_option("--probe", options.probe, "still (every frame from the given view) or moving")
+        ->check(movement)
+        ->capture_default_str();
+    command
+        .add_option("--object", options.object, "still, or moving: a 4D volume's phases, one a frame, over and over")
+        ->check(movement)
+        ->capture_default_str();
+    auto* smoothing =
+        command.add_option("--smoothing", options.smoothing, "none, mean, mls or least-flicker (docs/motion.md)")
+            ->check(CLI::IsMember({"none", "mean", "mls", "least-flicker"}))
+            ->capture_default_str();
+    command.add_flag("--static", options.oneOtf, "One OTF, that of the given view, for all frames")
+        ->excludes(smoothing);
+}
+
+void addOutputs(CLI::App& command, SweepOptions& options) {
+    command.add_option("--csv", options.csv, "The OTFs as shown, one frame a row; - is standard output")
+        ->type_name("FILE");
+    command.add_option("--json", options.json, "Frames and flicker figures; - is standard output")->type_name("FILE");
+    command.add_option("--movie", options.movie, "The rendered frames, Motion JPEG in AVI")->type_name("FILE.avi");
+    command.add_flag("--picture-flicker", options.pictureFlicker,
+                     "Also the flicker of the pictures, into the JSON: renders each frame up to six times");
+    command.add_option("--size", options.size, "Pixels of the movie and of --picture-flicker")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_option("--frame-rate", options.frameRate, "Frames a second of the movie")
+        ->type_name("RATE")
+        ->capture_default_str();
+    command.add_flag("--shade", options.shade, "Gradient shading: light from the upper left in front");
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<SweepOptions>();
+    CLI::App& command = *program.add_subcommand("sweep", "The OTFs of a moving probe, a moving object, or both");
+    options->volume.addTo(command);
+    addMotion(command, *options);
+    addOutputs(command, *options);
+    options->view.addTo(command);
+    options->method.addTo(command);
+    command.footer(
+        "Example: echolucent-cli sweep heart.nrrd --beam-axis +y --near 110 --object moving --movie heart.avi");
+    command.callback([options, &action] { action = [options] { return sweep(*options); }; });
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,74 @@
+// What `study motion` measures of one motion.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/motion/flicker.h"
+#include "processing/motion/otf_sweep.h"
+
+namespace echolucent::cli {
+
+/// One motion of one study.
+struct MotionCase {
+    std::string name;   ///< of files: "fetus_both"
+    std::string title;  ///< "Simulated fetus, probe and object move"
+    std::vector<std::shared_ptr<const Volume>> phases;
+    View start;
+    Motion motion;
+    bool stills = false;  ///< whether the page shows pictures of it
+};
+
+/// A way to choose the OTFs of the frames; none: one OTF, that of the first view, for all of them.
+using MotionMode = std::optional<OtfSmoothing>;
+/// static, none, mean, mls, least-flicker.
+[[nodiscard]] std::vector<MotionMode> motionModes();
+[[nodiscard]] std::string nameOf(const MotionMode& mode);
+
+/// The course of the OTFs in one mode.
+struct ModeFigures {
+    MotionMode mode;
+    std::vector<SampledCurve> shown;
+    double otfFlicker = 0.0;
+    PictureFlicker pictures;
+    double lowest = 0.0, highest = 0.0;  ///< opacities before they are clamped to [0,1]
+};
+
+/// How far apart the OTFs of two frames are, and the pictures of the first view made with them.
+struct CurveDifference {
+    std::string name;  ///< "-45 and 0 degrees"
+    double rms = 0.0, largest = 0.0, pictureRms = 0.0;
+};
+
+/// Flicker left by leastFlicker where opacities are smoothed as another quantity, share of the unsmoothed flicker.
+struct DomainFigures {
+    double opacity = 0.0, logarithm = 0.0, extinction = 0.0;
+};
+
+struct Still {
+    std::string caption;
+    Picture picture;
+};
+
+struct MotionFigures {
+    MotionCase motionCase;
+    std::vector<SweptOtf> frames;    ///< unsmoothed
+    SampledCurve initial, oneOtf;    ///< the initial function; the OTF of the start view and first phase
+    std::vector<ModeFigures> modes;  ///< in the order of motionModes()
+    std::vector<CurveDifference> differences;
+    double adaptation = 0.0;         ///< RMS difference between oneOtf and the initial function: what to compare with
+    double adaptationPicture = 0.0;  ///< and of the pictures made with them
+    /// RMS over pixels and frames between pictures with oneOtf and with the OTF of each frame, and the largest RMS of
+    /// one frame.
+    double staticPictureRms = 0.0, worstStaticPictureRms = 0.0;
+    DomainFigures domains;
+    std::vector<Still> stills;
+};
+
+/// edge: pixels of the square pictures that are compared; stillEdge: of those that are shown.
+[[nodiscard]] MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfig& config, int edge,
+                                          int stillEdge);
+
+}  // namespace echolucent::cli

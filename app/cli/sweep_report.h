@@ -1,0 +1,36 @@
+// A sweep as text: JSON, CSV and a summary for a person. docs/cli-sweep.md describes each field and column.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "processing/motion/flicker.h"
+#include "processing/motion/otf_sweep.h"
+
+namespace echolucent::cli {
+
+struct SweepReport {
+    std::string volume = {};  ///< as the person named it
+    View start = {};
+    Motion motion = {};
+    std::optional<OtfSmoothing> smoothing = {};  ///< none: one OTF for all frames
+    std::span<const SweptOtf> frames = {};
+    std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< where they were asked for
+};
+
+/// "x", "y", "z".
+[[nodiscard]] std::string_view nameOf(SweepAxis axis);
+[[nodiscard]] std::optional<SweepAxis> sweepAxisFromName(std::string_view name);
+
+/// One JSON object, numbers round-trip, ends with a newline.
+[[nodiscard]] std::string sweepJson(const SweepReport& report);
+/// A header and a row a frame.
+[[nodiscard]] std::string sweepTable(std::span<const SweptOtf> frames);
+[[nodiscard]] std::string sweepSummary(const SweepReport& report);
+
+/// The course of the OTFs that were computed, and of those shown.
+[[nodiscard]] std::vector<SampledCurve> unsmoothedOf(std::span<const SweptOtf> frames);
+[[nodiscard]] std::vector<SampledCurve> shownOf(std::span<const SweptOtf> frames);
+
+}  // namespace echolucent::cli

@@ -1,0 +1,18 @@
+// What the movie module offers, in plain C: it is loaded only when a movie is written (io/movie_file.h).
+#pragma once
+
+#include <cstdint>
+
+extern "C" {
+
+/// An encoder of Motion JPEG in AVI that writes to `path`, or null. Pictures have this size, 8-bit RGB, rows from the
+/// top.
+[[nodiscard]] void* echolucentOpenMovie(const char* path, int width, int height, double framesPerSecond);
+/// Adds a picture of width * height * 3 bytes. Any other result than 0: it could not be encoded.
+[[nodiscard]] int echolucentAddPicture(void* encoder, const std::uint8_t* rgb);
+/// Ends the file and frees the encoder.
+void echolucentCloseMovie(void* encoder);
+/// How many pictures can be read from a movie file; below 0: it is none.
+[[nodiscard]] int echolucentCountPictures(const char* path);
+
+}  // extern "C"

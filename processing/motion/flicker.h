@@ -1,0 +1,60 @@
+// How much OTFs and pictures flicker in a motion, and how late a smoothing shows a change.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "processing/motion/otf_smoothing.h"
+#include "processing/motion/otf_sweep.h"
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+/// Flicker of OTFs: RMS, over the intensities and over the frames from the third on, of the second temporal difference
+/// of opacity, alpha_k - 2 alpha_(k-1) + alpha_(k-2). A steady change counts for nothing. 0 for fewer than three
+/// frames. Throws std::invalid_argument where the numbers of samples differ.
+[[nodiscard]] double otfFlicker(std::span<const SampledCurve> otfs);
+
+/// Root of the mean squared difference over pixels and colours (red, green, blue over black, in [0,1]); largest: the
+/// largest absolute one. Throws std::invalid_argument where the sizes differ.
+struct PictureDifference {
+    double rms = 0.0, largest = 0.0;
+};
+[[nodiscard]] PictureDifference differenceOf(const Picture& left, const Picture& right);
+
+/// What the OTFs alone change in the pictures of a motion; each figure compares pictures of the same view of the same
+/// phase, so the rotation's and the object's own change are not in it. RMS over pixels, colours and frames.
+struct PictureFlicker {
+    double change = 0.0;   ///< picture(k, otf_k) - picture(k, otf_(k-1)), frames from the second on
+    double flicker = 0.0;  ///< picture(k, otf_k) - 2 picture(k, otf_(k-1)) + picture(k, otf_(k-2)), from the third on:
+                           ///< a steady change of the OTF leaves little in it
+};
+
+/// Renders a frame's view and phase with an OTF; empty only where cancelled.
+using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, const SampledCurve&)>;
+
+/// A renderer of these frames by castRays with these settings, parallel projection; direction and near plane follow
+/// each frame's view, the scale is the same for all of them: the one at which the whole box is in every picture.
+[[nodiscard]] FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases,
+                                          std::span<const SweepFrame> frames, const RayCastSettings& settings,
+                                          const Progress& progress = {});
+
+/// otfs: as shown, one a frame. Up to three pictures a frame. Empty only where cancelled. Throws std::invalid_argument
+/// where the numbers of frames and OTFs differ.
+[[nodiscard]] std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
+                                                           std::span<const SampledCurve> otfs,
+                                                           const FrameRenderer& render, const Progress& progress = {});
+
+/// How late a smoothing shows a change, measured on an OTF that changes between equal frames.
+struct SmoothingLag {
+    double ramp = 0.0;  ///< frames by which a steady change is shown late
+    int stepToNineTenths =
+        0;  ///< frames after the first changed one until a sudden change is shown to 90 %, and stays so
+    double overshoot =
+        0.0;  ///< how far beyond a sudden change the shown OTF goes, share of the change, before clamping
+};
+[[nodiscard]] SmoothingLag lagOf(OtfSmoothing smoothing);
+
+}  // namespace echolucent

@@ -1,0 +1,155 @@
+#include "processing/motion/otf_sweep.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace echolucent {
+
+namespace {
+
+/// A sweep of more frames is a slip of the step, not a wish.
+constexpr double mostFrames = 1e6;
+/// Slack for a range that is a whole number of steps but for rounding.
+constexpr double stepRounding = 1e-9;
+
+struct FrameOtf {
+    SampledCurve curve;
+    double sumOfD = 0.0;
+    int tubesWithSurface = 0;
+};
+
+FrameOtf reduced(const AdaptiveOtf& otf) {
+    FrameOtf frame{otf.curve, 0.0, otf.tubesWithSurface};
+    for (const TubeCore& tube : otf.tubes) frame.sumOfD += tube.d;
+    return frame;
+}
+
+bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
+    return left.phase == right.phase && left.view == right.view;
+}
+
+/// For each frame the first one with the same phase and view. Frames by the thousand: sorted, not compared pairwise.
+std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
+    std::vector<std::size_t> order(frames.size()), first(frames.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t i) {
+        const View& view = frames[i].view;
+        return std::tuple(frames[i].phase, view.beamAxis, view.azimuthDegrees, view.elevationDegrees, view.rollDegrees,
+                          view.nearCutMm);
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t left, std::size_t right) { return key(left) < key(right); });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        first[order[i]] = i > 0 && sameOtf(frames[order[i]], frames[order[i - 1]]) ? first[order[i - 1]] : order[i];
+    return first;
+}
+
+void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames) {
+    for (const SweepFrame& frame : frames)
+        if (frame.phase < 0 || static_cast<std::size_t>(frame.phase) >= phases.size() ||
+            !phases[static_cast<std::size_t>(frame.phase)])
+            throw std::invalid_argument("sweepOtfs: a frame's phase is not there");
+}
+
+/// The frames named in `wanted`, side by side. False where cancelled.
+bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
+                   std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
+                   std::span<FrameOtf> results) {
+    std::atomic<std::size_t> done = 0;
+    const std::thread::id caller = std::this_thread::get_id();
+    const Progress quiet{{}, progress.cancel};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
+            const SweepFrame& frame = frames[wanted[i]];
+            const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];
+            // A thread that waits for a frame's tubes must not begin another frame meanwhile: frames would pile up on
+            // its stack.
+            const auto otf =
+                tbb::this_task_arena::isolate([&] { return adaptOpacity(volume, frame.view, config, quiet); });
+            if (!otf) return;
+            results[wanted[i]] = reduced(*otf);
+            const std::size_t ready = ++done;
+            if (std::this_thread::get_id() == caller)
+                progress.at(static_cast<double>(ready) / static_cast<double>(wanted.size()));
+        }
+    });
+    return !progress.cancelled();
+}
+
+}  // namespace
+
+View turned(const View& start, SweepAxis axis, double degrees) {
+    View view = start;
+    switch (axis) {
+        case SweepAxis::x: view.elevationDegrees += degrees; break;
+        case SweepAxis::y: view.azimuthDegrees += degrees; break;
+        case SweepAxis::z: view.rollDegrees += degrees; break;
+    }
+    return view;
+}
+
+std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
+    std::vector<SweepFrame> frames;
+    for (const SweptOtf& frame : swept) frames.push_back(frame.frame);
+    return frames;
+}
+
+std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to, double step,
+                                    int phases) {
+    if (!std::isfinite(from) || !std::isfinite(to) || !(step > 0.0) || phases < 1)
+        throw std::invalid_argument("sweepFrames: needs finite angles, a step above 0 and a phase");
+    const double steps = std::floor(std::abs(to - from) / step + stepRounding);
+    if (!(steps < mostFrames)) throw std::invalid_argument("sweepFrames: more than a million frames");
+    std::vector<SweepFrame> frames;
+    for (int i = 0; i <= static_cast<int>(steps); ++i) {
+        // Not summed up, so that a sweep of a hundred steps of 0.1 ends where it should.
+        const double degrees = from + (to < from ? -step : step) * i;
+        frames.push_back({static_cast<double>(i), degrees, i % phases, turned(start, axis, degrees)});
+    }
+    return frames;
+}
+
+std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases) {
+    if (motion.firstPhase < 0 || motion.firstPhase >= phases)
+        throw std::invalid_argument("motionFrames: the first phase is not there");
+    std::vector<SweepFrame> frames =
+        sweepFrames(start, motion.axis, motion.from, motion.to, motion.step, motion.objectMoves ? phases : 1);
+    for (SweepFrame& frame : frames) {
+        frame.phase = (frame.phase + motion.firstPhase) % phases;
+        if (motion.probeMoves) continue;
+        frame.degrees = 0.0;
+        frame.view = start;
+    }
+    return frames;
+}
+
+std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
+                                               std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
+                                               OtfSmoothing smoothing, const Progress& progress) {
+    check(phases, frames);
+    const std::vector<std::size_t> first = firstOfEqual(frames);
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        if (first[i] == i) wanted.push_back(i);
+    std::vector<FrameOtf> otfs(frames.size());
+    if (!computeFrames(phases, frames, wanted, config, progress, otfs)) return std::nullopt;
+
+    std::vector<SweptOtf> swept;
+    OtfHistory history(smoothing);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const FrameOtf& otf = otfs[first[i]];
+        swept.push_back(
+            {frames[i], otf.curve, history.add(frames[i].time, otf.curve), otf.sumOfD, otf.tubesWithSurface});
+    }
+    return swept;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <sstream>
+#include <vector>
+
+#include "program.h"
+
+namespace echolucent {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+std::vector<double> opacitiesOf(const std::vector<std::string>& row) {
+    std::vector<double> opacities;
+    for (std::size_t i = 5; i < row.size(); ++i) opacities.push_back(std::stod(row[i]));
+    return opacities;
+}
+
+std::vector<std::vector<std::string>> sweptRows(const std::string& arguments) {
+    const Outcome outcome = runProgram("sweep " + arguments + " --csv -");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return rowsOf(outcome.output);
+}
+
+/// In quotes for the shell; appended piece by piece, since GCC 12 sees an overlap in "\"" + path that is not there.
+std::string quoted(const std::string& path) {
+    std::string text(1, '"');
+    text += path;
+    text += '"';
+    return text;
+}
+
+std::string movingFile() { return phantomFile("moving.mha", "--size 56 --phases 3 --seed 4"); }
+
+TEST(SweepCsv, HoldsAFrameARowWithTheOtfOfItsView) {
+    const auto rows = sweptRows(quoted(shapesFile()) + " --axis x --from -10 --to 10 --step 5 --smoothing none");
+    ASSERT_EQ(rows.size(), 6u);
+    ASSERT_EQ(rows[0].size(), 5u + 256);
+    EXPECT_EQ(rows[0][0], "frame");
+    EXPECT_EQ(rows[0][3], "sum_of_d");
+    EXPECT_EQ(rows[0].back(), "opacity_255");
+    for (const std::size_t row : {1, 4}) {
+        ASSERT_EQ(rows[row].size(), 5u + 256);
+        const json otf = otfOf(shapesFile(), "--view-elevation " + rows[row][1]);
+        EXPECT_EQ(opacitiesOf(rows[row]), otf["otf"]["opacity"].get<std::vector<double>>());
+        double sumOfD = 0;
+        for (const json& tube : otf["tubes"]) sumOfD += tube["d"].get<double>();
+        EXPECT_EQ(std::stod(rows[row][3]), sumOfD);
+    }
+    EXPECT_EQ(rows[1][1], "-10");
+    EXPECT_EQ(rows[5][1], "10");
+}
+
+TEST(SweepCsv, SmoothingIsThatOfItsName) {
+    const std::string sweep = quoted(shapesFile()) + " --from 0 --to 4 --smoothing ";
+    const auto raw = sweptRows(sweep + "none"), mean = sweptRows(sweep + "mean");
+    for (std::size_t sample = 5; sample < raw[0].size(); ++sample) {
+        double sum = 0;
+        for (std::size_t row = 1; row <= 5; ++row) sum += std::stod(raw[row][sample]);
+        EXPECT_NEAR(std::stod(mean[5][sample]), sum / 5, 1e-14);
+        EXPECT_EQ(mean[1][sample], raw[1][sample]);
+    }
+    EXPECT_EQ(sweptRows(quoted(shapesFile()) + " --from 0 --to 4"), sweptRows(sweep + "least-flicker"));
+}
+
+TEST(SweepCsv, StaticShowsTheOtfOfTheGivenView) {
+    const auto rows = sweptRows(quoted(shapesFile()) + " --from -2 --to 2 --static --view-azimuth 7");
+    const auto expected = otfOf(shapesFile(), "--view-azimuth 7")["otf"]["opacity"].get<std::vector<double>>();
+    for (std::size_t row = 1; row < rows.size(); ++row) EXPECT_EQ(opacitiesOf(rows[row]), expected);
+}
+
+TEST(SweepCsv, CoversThePapersThreeScenarios) {
+    const auto phasesAndAngles = [](const std::string& options) {
+        std::vector<std::pair<std::string, std::string>> found;
+        for (const auto& row : sweptRows(quoted(movingFile()) + " --from 0 --to 4 " + options))
+            if (row[0] != "frame") found.emplace_back(row[2], row[1]);
+        return found;
+    };
+    using Expected = std::vector<std::pair<std::string, std::string>>;
+    EXPECT_EQ(phasesAndAngles("--phase 1"), (Expected{{"1", "0"}, {"1", "1"}, {"1", "2"}, {"1", "3"}, {"1", "4"}}));
+    EXPECT_EQ(phasesAndAngles("--object moving --probe still"),
+              (Expected{{"0", "0"}, {"1", "0"}, {"2", "0"}, {"0", "0"}, {"1", "0"}}));
+    EXPECT_EQ(phasesAndAngles("--object moving --phase 2"),
+              (Expected{{"2", "0"}, {"0", "1"}, {"1", "2"}, {"2", "3"}, {"0", "4"}}));
+}
+
+TEST(SweepCsv, IsTheSameOnAnyNumberOfThreads) {
+    const std::string sweep = quoted(movingFile()) + " --object moving --step 15 --threads ";
+    EXPECT_EQ(sweptRows(sweep + "1"), sweptRows(sweep + "5"));
+}
+
+/// RMS of the second temporal difference of the table's opacities.
+double flickerOf(const std::vector<std::vector<std::string>>& rows) {
+    double squares = 0;
+    std::size_t count = 0;
+    for (std::size_t row = 3; row < rows.size(); ++row) {
+        const auto now = opacitiesOf(rows[row]), before = opacitiesOf(rows[row - 1]),
+                   second = opacitiesOf(rows[row - 2]);
+        for (std::size_t i = 0; i < now.size(); ++i, ++count)
+            squares += std::pow(now[i] - 2 * before[i] + second[i], 2);
+    }
+    return std::sqrt(squares / static_cast<double>(count));
+}
+
+TEST(SweepJson, HoldsFramesGainsAndFlicker) {
+    const Folder folder;
+    const std::string sweep = quoted(shapesFile()) + " --from -15 --to 15 ";
+    const Outcome outcome = runProgram("sweep " + sweep + "--json - --csv \"" + folder / "shown.csv" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const json report = json::parse(outcome.output);
+    EXPECT_EQ(report["smoothing"], "least-flicker");
+    EXPECT_EQ(report["gains"]["delay_frames"], 2.0);
+    EXPECT_NEAR(report["gains"]["flicker_gain"].get<double>(), 0.081, 1e-3);
+    EXPECT_EQ(report["motion"]["axis"], "y");
+    EXPECT_TRUE(report["picture_flicker"].is_null());
+    ASSERT_EQ(report["frames"].size(), 31u);
+    EXPECT_EQ(report["frames"][3]["degrees"], -12.0);
+    EXPECT_GT(report["frames"][3]["sum_of_d"].get<double>(), 0.1);
+    EXPECT_GT(report["frames"][3]["tubes_with_surface"].get<int>(), 10);
+    const json& flicker = report["otf_flicker"];
+    EXPECT_NEAR(flicker["shown"].get<double>(), flickerOf(rowsOf(contentsOf(folder / "shown.csv"))), 1e-12);
+    EXPECT_NEAR(flicker["unsmoothed"].get<double>(), flickerOf(sweptRows(sweep + "--smoothing none")), 1e-12);
+    EXPECT_LE(flicker["ratio"].get<double>(), 0.25);
+}
+
+TEST(SweepJson, PicturesFlickerLessToo) {
+    const Outcome outcome =
+        runProgram("sweep \"" + shapesFile() + "\" --from -8 --to 8 --picture-flicker --size 48x48 --json -");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const json report = json::parse(outcome.output);
+    EXPECT_GT(report["picture_flicker"]["unsmoothed"].get<double>(), 0.0);
+    EXPECT_LE(report["picture_flicker"]["ratio"].get<double>(), 0.25);
+    EXPECT_LT(report["picture_change"]["ratio"].get<double>(), 0.7);
+}
+
+TEST(SweepOfRealData, FlickerOfTheHeartFallsToAQuarter) {
+    const std::string file = ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/fetal_heart_4d_128x128x128x20.nrrd";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "the shared volumes are not here";
+    for (const std::string options : {"", "--object moving", "--object moving --probe still"}) {
+        const Outcome outcome = runProgram("sweep \"" + file + "\" --beam-axis +y --near 110 --json - " + options);
+        ASSERT_EQ(outcome.status, 0) << outcome.errors;
+        const json flicker = json::parse(outcome.output)["otf_flicker"];
+        EXPECT_GT(flicker["unsmoothed"].get<double>(), 1e-4);
+        EXPECT_LE(flicker["ratio"].get<double>(), 0.25) << options;
+    }
+}
+
+TEST(SweepMovie, HoldsTheRenderedFrames) {
+    const Folder folder;
+    const Outcome outcome = runProgram("sweep \"" + shapesFile() +
+                                       "\" --from 0 --to 30 --step 10 --smoothing none "
+                                       "--size 97x65 --frame-rate 12 --movie \"" +
+                                       folder / "m.avi" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    ASSERT_EQ(runProgram("render \"" + shapesFile() + "\" --view-azimuth 30 --size 97x65 --otf adaptive -o \"" +
+                         folder / "f.png" + "\"")
+                  .status,
+              0);
+    cv::VideoCapture movie(folder / "m.avi", cv::CAP_OPENCV_MJPEG);
+    ASSERT_TRUE(movie.isOpened());
+    EXPECT_NEAR(movie.get(cv::CAP_PROP_FPS), 12, 1e-9);
+    cv::Mat frame, last;
+    int count = 0;
+    for (; movie.read(frame); ++count) last = frame.clone();
+    EXPECT_EQ(count, 4);
+    ASSERT_EQ(last.size(), cv::Size(97, 65));
+    // Sepia is more red than blue; JPEG stays near the rendered picture.
+    const cv::Scalar mean = cv::mean(last);
+    EXPECT_GT(mean[2], mean[0]);
+    const cv::Mat rendered = cv::imread(folder / "f.png");
+    ASSERT_EQ(rendered.size(), last.size());
+    EXPECT_LT(cv::norm(rendered, last, cv::NORM_L1) / static_cast<double>(last.total() * 3), 4.0) << "mean levels";
+}
+
+TEST(SweepMovie, FailsInOneSentenceAndLeavesNothing) {
+    const Folder folder;
+    const Outcome outcome =
+        runProgram("sweep \"" + shapesFile() + "\" --to -44 --size 16x16 --movie \"" + folder / "none/m.avi" + "\"");
+    EXPECT_EQ(outcome.status, 4);
+    EXPECT_NE(outcome.errors.find("m.avi: could not be written"), std::string::npos) << outcome.errors;
+    const Outcome full = runProgram("sweep \"" + shapesFile() + "\" --to -44 --size 16x16 --movie /dev/full");
+    EXPECT_EQ(full.status, 4);
+    EXPECT_NE(full.errors.find("/dev/full"), std::string::npos) << full.errors;
+}
+
+TEST(SweepSummary, IsPrintedWhereNoFileIsAskedFor) {
+    const Outcome outcome = runProgram("sweep \"" + shapesFile() + "\" --from 0 --to 2");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.output.find("3 frames, least-flicker"), std::string::npos) << outcome.output;
+}
+
+TEST(SweepUsage, EndsInOneSentence) {
+    const Folder folder;
+    const std::vector<std::pair<std::string, std::string>> rows{
+        {"--object moving", "has one phase"},
+        {"--probe still", "--object moving"},
+        {"--step 0", "--step"},
+        {"--step nan", "--step"},
+        {"--from nan", "--from"},
+        {"--step 1e-9", "100000"},
+        {"--smoothing median", "--smoothing"},
+        {"--static --smoothing mean", "--static"},
+        {"--axis w", "--axis"},
+        {"--size 0x5", "--size"},
+        {"--csv - --json -", "standard output"},
+        {"--csv \"" + folder / "a\" --json \"" + folder / "a\"", "named twice"},
+        {"--frame-rate 0", "--frame-rate"}};
+    for (const auto& [options, says] : rows) {
+        const Outcome outcome = runProgram("sweep \"" + shapesFile() + "\" " + options);
+        EXPECT_EQ(outcome.status, 2) << options << "\n" << outcome.errors;
+        EXPECT_NE(outcome.errors.find(says), std::string::npos) << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    }
+}
+
+TEST(SweepMessage, SaysInHowManyFramesThereIsNoSurface) {
+    const Folder folder;
+    writeConstantVolume(folder / "constant.mha", 40, 77);
+    const Outcome outcome = runProgram("sweep \"" + folder / "constant.mha" + "\" --from 0 --to 4 --json -");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.errors, "No surface found in 5 of 5 frames: the initial function is used there.\n");
+    EXPECT_EQ(json::parse(outcome.output)["otf_flicker"]["unsmoothed"], 0.0);
+    EXPECT_TRUE(json::parse(outcome.output)["otf_flicker"]["ratio"].is_null());
+}
+
+TEST(StudyMotion, WritesAPageAndTables) {
+    const Folder folder;
+    const Outcome outcome = runProgram("study motion \"" + movingFile() +
+                                       "\" --from -4 --to 4 --picture-size 32 -o \"" + folder / "out" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const std::string page = contentsOf(folder / "out/motion.html");
+    for (const std::string name : {"static", "none", "mean", "mls", "least-flicker", "Fig. 10", "the object moves"})
+        EXPECT_NE(page.find(name), std::string::npos) << name;
+    EXPECT_EQ(page.find(">nan<"), std::string::npos);
+    const auto rows = rowsOf(contentsOf(folder / "out/motion.csv"));
+    ASSERT_EQ(rows.size(), 1u + 3 * 5) << "three scenarios, five modes";
+    EXPECT_EQ(rows[1][0], "volume_probe");
+    EXPECT_EQ(rows[1][1], "static");
+    EXPECT_EQ(std::stod(rows[1][3]), 0.0);
+    EXPECT_EQ(rowsOf(contentsOf(folder / "out/otfs_volume_both_none.csv")).size(), 10u);
+    EXPECT_EQ(runProgram("study motion -o /dev/null").status, 4);
+}
+
+}  // namespace
+}  // namespace echolucent
