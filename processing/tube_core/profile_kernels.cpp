@@ -83,6 +83,35 @@ void differences(const float* profile, int before, int behind, std::size_t count
     });
 }
 
+/// Several vectors at once, so that their sums do not wait for each other.
+template <std::size_t vectors>
+HWY_INLINE void convolveFrom(const double* centre, const double* weights, std::size_t count, double* results) {
+    const Doubles tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    const auto first = hn::Set(tag, weights[0]);
+    hn::Vec<Doubles> sums[vectors];
+    for (std::size_t v = 0; v < vectors; ++v) sums[v] = hn::Mul(first, hn::LoadU(tag, centre + v * lanes));
+    for (std::size_t distance = 1; distance < count; ++distance) {
+        const auto weight = hn::Set(tag, weights[distance]);
+        for (std::size_t v = 0; v < vectors; ++v) {
+            const double* at = centre + v * lanes;
+            sums[v] = hn::Add(sums[v],
+                              hn::Mul(weight, hn::Add(hn::LoadU(tag, at - distance), hn::LoadU(tag, at + distance))));
+        }
+    }
+    for (std::size_t v = 0; v < vectors; ++v) hn::StoreU(sums[v], tag, results + v * lanes);
+}
+
+void symmetric(const double* function, const double* weights, std::size_t weightCount, double* results,
+               std::size_t count) {
+    constexpr std::size_t together = 4;
+    const std::size_t lanes = hn::Lanes(Doubles());
+    std::size_t i = 0;
+    for (; i + together * lanes <= count; i += together * lanes)
+        convolveFrom<together>(function + i, weights, weightCount, results + i);
+    for (; i + lanes <= count; i += lanes) convolveFrom<1>(function + i, weights, weightCount, results + i);
+}
+
 }  // namespace echolucent::profile_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -93,6 +122,7 @@ namespace profile_kernels {
 HWY_EXPORT(moments);
 HWY_EXPORT(tableValues);
 HWY_EXPORT(differences);
+HWY_EXPORT(symmetric);
 }  // namespace profile_kernels
 
 void momentsFromSums(std::span<const std::int32_t> counts, std::span<const std::int32_t> sums,
@@ -112,6 +142,11 @@ void lookUp(std::span<const double> table, std::span<const float> positions, std
 void differencesOfMeans(std::span<const float> profile, int before, int behind, std::span<float> values) {
     using namespace profile_kernels;
     HWY_DYNAMIC_DISPATCH(differences)(profile.data(), before, behind, values.size(), values.data());
+}
+
+void convolve(const double* function, std::span<const double> weights, std::span<double> results) {
+    using namespace profile_kernels;
+    HWY_DYNAMIC_DISPATCH(symmetric)(function, weights.data(), weights.size(), results.data(), results.size());
 }
 
 }  // namespace echolucent

@@ -19,4 +19,9 @@ void lookUp(std::span<const double> table, std::span<const float> positions, std
 /// many as fit, profile.size() - before - behind + 1 at most.
 void differencesOfMeans(std::span<const float> profile, int before, int behind, std::span<float> values);
 
+/// Convolution with a symmetric kernel: results[i] = weights[0] f(i) + sum over d of weights[d] (f(i - d) + f(i + d)),
+/// in this order, f(i) = function[i]; what lies weights.size() - 1 before and behind must be there. The number of
+/// results is a multiple of 8.
+void convolve(const double* function, std::span<const double> weights, std::span<double> results);
+
 }  // namespace echolucent
