@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -10,10 +9,12 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/cli/command.h"
 #include "io/atomic_file.h"
+#include "processing/motion/otf_sweep.h"
 #include "processing/phantom.h"
 
 namespace echolucent::cli {
@@ -113,18 +114,12 @@ private:
 };
 
 constexpr int sweepViews = 91;
-constexpr double sweepFrom = -45.0;
+constexpr double sweepFrom = -45.0, sweepTo = 45.0;
 
-/// Seconds for the OTFs of a probe that turns about y from -45 to 45 degrees.
-double sweepSeconds(const Volume& volume, const View& start, const AdaptiveOtfConfig& config) {
-    return millisecondsOf([&] {
-               tbb::parallel_for(0, sweepViews, [&](int i) {
-                   View view = start;
-                   view.azimuthDegrees = sweepFrom + i;
-                   (void)adaptOpacity(volume, view, config);
-               });
-           }) /
-           1000.0;
+/// Seconds for the OTFs of a probe that turns about y.
+double sweepSeconds(const std::shared_ptr<const Volume>& volume, const View& start, const AdaptiveOtfConfig& config) {
+    const auto frames = sweepFrames(start, SweepAxis::y, sweepFrom, sweepTo, 1.0, 1);
+    return millisecondsOf([&] { (void)sweepOtfs(std::span(&volume, 1), frames, config, OtfSmoothing::none); }) / 1000.0;
 }
 
 std::string tableOf(const ordered_json& report) {
@@ -188,7 +183,7 @@ Result<void> bench(const BenchOptions& options) {
     report["threads"] = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     report["sweep_views"] = sweepViews;
     std::vector<double> sweeps;
-    for (int i = 0; i < 5; ++i) sweeps.push_back(sweepSeconds(**volume, axis, *config));
+    for (int i = 0; i < 5; ++i) sweeps.push_back(sweepSeconds(*volume, axis, *config));
     report["sweep_s"] = medianOf(sweeps);
 
     if (!options.json.empty())

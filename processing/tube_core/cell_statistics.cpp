@@ -56,6 +56,7 @@ constexpr std::size_t batch = 64;
 /// Calls run(first cell, number of cells) for at most `batch` cells at a time.
 template <typename Run>
 void inBatches(const CellStatistics& cells, const Run& run) {
+    if (cells.lastCell < cells.firstCell) return;
     const auto end = static_cast<std::size_t>(cells.lastCell + 1);
     for (auto first = static_cast<std::size_t>(cells.firstCell); first < end; first += batch)
         run(first, std::min(batch, end - first));

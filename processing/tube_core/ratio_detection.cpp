@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "processing/tube_core/profile_kernels.h"
+
 namespace echolucent {
 
 namespace {
@@ -64,29 +66,17 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::v
     const int first = rule.leastFluid, last = size - leastBehind(rule);
     contrasts.resize(static_cast<std::size_t>(std::max(0, last - first + 1)));
     if (contrasts.empty()) return;
-    double before = 0.0, behind = 0.0;
-    int beforeFirst = std::max(0, first - rule.before), behindLast = std::min(size, first + rule.behind);
-    for (int k = beforeFirst; k < first; ++k) before += scaled[static_cast<std::size_t>(k)];
-    for (int k = first; k < behindLast; ++k) behind += scaled[static_cast<std::size_t>(k)];
-    double perBefore = 1.0 / (first - beforeFirst), perBehind = 1.0 / (behindLast - first);
+    // Boundaries with all slabs on both sides; the few with less, at the ends, one by one.
+    const int firstWhole = std::max(first, rule.before), lastWhole = std::min(last, size - rule.behind);
+    const auto at = [first](int boundary) { return static_cast<std::size_t>(boundary - first); };
+    if (firstWhole <= lastWhole)
+        differencesOfMeans(scaled.subspan(static_cast<std::size_t>(firstWhole - rule.before)), rule.before, rule.behind,
+                           std::span(contrasts).subspan(at(firstWhole), at(lastWhole) - at(firstWhole) + 1));
     for (int boundary = first; boundary <= last; ++boundary) {
-        contrasts[static_cast<std::size_t>(boundary - first)] =
-            static_cast<float>(behind * perBehind - before * perBefore);
-        if (boundary == last) break;
-        // What enters and what leaves is added in one: the sums wait for one addition a boundary, not for two.
-        const double passing = scaled[static_cast<std::size_t>(boundary)];
-        if (boundary + 1 - beforeFirst > rule.before)
-            before += passing - scaled[static_cast<std::size_t>(beforeFirst++)];
-        else {
-            before += passing;
-            perBefore = 1.0 / (boundary + 1 - beforeFirst);
-        }
-        if (behindLast < size)
-            behind += scaled[static_cast<std::size_t>(behindLast++)] - passing;
-        else {
-            behind -= passing;
-            perBehind = 1.0 / (behindLast - boundary - 1);
-        }
+        if (boundary == firstWhole && firstWhole <= lastWhole) boundary = lastWhole + 1;
+        if (boundary > last) break;
+        contrasts[at(boundary)] = static_cast<float>(meanOf(slabs(scaled, boundary, boundary + rule.behind)) -
+                                                     meanOf(slabs(scaled, boundary - rule.before, boundary)));
     }
 }
 

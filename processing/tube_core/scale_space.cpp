@@ -1,15 +1,16 @@
 #include "processing/tube_core/scale_space.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+
+#include "processing/tube_core/profile_kernels.h"
 
 namespace echolucent {
 
 namespace {
 
-/// Results computed together, in registers.
+/// Results are computed in multiples of this.
 constexpr std::size_t block = 8;
 
 std::size_t wholeBlocks(std::size_t count) { return (count + block - 1) / block * block; }
@@ -93,20 +94,9 @@ void ScaleSmoother::continueFunction(std::size_t before, std::size_t length) {
 
 void ScaleSmoother::convolve(const GaussianKernel& kernel, std::vector<double>& result) const {
     const std::size_t count = m_function.size();
-    const int radius = kernel.radius();
     result.resize(wholeBlocks(count));
     // Every result is the same sequence of operations, whatever its place, so that equal surroundings give equal bits.
-    for (std::size_t start = 0; start < result.size(); start += block) {
-        const double* centre = m_continued.data() + m_before + start;
-        std::array<double, block> sums{};
-        for (std::size_t j = 0; j < block; ++j) sums[j] = kernel.weight(0) * centre[j];
-        for (int distance = 1; distance <= radius; ++distance) {
-            const double weight = kernel.weight(distance);
-            const double *before = centre - distance, *after = centre + distance;
-            for (std::size_t j = 0; j < block; ++j) sums[j] += weight * (before[j] + after[j]);
-        }
-        std::copy(sums.begin(), sums.end(), result.begin() + static_cast<std::ptrdiff_t>(start));
-    }
+    echolucent::convolve(m_continued.data() + m_before, kernel.weights(), result);
     result.resize(count);
 }
 

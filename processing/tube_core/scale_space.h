@@ -19,6 +19,7 @@ public:
     [[nodiscard]] int radius() const { return static_cast<int>(m_weights.size()) - 1; }
     /// Weight at distance 0 ... radius().
     [[nodiscard]] double weight(int distance) const { return m_weights[static_cast<std::size_t>(distance)]; }
+    [[nodiscard]] std::span<const double> weights() const { return m_weights; }
 
 private:
     std::vector<double> m_weights;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "processing/tube_core/profile_kernels.h"
+
 namespace echolucent {
 
 namespace {
@@ -109,8 +111,7 @@ double SpeckleScale::spreadAt(double intensity) const { return between(m_spread,
 double SpeckleScale::scaled(double intensity) const { return between(m_scaled, intensity); }
 
 void SpeckleScale::scale(std::span<const float> intensities, std::span<float> results) const {
-    for (std::size_t i = 0; i < intensities.size(); ++i)
-        results[i] = static_cast<float>(between(m_scaled, intensities[i]));
+    lookUp(m_scaled, intensities, results);
 }
 
 double SpeckleScale::intensityAt(double scaled) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "processing/tube_core/profile_kernels.h"
+
 namespace echolucent {
 
 TubeProfiles::TubeProfiles(std::size_t tubes, int longest)
@@ -46,18 +48,9 @@ void TubeProfiles::set(std::size_t tube, std::span<const SlabMoments> slabs, int
 
 void TubeProfiles::set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel) {
     const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
-        const float white = static_cast<float>(whiteLevel);
-        // In two loops: the first is of integers, of the second the compiler makes vectors.
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::int64_t samples = slabs.counts[first + k], sum = slabs.sums[first + k];
-            const auto squares = static_cast<std::int64_t>(slabs.sumsOfSquares[first + k]);
-            spreads[k] = static_cast<float>(samples * squares - sum * sum);
-        }
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto samples = static_cast<float>(std::max(slabs.counts[first + k], 1)) * white;
-            means[k] = static_cast<float>(static_cast<double>(slabs.sums[first + k]) / static_cast<double>(samples));
-            spreads[k] = std::sqrt(spreads[k]) / samples;
-        }
+        momentsFromSums(std::span(slabs.counts).subspan(first, count), std::span(slabs.sums).subspan(first, count),
+                        std::span(slabs.sumsOfSquares).subspan(first, count), whiteLevel, {means, count},
+                        {spreads, count});
     };
     setFrom(
         tube, slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
