@@ -47,12 +47,11 @@ struct RowTimes {
 /// The stages of one row of the grid: samples, cells, surface, in the paper's order. One per row and thread.
 class TubeRow {
 public:
-    TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
-            std::span<const GaussianKernel> kernels)
+    TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config, const ScaleSpace& scaleSpace)
         : m_volume(volume),
           m_view(view),
           m_config(config),
-          m_kernels(kernels),
+          m_smoother(scaleSpace),
           m_onVoxels(tubesLieOnVoxels(volume.geometry(), view)) {
         if (m_onVoxels) m_storedLimit = exactStoredLimit(volume);
     }
@@ -99,14 +98,13 @@ private:
         const auto function = std::span<const double>(m_cells.variances)
                                   .subspan(static_cast<std::size_t>(m_cells.firstCell),
                                            static_cast<std::size_t>(m_cells.lastCell - m_cells.firstCell + 1));
-        tube.trackedCells =
-            trackSurface(function, m_kernels, {m_config.significance, m_config.floorQuantile}, m_scratch);
+        tube.trackedCells = trackSurface(function, m_smoother, trackingRuleOf(m_config), m_scratch);
         if (tube.trackedCells.empty()) return;
         for (int& cell : tube.trackedCells) cell += m_cells.firstCell;
         int surface = tube.trackedCells.back();
         // A cell of too little data repeats the one before it: that one is meant.
         while (surface > m_cells.firstCell && m_cells.complete[static_cast<std::size_t>(surface)] == 0) --surface;
-        if (!describeSurface(m_cells, surface, m_config.cellSize, m_config.slopeHalfStep, tube)) return;
+        if (!describeSurface(m_cells, surface, m_config, tube)) return;
         readNeighbourhood(m_cells, m_config, tube);
         tube.status = TubeStatus::surface;
         tube.surfaceVoxel = samples.onAxis(surface + (m_config.cellSize - 1) / 2.0);
@@ -115,7 +113,7 @@ private:
     const Volume& m_volume;
     const View& m_view;
     const AdaptiveOtfConfig& m_config;
-    std::span<const GaussianKernel> m_kernels;
+    ScaleSmoother m_smoother;
     bool m_onVoxels;
     std::optional<std::uint32_t> m_storedLimit;  ///< sums of stored values are exact: no interpolation, integers
     CellStatistics m_cells;
@@ -129,8 +127,7 @@ private:
 bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& progress) {
     StopWatch watch;
     const AdaptiveOtfConfig& config = result.config;
-    const auto kernels =
-        scaleSpaceKernels(config.coarsestScale, config.finestScale, config.sigmaPerKernelSize, config.kernelCut);
+    const ScaleSpace scaleSpace(config);
     const std::vector<TubeAxis> axes = tubeAxes(volume.geometry(), result.view, config);
     const auto columns = static_cast<std::size_t>(config.tubeColumns);
     std::vector<RowTimes> rowTimes(static_cast<std::size_t>(config.tubeRows));
@@ -139,7 +136,7 @@ bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& pro
     tbb::parallel_for(tbb::blocked_range<int>(0, config.tubeRows, 1), [&](const tbb::blocked_range<int>& rows) {
         for (int row = rows.begin(); row < rows.end() && !progress.cancelled(); ++row) {
             const auto first = static_cast<std::size_t>(row) * columns;
-            TubeRow stages(volume, result.view, config, kernels);
+            TubeRow stages(volume, result.view, config, scaleSpace);
             stages.run(std::span(axes).subspan(first, columns), std::span(result.tubes).subspan(first, columns),
                        progress);
             rowTimes[static_cast<std::size_t>(row)] = stages.times();
@@ -217,8 +214,9 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);
         if (!surface) return;
         const int cell = surface->cell + tube.firstCell;
-        if (!describeSurface(cells, cell, config.cellSize, config.slopeHalfStep, tube)) return;
+        if (!describeSurface(cells, cell, config, tube)) return;
         readNeighbourhood(cells, config, tube);
+        tube.fluidSpread = scale.spreadAt(*tube.lowIntensity);
         tube.contrast = surface->contrast;
         tube.status = TubeStatus::surface;
         tube.surfaceVoxel = samples[t].onAxis(cell + (config.cellSize - 1) / 2.0);
@@ -248,7 +246,7 @@ std::string messageFor(const AdaptiveOtf& result) {
 /// The ramp form's curve; sets the trust in it.
 std::vector<double> rampLogOpacity(AdaptiveOtf& result) {
     const AdaptiveOtfConfig& config = result.config;
-    std::vector<double> curve = meanRamp(result.tubes, config.rampBegin, config.rampEnd, AdaptiveOtf::sampleCount);
+    std::vector<double> curve = meanRamp(result.tubes, config, AdaptiveOtf::sampleCount);
     const double needed = config.trustedShare * result.tubesMeetingVolume;
     result.trust = curve.empty() ? 0.0 : std::min(1.0, needed > 0.0 ? result.tubesWithSurface / needed : 1.0);
     curve.resize(AdaptiveOtf::sampleCount, 0.0);
@@ -280,6 +278,10 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (!between(config.kernelCut, 0.5, 10.0)) return "the kernels must be cut at 0.5 to 10 sigma";
     if (!between(config.significance, 0.0, 1.0)) return "the significance must be 0 to 1";
     if (!between(config.floorQuantile, 0.0, 1.0)) return "the floor quantile must be 0 to 1";
+    if (!between(config.trackingRangeSigmas, 0.0, 1000.0))
+        return "the tracking range must be 0 (from valley to valley) or above, at most 1000 sigma";
+    if (!between(config.cellStride, 1, 1000)) return "the cell stride must be 1 to 1000 units";
+    if (!between(config.rankBins, 0, 1 << 20)) return "the bins of the ranks must be 0 (exact ranks) to 1048576";
     if (!between(config.slopeHalfStep, 1, 1000)) return "the slope's half step must be 1 to 1000 units";
     if (!between(config.leastEdgeToNoise, 0.0, 1e6)) return "the least edge to noise must be 0 to 1000000";
     if (!between(config.lowReach, 0, 1000) || !between(config.highReach, 0, 1000))
@@ -287,6 +289,7 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (!between(config.falseAlarm, 0.0, 1e6)) return "the false alarm threshold must be 0 to 1000000";
     if (!between(config.rampBegin, -10.0, 10.0) || !between(config.rampEnd, config.rampBegin + 1e-3, 20.0))
         return "the ramp must begin at -10 to 10 and end behind that, at most at 20";
+    if (!between(config.clearSpreads, 0.0, 1000.0)) return "the clear spreads must be 0 to 1000";
     if (!between(config.rampOpacity, 1e-6, 1.0)) return "the ramp's opacity must be above 0, at most 1";
     if (!between(config.trustedShare, 0.0, 1.0)) return "the trusted share must be 0 to 1";
     if (!between(config.strength, 0.0, 1e12)) return "the strength must be 0 to 1e12";
@@ -312,7 +315,8 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, 
                                        [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
     if (result.tubesMeetingVolume > 0) result.dMax = config.strength / result.tubesMeetingVolume;
     // The ratio's own threshold is the absolute test.
-    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, byRatio ? 0.0 : config.leastEdgeToNoise);
+    weighTubes(result.tubes, result.tubesMeetingVolume, result.dMax, byRatio ? 0.0 : config.leastEdgeToNoise,
+               config.rankBins);
     result.tubesWithSurface = static_cast<int>(
         std::count_if(result.tubes.begin(), result.tubes.end(), [](const TubeCore& tube) { return tube.d > 0.0; }));
     result.times.weights = stage.lap();

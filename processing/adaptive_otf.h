@@ -63,15 +63,16 @@ struct AdaptiveOtfConfig {
     double significance = 0.4;         ///< a local maximum counts from this share of the largest value in its range
     double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking, [0,1];
                                  ///< 0: nothing, as in method.md's table
-    int cellStride = 1;  ///< units between the cells that are looked at, >= 1; 5: abutting, as the paper's figures may
-                         ///< be read
+    int cellStride = 1;  ///< units between the cells that are looked at, >= 1, from the tube's first on (interface
+                         ///< function, tracking, prior cells); 5: abutting, as the paper's figures may be read. Sigma
+                         ///< stays in units. cellMeans and interfaceFunction of a TubeCore hold all cells even so.
     TubeBorder border = TubeBorder::mirrorThenZero;
     SmoothingRoute smoothing = SmoothingRoute::direct;
     bool kernelEndsAtZero = true;          ///< lowered so that it ends at zero; false: cut, as in method.md's table
     bool coarsestMustHaveMaximum = false;  ///< true: without a maximum at the coarsest scale there is no surface;
                                            ///< false: tracking begins at the coarsest scale that has one
-    double trackingRangeSigmas = 0.0;   ///< a scale looks this many of its sigmas around the maximum of the one before;
-                                        ///< 0: from valley to valley
+    double trackingRangeSigmas = 0.0;   ///< how far around a scale's maximum the next one looks, in sigmas of the scale
+                                        ///< where it was found; 0: from valley to valley
     bool priorCellsMayOverlap = false;  ///< prior cells are i < s (Petersch 2005, eq. 8); false: i <= s - cellSize
     int rankBins = 0;  ///< bins of the histograms of eqs. 9 and 10, over 0 to the largest value; 0: exact ranks
     TubeSampling sampling = TubeSampling::trilinear;
@@ -81,10 +82,11 @@ struct AdaptiveOtfConfig {
                                     ///< ranks cannot be; 0: no test, as in method.md's table
     int lowReach = 10;  ///< I_L: mean over so many of the last prior cells; 0: over all of them (Petersch 2005, 4.1)
     int highReach = 8;  ///< I_H: largest cell mean from the surface to so many cells behind it; 0: at the surface
-    double falseAlarm = 3.25;    ///< ratio: least contrast, in standard deviations of the contrast where nothing is
-    double rampBegin = 0.65;     ///< ramp: an intensity is clear up to this share of the way from I_L to I_H
-    double rampEnd = 1.25;       ///< ramp: ... and full from this share on; above rampBegin
-    double rampOpacity = 1.0;    ///< ramp: opacity where all tube cores say surface, (0,1]
+    double falseAlarm = 3.25;   ///< ratio: least contrast, in standard deviations of the contrast where nothing is
+    double rampBegin = 0.4;     ///< ramp: an intensity is clear up to this share of the way from I_L to I_H ...
+    double clearSpreads = 2.5;  ///< ... and up to so many standard deviations of the fluid's own voxels above I_L, >= 0
+    double rampEnd = 1.6;       ///< ramp: full from this share of the way on; above rampBegin
+    double rampOpacity = 1.0;   ///< ramp: opacity where all tube cores say surface, (0,1]
     double trustedShare = 0.05;  ///< ramp: share of the tube cores that must have a weight for the initial function to
                                  ///< have no say in the curve; below, both are mixed
     double strength = 6.75;      ///< T * d_max: one rule for any number of tube cores, >= 0
@@ -103,6 +105,8 @@ enum class MethodReading {
 [[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
+/// The reading that a config is, whatever its tube grid and initial function; none: another.
+[[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 /// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing.
 [[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);
@@ -130,6 +134,7 @@ struct TubeCore {
     std::optional<double> edgeToNoise;  ///< rise from the median prior cell mean to the mean slopeHalfStep behind the
                                         ///< surface, over the scatter of the prior cell means; none: too few of them
     std::optional<double> contrast;     ///< ratio: at the surface, standard deviations of the voxels of a slab
+    std::optional<double> fluidSpread;  ///< ratio: standard deviation of voxels around I_L (speckle)
     double intensityWeight = 0.0;       ///< w_I, eq. 9
     double slopeWeight = 0.0;           ///< w_S, eq. 10
     double extraWeight = 1.0;  ///< 0 where I_H <= I_L (eq. 6 has no meaning there) or the edge drowns in the noise

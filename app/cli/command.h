@@ -55,14 +55,33 @@ struct ViewOptions {
     [[nodiscard]] Result<View> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 
-/// The method's options: --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale, ...
+/// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale, ...
+/// The reading sets everything; an option overrides it where it stands on the command line.
 struct MethodOptions {
-    AdaptiveOtfConfig config;
+    AdaptiveOtfConfig config;  ///< what the options were set to; get() says what holds
+    std::string reading = "default";
     std::string initial = "parabolic";
     std::string tubeGrid;
     std::optional<double> opacityScale;
+    /// The options must stay where they are from here to get().
     void addTo(CLI::App& command);
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
+
+private:
+    /// Takes one field over from `given` where its option stands on the command line.
+    using Override = std::function<void(const AdaptiveOtfConfig& given, AdaptiveOtfConfig& chosen)>;
+    std::vector<Override> m_overrides;
+    const CLI::Option* m_initialOption = nullptr;
+    template <typename Value>
+    void addField(CLI::App& command, const char* option, Value AdaptiveOtfConfig::* field, const char* type,
+                  const char* help);
+    template <typename Value, typename Names>
+    void addChoice(CLI::App& command, const char* option, Value AdaptiveOtfConfig::* field, const Names& names,
+                   const char* help);
+    void addReading(CLI::App& command);
+    void addCurveAndGrid(CLI::App& command);
+    void addDetection(CLI::App& command);
+    void addScaleSpace(CLI::App& command);
 };
 
 /// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.

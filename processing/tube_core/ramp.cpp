@@ -19,13 +19,14 @@ void readNeighbourhood(const CellStatistics& cells, const AdaptiveOtfConfig& con
         tube.highIntensity = std::max(*tube.highIntensity, meanOf(cell));
 }
 
-double rampAt(double intensity, const TubeCore& tube, double begin, double end) {
+double rampAt(double intensity, const TubeCore& tube, const AdaptiveOtfConfig& config) {
     const double rise = *tube.highIntensity - *tube.lowIntensity;
-    const double from = *tube.lowIntensity + begin * rise;
-    return std::clamp((intensity - from) / ((end - begin) * rise), 0.0, 1.0);
+    const double from = std::max(config.rampBegin * rise, config.clearSpreads * tube.fluidSpread.value_or(0.0));
+    const double to = std::max(config.rampEnd * rise, from + leastRampWidth * rise);
+    return std::clamp((intensity - *tube.lowIntensity - from) / (to - from), 0.0, 1.0);
 }
 
-std::vector<double> meanRamp(std::span<const TubeCore> tubes, double begin, double end, int count) {
+std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count) {
     const auto size = static_cast<std::size_t>(count);
     std::vector<double> ramp(size, 0.0);
     double weight = 0.0;
@@ -33,7 +34,7 @@ std::vector<double> meanRamp(std::span<const TubeCore> tubes, double begin, doub
         if (!(tube.d > 0.0)) continue;
         weight += tube.d;
         for (std::size_t i = 0; i < size; ++i)
-            ramp[i] += tube.d * rampAt(static_cast<double>(i) / (count - 1), tube, begin, end);
+            ramp[i] += tube.d * rampAt(static_cast<double>(i) / (count - 1), tube, config);
     }
     if (weight == 0.0) return {};
     for (double& value : ramp) value = std::min(1.0, value / weight);

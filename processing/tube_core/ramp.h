@@ -16,11 +16,14 @@ namespace echolucent {
 /// in front says nothing about this surface.
 void readNeighbourhood(const CellStatistics& cells, const AdaptiveOtfConfig& config, TubeCore& tube);
 
-/// The ramp of one tube core: 0 up to I_L + begin (I_H - I_L), 1 from I_L + end (I_H - I_L) on, linear between.
-[[nodiscard]] double rampAt(double intensity, const TubeCore& tube, double begin, double end);
+/// The ramp of one tube core: 0 up to I_L + max(begin (I_H - I_L), clearSpreads times the fluid's spread), so that
+/// neither haze nor the speckle of the fluid is seen; 1 from I_L + end (I_H - I_L) on, linear between, over at least
+/// leastRampWidth of the way.
+[[nodiscard]] double rampAt(double intensity, const TubeCore& tube, const AdaptiveOtfConfig& config);
+inline constexpr double leastRampWidth = 0.3;
 
 /// The tubes' ramps at `count` equidistant intensities 0 ... 1, their mean weighted by d: how surely an intensity is
 /// surface, [0,1]; empty: no tube has a weight. The same bits for any number of threads.
-[[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, double begin, double end, int count);
+[[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count);
 
 }  // namespace echolucent

@@ -32,30 +32,6 @@ std::span<const float> slabs(std::span<const float> profile, int first, int last
     return profile.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
 }
 
-/// The threshold of two classes that parts a histogram with the largest variance between them (Otsu 1979), as a bin.
-template <std::size_t bins>
-double otsuBin(const std::array<std::uint64_t, bins>& histogram) {
-    double all = 0.0, moment = 0.0;
-    for (std::size_t i = 0; i < bins; ++i) {
-        all += static_cast<double>(histogram[i]);
-        moment += static_cast<double>(histogram[i]) * static_cast<double>(i);
-    }
-    double weight = 0.0, sum = 0.0, best = -1.0;
-    double threshold = 0.0;
-    for (std::size_t i = 0; i + 1 < bins; ++i) {
-        weight += static_cast<double>(histogram[i]);
-        sum += static_cast<double>(histogram[i]) * static_cast<double>(i);
-        if (weight == 0.0 || weight == all) continue;
-        const double difference = moment * weight / all - sum;
-        const double between = difference * difference / (weight * (all - weight));
-        if (between > best) {
-            best = between;
-            threshold = static_cast<double>(i) + 0.5;
-        }
-    }
-    return threshold;
-}
-
 /// Counts |contrast| of all tubes, finely enough for a quantile.
 class ContrastCounts {
 public:
@@ -104,13 +80,45 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::v
     }
 }
 
+namespace {
+
+/// The boundary of highest contrast on a tube.
+struct Strongest {
+    int boundary = -1;
+    float contrast = 0.0f;
+    double middle = 0.0;  ///< halfway between the levels on its two sides, on the scale
+};
+
+Strongest strongestAt(std::span<const float> scaled, int boundary, float contrast, const RatioRule& rule) {
+    const double before = meanOf(slabs(scaled, boundary - rule.before, boundary));
+    return {boundary, contrast, before + contrast / 2.0};
+}
+
+/// The value at a share of the way from the least to the largest; values not empty.
+double quantileOf(std::vector<double>& values, double share) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+/// The median middle of the stronger boundaries. Fluid is so much darker than anything else that the boundaries of
+/// tissue against brighter tissue are the weaker ones.
+double fluidLevel(const std::vector<Strongest>& strongest, double leastContrast) {
+    std::vector<double> contrasts, middles;
+    for (const Strongest& boundary : strongest)
+        if (boundary.contrast > leastContrast) contrasts.push_back(boundary.contrast);
+    constexpr double high = 0.9, nearly = 0.6;
+    const double least = nearly * quantileOf(contrasts, high);
+    for (const Strongest& boundary : strongest)
+        if (boundary.contrast >= std::max(least, leastContrast)) middles.push_back(boundary.middle);
+    return quantileOf(middles, 0.5);
+}
+
+}  // namespace
+
 RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale& scale, const RatioRule& rule) {
     RatioThresholds thresholds;
     std::vector<float> scaled, contrasts;
-    struct Strongest {
-        int boundary = -1;
-        float contrast = 0.0f;
-    };
     std::vector<Strongest> strongest(profiles.tubes());
     ContrastCounts counts;
     std::size_t tubesWithProfile = 0;
@@ -121,7 +129,8 @@ RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale
         const auto most = std::max_element(contrasts.begin(), contrasts.end());
         if (!scaled.empty()) ++tubesWithProfile;
         if (most != contrasts.end())
-            strongest[t] = {static_cast<int>(most - contrasts.begin()) + rule.leastFluid, *most};
+            strongest[t] =
+                strongestAt(scaled, static_cast<int>(most - contrasts.begin()) + rule.leastFluid, *most, rule);
     }
     const auto inSpreads = [&, spread = counts.spread()](double times) {
         return std::clamp(times * spread, rule.leastContrast, std::max(rule.leastContrast, rule.sureContrast));
@@ -134,17 +143,8 @@ RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale
     if (certain < 1 || static_cast<double>(certain) < rule.certainShare * static_cast<double>(tubesWithProfile))
         return thresholds;
 
-    constexpr std::size_t levelBins = 256;
-    const double top = scale.scaled(1.0);
-    std::array<std::uint64_t, levelBins> levels{};
-    for (std::size_t t = 0; t < profiles.tubes(); ++t) {
-        if (strongest[t].boundary < 0 || strongest[t].contrast < thresholds.contrast) continue;
-        thresholds.anyBoundary = true;
-        for (const float mean :
-             slabs(profiles.means(t), strongest[t].boundary - rule.before, strongest[t].boundary + rule.behind))
-            ++levels[std::min(static_cast<std::size_t>(scale.scaled(mean) / top * levelBins), levelBins - 1)];
-    }
-    thresholds.fluidLevel = (otsuBin(levels) + 0.5) / levelBins * top;
+    thresholds.anyBoundary = true;
+    thresholds.fluidLevel = fluidLevel(strongest, thresholds.contrast);
     return thresholds;
 }
 
@@ -153,10 +153,8 @@ namespace {
 /// Where the running mean of `cellSize` slabs first rises through the half between the levels on both sides of a
 /// boundary, nearest to it: the middle of the ramp, in intensity.
 int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
-    // The slabs next to the boundary lie on the ramp.
-    constexpr int ramp = 2;
-    const double low = meanOf(slabs(means, boundary - rule.before, boundary - ramp));
-    const double high = meanOf(slabs(means, boundary + ramp, boundary + ramp + rule.behind));
+    const double low = meanOf(slabs(means, boundary - rule.before, boundary - rule.ramp));
+    const double high = meanOf(slabs(means, boundary + rule.ramp, boundary + rule.ramp + rule.behind));
     const double half = (low + high) / 2.0;
     const int centred = boundary - cellSize / 2;
     const int lastCell = static_cast<int>(means.size()) - cellSize;
@@ -173,6 +171,19 @@ int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule
         best = half - here < next - half ? cell : cell + 1;
     }
     return best;
+}
+
+/// The contrast, a difference of logarithms, is highest on the dark side of a wide ramp: from there the levels on both
+/// sides are read anew where the half was found, until it stays.
+int surfaceCellAt(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
+    int cell = cellAtHalf(means, boundary, rule, cellSize);
+    constexpr int mostRounds = 3;
+    for (int round = 0; round < mostRounds; ++round) {
+        const int next = cellAtHalf(means, cell + cellSize / 2, rule, cellSize);
+        if (next == cell) break;
+        cell = next;
+    }
+    return cell;
 }
 
 }  // namespace
@@ -199,7 +210,7 @@ std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, con
     std::size_t highest = i;
     for (; i < contrasts.size() && counts(i); ++i)
         if (contrasts[i] > contrasts[highest]) highest = i;
-    return RatioSurface{cellAtHalf(means, boundaryOf(highest), rule, cellSize), contrasts[highest]};
+    return RatioSurface{surfaceCellAt(means, boundaryOf(highest), rule, cellSize), contrasts[highest]};
 }
 
 }  // namespace echolucent

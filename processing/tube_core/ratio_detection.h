@@ -19,6 +19,7 @@ namespace echolucent {
 struct RatioRule {
     int before = 10;           ///< slabs averaged before a boundary; at least leastFluid where the tube begins later
     int behind = 6;            ///< slabs averaged behind it; at least half of them where the tube ends
+    int ramp = 3;              ///< slabs on each side of a boundary that may lie on its ramp
     int leastFluid = 8;        ///< slabs of fluid that must lie before a surface
     double falseAlarm = 3.25;  ///< the least contrast of a surface, in standard deviations of the contrast where there
                                ///< is no boundary; >= 0. 0: leastContrast alone
@@ -42,7 +43,7 @@ struct RatioThresholds {
 void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::vector<float>& contrasts);
 
 /// Looks at all tubes. The contrast's spread without boundaries is read off its lower quartile, which boundaries, being
-/// few, hardly move. The fluid level parts the slabs around the tubes' strongest boundaries into two classes (Otsu).
+/// few, hardly move. The fluid level is the median middle of the tubes' strongest boundaries.
 [[nodiscard]] RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale& scale,
                                               const RatioRule& rule);
 

@@ -3,18 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 namespace echolucent {
 
 namespace {
+
 /// Results computed together, in registers.
 constexpr std::size_t block = 8;
+
+std::size_t wholeBlocks(std::size_t count) { return (count + block - 1) / block * block; }
+
+cv::Mat rowOver(std::vector<double>& values) { return {1, static_cast<int>(values.size()), CV_64F, values.data()}; }
+
 }  // namespace
 
-GaussianKernel::GaussianKernel(double sigma, double cut) {
+GaussianKernel::GaussianKernel(double sigma, double cut, bool endsAtZero) {
     const int radius = std::max(0, static_cast<int>(std::floor(cut * sigma)));
     const auto gaussian = [sigma](int distance) { return std::exp(-0.5 * (distance / sigma) * (distance / sigma)); };
-    const double end = gaussian(radius + 1);
+    const double end = endsAtZero ? gaussian(radius + 1) : 0.0;
     double sum = 0.0;
     for (int i = 0; i <= radius; ++i) {
         m_weights.push_back(gaussian(i) - end);
@@ -23,21 +30,78 @@ GaussianKernel::GaussianKernel(double sigma, double cut) {
     for (double& weight : m_weights) weight /= sum;
 }
 
-void GaussianKernel::smooth(std::span<const double> function, std::vector<double>& result,
-                            std::vector<double>& padded) const {
-    const std::size_t count = function.size(), radius = m_weights.size() - 1;
-    const std::size_t blocks = (count + block - 1) / block;
-    padded.assign(radius + blocks * block + radius, 0.0);
-    std::copy(function.begin(), function.end(), padded.begin() + static_cast<std::ptrdiff_t>(radius));
-    for (std::size_t i = 0; i < std::min(radius, count); ++i) padded[radius - 1 - i] = function[i];
-    result.resize(blocks * block);
+ScaleSpace::ScaleSpace(const AdaptiveOtfConfig& config) : m_border(config.border), m_route(config.smoothing) {
+    for (int n = config.coarsestScale; n >= config.finestScale; --n) {
+        const double sigma = config.sigmaPerKernelSize * std::ldexp(1.0, n) / config.cellStride;
+        m_sigmas.push_back(sigma);
+        if (m_route == SmoothingRoute::recursive)
+            m_recursive.emplace_back(sigma);
+        else
+            m_kernels.emplace_back(sigma, config.kernelCut, config.kernelEndsAtZero);
+    }
+}
+
+std::size_t ScaleSpace::largestRadius() const {
+    return m_kernels.empty() ? 0 : static_cast<std::size_t>(m_kernels.front().radius());
+}
+
+void ScaleSmoother::begin(std::span<const double> function) {
+    m_function = function;
+    const std::size_t count = function.size(), radius = m_space.largestRadius();
+    if (m_space.route() == SmoothingRoute::direct) continueFunction(radius, radius + wholeBlocks(count) + radius);
+    if (m_space.route() != SmoothingRoute::fourier || count == 0) return;
+    std::size_t length = count;
+    if (m_space.border() == TubeBorder::mirrorThenZero) {
+        // Zeros as wide as a kernel, so that what wraps around meets zeros.
+        const std::size_t mirrored = std::min(radius, count);
+        length = static_cast<std::size_t>(cv::getOptimalDFTSize(static_cast<int>(mirrored + count + radius)));
+        continueFunction(mirrored, length);
+    } else {
+        continueFunction(0, length);
+    }
+    m_spectrum.resize(length);
+    cv::Mat spectrum = rowOver(m_spectrum);
+    cv::dft(rowOver(m_continued), spectrum);
+    transformKernels(length);
+}
+
+void ScaleSmoother::smooth(std::size_t level, std::vector<double>& result) {
+    if (m_space.route() == SmoothingRoute::recursive) {
+        m_space.recursive(level).smooth(m_function, m_space.border(), result);
+    } else if (m_function.empty()) {
+        result.clear();
+    } else if (m_space.route() == SmoothingRoute::fourier) {
+        multiplySpectra(level, result);
+    } else {
+        convolve(m_space.kernel(level), result);
+    }
+}
+
+void ScaleSmoother::continueFunction(std::size_t before, std::size_t length) {
+    const std::size_t count = m_function.size();
+    m_before = before;
+    m_continued.assign(length, 0.0);
+    if (count == 0) return;
+    std::copy(m_function.begin(), m_function.end(), m_continued.begin() + static_cast<std::ptrdiff_t>(before));
+    if (m_space.border() == TubeBorder::mirrorThenZero) {
+        for (std::size_t i = 0; i < std::min(before, count); ++i) m_continued[before - 1 - i] = m_function[i];
+        return;
+    }
+    for (std::size_t i = 0; i < before; ++i) m_continued[before - 1 - i] = m_function[count - 1 - i % count];
+    for (std::size_t i = before + count; i < length; ++i) m_continued[i] = m_function[(i - before) % count];
+}
+
+void ScaleSmoother::convolve(const GaussianKernel& kernel, std::vector<double>& result) const {
+    const std::size_t count = m_function.size();
+    const int radius = kernel.radius();
+    result.resize(wholeBlocks(count));
     // Every result is the same sequence of operations, whatever its place, so that equal surroundings give equal bits.
-    for (std::size_t start = 0; start < blocks * block; start += block) {
-        const double* centre = padded.data() + radius + start;
+    for (std::size_t start = 0; start < result.size(); start += block) {
+        const double* centre = m_continued.data() + m_before + start;
         std::array<double, block> sums{};
-        for (std::size_t j = 0; j < block; ++j) sums[j] = m_weights[0] * centre[j];
-        for (std::size_t distance = 1; distance <= radius; ++distance) {
-            const double weight = m_weights[distance];
+        for (std::size_t j = 0; j < block; ++j) sums[j] = kernel.weight(0) * centre[j];
+        for (int distance = 1; distance <= radius; ++distance) {
+            const double weight = kernel.weight(distance);
             const double *before = centre - distance, *after = centre + distance;
             for (std::size_t j = 0; j < block; ++j) sums[j] += weight * (before[j] + after[j]);
         }
@@ -46,10 +110,31 @@ void GaussianKernel::smooth(std::span<const double> function, std::vector<double
     result.resize(count);
 }
 
-std::vector<GaussianKernel> scaleSpaceKernels(int coarsest, int finest, double sigmaPerKernelSize, double cut) {
-    std::vector<GaussianKernel> kernels;
-    for (int n = coarsest; n >= finest; --n) kernels.emplace_back(sigmaPerKernelSize * std::ldexp(1.0, n), cut);
-    return kernels;
+void ScaleSmoother::transformKernels(std::size_t length) {
+    if (!m_kernelSpectra.empty() && m_kernelSpectra.front().size() == length) return;
+    m_kernelSpectra.assign(m_space.levels(), std::vector<double>(length));
+    for (std::size_t level = 0; level < m_space.levels(); ++level) {
+        const GaussianKernel& kernel = m_space.kernel(level);
+        std::vector<double> wrapped(length, 0.0);
+        wrapped[0] = kernel.weight(0);
+        for (int distance = 1; distance <= kernel.radius(); ++distance) {
+            // Where the kernel is longer than the function, it goes around more than once.
+            const std::size_t after = static_cast<std::size_t>(distance) % length;
+            wrapped[after] += kernel.weight(distance);
+            wrapped[(length - after) % length] += kernel.weight(distance);
+        }
+        cv::Mat spectrum = rowOver(m_kernelSpectra[level]);
+        cv::dft(rowOver(wrapped), spectrum);
+    }
+}
+
+void ScaleSmoother::multiplySpectra(std::size_t level, std::vector<double>& result) {
+    m_product.resize(m_spectrum.size());
+    cv::Mat product = rowOver(m_product);
+    cv::mulSpectrums(rowOver(m_spectrum), rowOver(m_kernelSpectra[level]), product, 0);
+    cv::dft(product, product, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
+    const auto first = m_product.begin() + static_cast<std::ptrdiff_t>(m_before);
+    result.assign(first, first + static_cast<std::ptrdiff_t>(m_function.size()));
 }
 
 }  // namespace echolucent

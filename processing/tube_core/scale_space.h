@@ -1,31 +1,84 @@
 // The interface indicating function at coarse to fine scales: convolution with Gaussians (Petersch 2005, section 4.1).
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "processing/adaptive_otf.h"
+#include "processing/tube_core/recursive_gaussian.h"
+
 namespace echolucent {
 
-/// A sampled Gaussian, cut, lowered so that it ends at zero, and renormalised: symmetric, odd, its weights sum to 1. A
-/// kernel that ends in a step makes a false maximum where its end passes over a peak.
+/// A sampled Gaussian, cut and renormalised: symmetric, odd, its weights sum to 1.
 class GaussianKernel {
 public:
-    /// sigma in samples, above 0; ends at cut * sigma.
-    GaussianKernel(double sigma, double cut);
+    /// sigma in samples, above 0; ends at cut * sigma. endsAtZero: lowered before it is renormalised, so that it ends
+    /// at zero. A kernel that ends in a step makes a false maximum where its end passes over a peak.
+    GaussianKernel(double sigma, double cut, bool endsAtZero = true);
     [[nodiscard]] int radius() const { return static_cast<int>(m_weights.size()) - 1; }
     /// Weight at distance 0 ... radius().
     [[nodiscard]] double weight(int distance) const { return m_weights[static_cast<std::size_t>(distance)]; }
-
-    /// Smooths a function: mirrored in front of its first sample (f(-1 - i) = f(i)), zero behind its last. A constant
-    /// stays the same to the last bit as far as the zero is out of reach. padded: scratch. result may not be function.
-    void smooth(std::span<const double> function, std::vector<double>& result, std::vector<double>& padded) const;
 
 private:
     std::vector<double> m_weights;
 };
 
-/// Kernels of size 2^n, n = coarsest ... finest: sigma = sigmaPerKernelSize * 2^n, ended at cut sigmas.
-[[nodiscard]] std::vector<GaussianKernel> scaleSpaceKernels(int coarsest, int finest, double sigmaPerKernelSize,
-                                                            double cut);
+/// The scales of a config, coarsest first, and how a function is continued and convolved there. Lengths in samples of
+/// the function: the config's units divided by its cellStride, so that sigma means the same length along the tube
+/// whatever the stride. The recursive route's Gaussians are neither cut nor lowered (kernelCut and kernelEndsAtZero do
+/// not apply).
+class ScaleSpace {
+public:
+    explicit ScaleSpace(const AdaptiveOtfConfig& config);
+    [[nodiscard]] std::size_t levels() const { return m_sigmas.size(); }
+    /// In samples.
+    [[nodiscard]] double sigma(std::size_t level) const { return m_sigmas[level]; }
+    /// Not there on the recursive route.
+    [[nodiscard]] const GaussianKernel& kernel(std::size_t level) const { return m_kernels[level]; }
+    [[nodiscard]] const RecursiveGaussian& recursive(std::size_t level) const { return m_recursive[level]; }
+    /// Of the coarsest kernel; 0 on the recursive route.
+    [[nodiscard]] std::size_t largestRadius() const;
+    [[nodiscard]] TubeBorder border() const { return m_border; }
+    [[nodiscard]] SmoothingRoute route() const { return m_route; }
+
+private:
+    TubeBorder m_border;
+    SmoothingRoute m_route;
+    std::vector<double> m_sigmas;
+    std::vector<GaussianKernel> m_kernels;
+    std::vector<RecursiveGaussian> m_recursive;
+};
+
+/// Smooths one function after the other; one per thread.
+///
+/// Borders: mirrorThenZero is mirrored in front of the first sample (f(-1 - i) = f(i), once), zero before the mirror
+/// image and behind the last sample; circular is the function again on both sides. Routes: direct sums products and
+/// gives equal surroundings equal bits, so that a constant stays the same to the last bit as far as the zero is out of
+/// reach; fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular) and equals it to rounding;
+/// recursive: see RecursiveGaussian.
+class ScaleSmoother {
+public:
+    explicit ScaleSmoother(const ScaleSpace& space) : m_space(space) {}
+    explicit ScaleSmoother(const ScaleSpace&&) = delete;
+    [[nodiscard]] const ScaleSpace& space() const { return m_space; }
+    /// The function to be smoothed next; it must stay where it is until the last smooth().
+    void begin(std::span<const double> function);
+    /// The function at a scale.
+    void smooth(std::size_t level, std::vector<double>& result);
+
+private:
+    void continueFunction(std::size_t before, std::size_t length);
+    void convolve(const GaussianKernel& kernel, std::vector<double>& result) const;
+    void transformKernels(std::size_t length);
+    void multiplySpectra(std::size_t level, std::vector<double>& result);
+
+    const ScaleSpace& m_space;
+    std::span<const double> m_function;
+    std::vector<double> m_continued;  ///< the function with what lies beyond its ends
+    std::size_t m_before = 0;         ///< samples in front of the function in m_continued
+    std::vector<double> m_spectrum, m_product;
+    std::vector<std::vector<double>> m_kernelSpectra;  ///< of the last length: the tubes of a view are mostly equal
+};
 
 }  // namespace echolucent

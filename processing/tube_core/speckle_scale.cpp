@@ -13,8 +13,11 @@ constexpr int spreadBins = 128;
 /// Spreads are counted in bins that grow by the same factor, from the least to the largest a slab can have (0.5).
 constexpr double leastSpread = 0.001;
 constexpr double largestSpread = 0.5;
-/// A bin of means speaks for itself from this share of all slabs on; else it is joined with the next.
-constexpr double leastShare = 1.0 / 64.0;
+/// A bin of means speaks from this share of the slabs of the fullest bin near it on. The rarer means are those of slabs
+/// with a boundary in them, of tube cores that graze a wall above all, whose spread is not that of speckle.
+constexpr double leastShare = 0.25;
+constexpr int nearBins = 8;
+constexpr std::uint32_t leastSlabs = 16;
 
 struct Knot {
     double mean, spread;
@@ -25,11 +28,6 @@ struct SpreadCounts {
     std::uint32_t count = 0;
     double sumOfMeans = 0.0;
 
-    void add(const SpreadCounts& other) {
-        for (std::size_t i = 0; i < bins.size(); ++i) bins[i] += other.bins[i];
-        count += other.count;
-        sumOfMeans += other.sumOfMeans;
-    }
     /// The median, interpolated within its bin.
     [[nodiscard]] double medianSpread() const {
         const double half = count / 2.0, step = std::log(largestSpread / leastSpread) / spreadBins;
@@ -62,15 +60,14 @@ std::array<SpreadCounts, meanBins> countSpreads(const TubeProfiles& profiles) {
 }
 
 std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
-    double all = 0.0;
-    for (const SpreadCounts& bin : counts) all += bin.count;
     std::vector<Knot> knots;
-    SpreadCounts joined;
-    for (const SpreadCounts& bin : counts) {
-        joined.add(bin);
-        if (joined.count == 0 || joined.count < leastShare * all) continue;
-        knots.push_back({joined.sumOfMeans / joined.count, joined.medianSpread()});
-        joined = {};
+    for (int bin = 0; bin < meanBins; ++bin) {
+        const SpreadCounts& here = counts[static_cast<std::size_t>(bin)];
+        std::uint32_t fullest = 0;
+        for (int other = std::max(0, bin - nearBins); other <= std::min(meanBins - 1, bin + nearBins); ++other)
+            fullest = std::max(fullest, counts[static_cast<std::size_t>(other)].count);
+        if (here.count >= leastSlabs && here.count >= leastShare * fullest)
+            knots.push_back({here.sumOfMeans / here.count, here.medianSpread()});
     }
     if (knots.empty()) knots.push_back({0.5, leastSpread});
     return knots;

@@ -1,6 +1,7 @@
 #include "processing/tube_core/surface_detection.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace echolucent {
 
@@ -60,21 +61,53 @@ void takeOffFloor(std::span<const double> function, double quantile, std::vector
                    [floor](double value) { return std::max(0.0, value - floor); });
 }
 
-std::vector<int> trackSurface(std::span<const double> interfaceFunction, std::span<const GaussianKernel> kernels,
+TrackingRule trackingRuleOf(const AdaptiveOtfConfig& config) {
+    return {.significance = config.significance,
+            .floorQuantile = config.floorQuantile,
+            .coarsestMustHaveMaximum = config.coarsestMustHaveMaximum,
+            .rangeSigmas = config.trackingRangeSigmas,
+            .stride = config.cellStride};
+}
+
+namespace {
+
+IndexRange around(int position, double halfWidth) {
+    const int half = static_cast<int>(std::floor(halfWidth));
+    return {position - half, position + half};
+}
+
+void takeEvery(int stride, std::span<const double> function, std::vector<double>& result) {
+    result.clear();
+    for (std::size_t i = 0; i < function.size(); i += static_cast<std::size_t>(stride)) result.push_back(function[i]);
+}
+
+}  // namespace
+
+std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
                               const TrackingRule& rule, DetectionScratch& scratch) {
-    IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
-    if (kernels.empty() || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
-    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
+    takeEvery(rule.stride, interfaceFunction, scratch.lookedAt);
+    const std::size_t levels = smoother.space().levels();
+    IndexRange range{0, static_cast<int>(scratch.lookedAt.size()) - 1};
+    if (levels == 0 || !firstSignificantMaximum(scratch.lookedAt, range, 0.0)) return {};
+    takeOffFloor(scratch.lookedAt, rule.floorQuantile, scratch.aboveFloor);
+    smoother.begin(scratch.aboveFloor);
     std::vector<int> tracked;
-    for (const GaussianKernel& kernel : kernels) {
-        kernel.smooth(scratch.aboveFloor, scratch.smoothed, scratch.padded);
-        const auto maximum = firstSignificantMaximum(scratch.smoothed, range, rule.significance);
-        if (!maximum && tracked.empty()) continue;
+    for (std::size_t level = 0; level <= levels; ++level) {
+        const bool unsmoothed = level == levels;
+        if (unsmoothed && tracked.empty()) return {};
+        if (!unsmoothed) smoother.smooth(level, scratch.smoothed);
+        const std::vector<double>& function = unsmoothed ? scratch.aboveFloor : scratch.smoothed;
+        const auto maximum = firstSignificantMaximum(function, range, rule.significance);
+        if (!maximum && tracked.empty()) {
+            if (rule.coarsestMustHaveMaximum) return {};
+            continue;
+        }
         tracked.push_back(maximum ? *maximum : tracked.back());
-        if (maximum) range = valleyToValley(scratch.smoothed, *maximum);
+        if (!maximum || unsmoothed) continue;
+        range = rule.rangeSigmas > 0.0 ? around(*maximum, rule.rangeSigmas * smoother.space().sigma(level))
+                                       : valleyToValley(function, *maximum);
     }
-    if (tracked.empty()) return {};
-    tracked.push_back(firstSignificantMaximum(scratch.aboveFloor, range, rule.significance).value_or(tracked.back()));
+    for (int& cell : tracked) cell *= rule.stride;
     return tracked;
 }
 

@@ -107,16 +107,16 @@ TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
 }
 
 TEST(OtfJson, CurveFollowsFromTheTubesByEquations4To7) {
-    expectCurveFollowsFromTubes(otfOf(shapesFile()), 2);
+    expectCurveFollowsFromTubes(otfOf(shapesFile(), "--form product"), 2);
     expectCurveFollowsFromTubes(
         otfOf(shapesFile(),
-              "--initial quartic --opacity-scale 0.3 --strength 40 --view-azimuth 21 --view-elevation -9"),
+              "--form product --initial quartic --opacity-scale 0.3 --strength 40 --view-azimuth 21 --view-elevation -9"),
         4);
 }
 
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
-    expectWeightsFollowFromTubes(otfOf(shapesFile()));
-    expectWeightsFollowFromTubes(otfOf(shapesFile(), "--view-azimuth 35 --view-elevation 20 --tube-grid 9x13"));
+    expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance"));
+    expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance --view-azimuth 35 --view-elevation 20 --tube-grid 9x13"));
 }
 
 TEST(OtfJson, FindsThePhantomsSurfaces) {
@@ -218,7 +218,7 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
 
 TEST(OtfTables, HoldTheSameNumbersAsTheJson) {
     const Folder folder;
-    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --json \"" + folder / "o.json" + "\" --csv \"" +
+    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --form product --json \"" + folder / "o.json" + "\" --csv \"" +
                                        folder / "o.csv" + "\" --tubes-csv \"" + folder / "t.csv" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
@@ -249,7 +249,7 @@ TEST(OtfSummary, IsPrintedWhereNoFileIsAskedFor) {
 TEST(OtfOfRealData, FindsSurfacesBehindTheChestsNearCut) {
     const std::string file = ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/fetal_chest_iso0.3mm.mha";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "the shared volumes are not here";
-    const json otf = otfOf(file, "--beam-axis +y --near 18");
+    const json otf = otfOf(file, "--beam-axis +y --near 18 --interface-function variance --form product");
     EXPECT_EQ(otf["message"], "");
     int weighted = 0;
     for (const json& tube : otf["tubes"]) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -10,19 +11,33 @@
 namespace echolucent {
 namespace {
 
-std::vector<double> smoothed(const GaussianKernel& kernel, const std::vector<double>& function) {
-    std::vector<double> result, padded;
-    kernel.smooth(function, result, padded);
+/// One scale of a given sigma and the rest as the config says.
+std::vector<double> smoothed(double sigma, const std::vector<double>& function, AdaptiveOtfConfig config = {}) {
+    config.coarsestScale = config.finestScale = 0;
+    config.sigmaPerKernelSize = sigma;
+    const ScaleSpace space(config);
+    ScaleSmoother smoother(space);
+    std::vector<double> result;
+    smoother.begin(function);
+    smoother.smooth(0, result);
     return result;
 }
 
+AdaptiveOtfConfig cutAt(double sigmas) {
+    AdaptiveOtfConfig config;
+    config.kernelCut = sigmas;
+    return config;
+}
+
+constexpr std::array<double, 5> settledSigmas{32, 16, 8, 4, 2};
+
 TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) {
-    const auto kernels = scaleSpaceKernels(7, 3, 0.25, 3.0);
-    ASSERT_EQ(kernels.size(), 5u);
-    const double sigmas[] = {32, 16, 8, 4, 2};
-    for (std::size_t level = 0; level < kernels.size(); ++level) {
-        const GaussianKernel& kernel = kernels[level];
-        const double sigma = sigmas[level];
+    const ScaleSpace space{AdaptiveOtfConfig{}};
+    ASSERT_EQ(space.levels(), 5u);
+    for (std::size_t level = 0; level < space.levels(); ++level) {
+        const GaussianKernel& kernel = space.kernel(level);
+        const double sigma = settledSigmas[level];
+        EXPECT_EQ(space.sigma(level), sigma);
         ASSERT_EQ(kernel.radius(), static_cast<int>(3 * sigma));
         double sum = kernel.weight(0), secondMoment = 0;
         for (int i = 1; i <= kernel.radius(); ++i) {
@@ -43,7 +58,7 @@ TEST(ScaleSpace, EqualsTheConvolutionWrittenOut) {
     for (int i = 0; i < 37; ++i) function.push_back(std::fmod(i * i * 0.37 + 0.11 * i, 1.0));
     for (const double sigma : {2.0, 8.0, 32.0}) {
         const GaussianKernel kernel(sigma, 3.0);
-        const auto result = smoothed(kernel, function);
+        const auto result = smoothed(sigma, function);
         ASSERT_EQ(result.size(), function.size());
         for (int i = 0; i < 37; ++i) {
             long double expected = 0;
@@ -63,25 +78,25 @@ TEST(ScaleSpace, SmoothingTwiceAddsTheVariances) {
     // The semigroup of Gaussians; kernels cut far out, so that only sampling is left as error.
     std::vector<double> impulse(401, 0.0);
     impulse[200] = 1.0;
-    const auto twice = smoothed(GaussianKernel(8.0, 8.0), smoothed(GaussianKernel(6.0, 8.0), impulse));
-    const auto once = smoothed(GaussianKernel(10.0, 8.0), impulse);
+    const auto twice = smoothed(8.0, smoothed(6.0, impulse, cutAt(8)), cutAt(8));
+    const auto once = smoothed(10.0, impulse, cutAt(8));
     for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], once[i], 1e-13);
 }
 
 TEST(ScaleSpace, DoesNotShiftAPeak) {
     std::vector<double> impulse(301, 0.0);
     impulse[150] = 1.0;
-    for (const auto& kernel : scaleSpaceKernels(7, 3, 0.25, 3.0))
-        EXPECT_EQ(firstSignificantMaximum(smoothed(kernel, impulse), {0, 300}, 0.4), 150);
+    for (const double sigma : settledSigmas)
+        EXPECT_EQ(firstSignificantMaximum(smoothed(sigma, impulse), {0, 300}, 0.4), 150);
 }
 
 TEST(ScaleSpace, CreatesNoMaximumFromAConstantOrAFallingRamp) {
     for (const double value : {1.0, 0.1, 1.0 / 3.0, 6.0221e-7}) {
         std::vector<double> constant(195, value), falling(195);
         for (std::size_t i = 0; i < falling.size(); ++i) falling[i] = value * static_cast<double>(falling.size() - i);
-        for (const auto& kernel : scaleSpaceKernels(7, 3, 0.25, 3.0)) {
-            EXPECT_FALSE(firstSignificantMaximum(smoothed(kernel, constant), {0, 194}, 0.0)) << value;
-            EXPECT_FALSE(firstSignificantMaximum(smoothed(kernel, falling), {0, 194}, 0.0)) << value;
+        for (const double sigma : settledSigmas) {
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(sigma, constant), {0, 194}, 0.0)) << value;
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(sigma, falling), {0, 194}, 0.0)) << value;
         }
     }
 }
@@ -102,7 +117,7 @@ TEST(ScaleSpace, NeverAddsMaximaAsItGetsCoarser) {
     int finer = maxima(noise);
     EXPECT_GT(finer, 100);
     for (const double sigma : {2.0, 4.0, 8.0, 16.0, 32.0}) {
-        const int coarser = maxima(smoothed(GaussianKernel(sigma, 6.0), noise));
+        const int coarser = maxima(smoothed(sigma, noise, cutAt(6)));
         EXPECT_LE(coarser, finer) << sigma;
         finer = coarser;
     }

@@ -22,7 +22,7 @@ TEST(DescribeSurface, ReadsPriorCellsSurfaceCellAndSlope) {
     for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
     means[3] = 0.9;
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 20, 5, 5, tube));
+    ASSERT_TRUE(describeSurface(cellsWith(means), 20, {}, tube));
     EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
     EXPECT_EQ(*tube.lowIntensityMax, 0.9);
     EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.2);
@@ -33,20 +33,49 @@ TEST(DescribeSurface, ShortensTheSlopeAtTheTubesEnds) {
     std::vector<double> means;
     for (int i = 0; i < 12; ++i) means.push_back(0.01 * i * i);
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 9, 5, 5, tube));
+    ASSERT_TRUE(describeSurface(cellsWith(means), 9, {}, tube));
     EXPECT_NEAR(*tube.slope, (0.01 * 121 - 0.01 * 16) / 7, 1e-15) << "from cell 4 to cell 11, the last";
 }
 
 TEST(DescribeSurface, NeedsACellThatEndsBeforeTheSurface) {
     TubeCore tube;
     CellStatistics cells = cellsWith(std::vector<double>(20, 0.5));
-    EXPECT_FALSE(describeSurface(cells, 4, 5, 5, tube));
-    EXPECT_TRUE(describeSurface(cells, 5, 5, 5, tube));
+    EXPECT_FALSE(describeSurface(cells, 4, {}, tube));
+    EXPECT_TRUE(describeSurface(cells, 5, {}, tube));
     cells.firstCell = 3;
-    EXPECT_FALSE(describeSurface(cells, 7, 5, 5, tube));
-    EXPECT_TRUE(describeSurface(cells, 8, 5, 5, tube));
+    EXPECT_FALSE(describeSurface(cells, 7, {}, tube));
+    EXPECT_TRUE(describeSurface(cells, 8, {}, tube));
     std::fill(cells.complete.begin(), cells.complete.begin() + 4, std::uint8_t{0});
-    EXPECT_FALSE(describeSurface(cells, 8, 5, 5, tube)) << "cells of too little data do not count";
+    EXPECT_FALSE(describeSurface(cells, 8, {}, tube)) << "cells of too little data do not count";
+}
+
+TEST(DescribeSurface, PriorCellsThatMayOverlapAreAllThatBeginBeforeTheSurface) {
+    std::vector<double> means;
+    for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
+    AdaptiveOtfConfig config;
+    config.priorCellsMayOverlap = true;
+    TubeCore tube;
+    ASSERT_TRUE(describeSurface(cellsWith(means), 20, config, tube));
+    EXPECT_NEAR(*tube.lowIntensity, 0.01 * 19 / 2, 1e-15) << "cells 0 to 19";
+    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.19);
+    EXPECT_TRUE(describeSurface(cellsWith(means), 1, config, tube));
+    EXPECT_FALSE(describeSurface(cellsWith(means), 0, config, tube));
+}
+
+TEST(DescribeSurface, AStrideLooksAtEveryStridethCellOnly) {
+    std::vector<double> means;
+    for (int i = 0; i < 40; ++i) means.push_back(i % 5 == 2 ? 0.01 * i : 0.9);
+    CellStatistics cells = cellsWith(means);
+    cells.firstCell = 2;
+    AdaptiveOtfConfig config;
+    config.cellStride = 5;
+    config.slopeHalfStep = 6;
+    TubeCore tube;
+    ASSERT_TRUE(describeSurface(cells, 22, config, tube));
+    EXPECT_NEAR(*tube.lowIntensity, 0.01 * (2 + 7 + 12 + 17) / 4, 1e-15);
+    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.17);
+    EXPECT_NEAR(*tube.slope, 0.01, 1e-15) << "from cell 17 to cell 27, the half step nearest to 6";
+    EXPECT_TRUE(tube.edgeToNoise) << "abutting cells do not overlap: each is apart from the next";
 }
 
 TEST(ScatterOf, IsTheStandardDeviationOfNoiseAndIgnoresAWall) {
@@ -89,6 +118,38 @@ TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
     EXPECT_EQ(tubes[3].d, 0.0);
     EXPECT_EQ(tubes[4].d, 0.0);
     EXPECT_EQ(tubes[5].d, 0.0);
+}
+
+TEST(WeighTubes, ValuesOfOneBinAreTies) {
+    // Ten bins from 0 to 0.4 and from 0 to 0.03: 0.20 and 0.21 share bin 5, the largest value is in the last.
+    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.20, 0.0101), tubeWith(0.21, 0.0119),
+                                tubeWith(0.4, -0.05)};
+    const auto weights = [&](int bins) {
+        weighTubes(tubes, 4, 1.0, 0.0, bins);
+        std::vector<double> all;
+        for (const TubeCore& tube : tubes) all.insert(all.end(), {tube.intensityWeight, tube.slopeWeight});
+        return all;
+    };
+    const std::vector<double> exact{0.75, 0.75, 0.5, 0.25, 0.25, 0.5, 0.0, 0.0};
+    EXPECT_EQ(weights(0), exact);
+    EXPECT_EQ(weights(10), (std::vector<double>{0.75, 0.75, 0.25, 0.5, 0.25, 0.5, 0.0, 0.0}));
+    EXPECT_EQ(weights(1), (std::vector<double>{0.0, 0.75, 0.0, 0.75, 0.0, 0.75, 0.0, 0.0})) << "all are ties";
+    EXPECT_EQ(weights(1 << 20), exact) << "bins finer than the differences";
+}
+
+TEST(WeighTubes, AllTiesWeighNothing) {
+    for (const int bins : {0, 256}) {
+        std::vector<TubeCore> tubes(5, tubeWith(0.2, 0.02));
+        weighTubes(tubes, 5, 1.0, 0.0, bins);
+        for (const TubeCore& tube : tubes) {
+            EXPECT_EQ(tube.intensityWeight, 0.0) << "inclusive ranks";
+            EXPECT_EQ(tube.slopeWeight, 1.0);
+            EXPECT_EQ(tube.d, 0.0);
+        }
+        for (TubeCore& tube : tubes) tube.lowIntensityMax = 0.0;
+        weighTubes(tubes, 5, 1.0, 0.0, bins);
+        for (const TubeCore& tube : tubes) EXPECT_EQ(tube.d, 0.0) << "nothing but black before the surface";
+    }
 }
 
 TEST(WeighTubes, NoWeightWithoutARiseOrAnEdgeThatStandsOut) {

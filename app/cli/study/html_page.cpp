@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view style = R"(
 :root{color-scheme:light dark}
-body{font:15px/1.5 system-ui,sans-serif;max-width:1160px;margin:2rem auto;padding:0 1rem;background:#fff;color:#222}
+body{font:15px/1.5 system-ui,sans-serif;max-width:1600px;margin:2rem auto;padding:0 1rem;background:#fff;color:#222}
 h1{font-size:1.7rem;margin-bottom:.3rem}h2{font-size:1.25rem;margin-top:2.2rem}p{max-width:52rem}
 .scroll{overflow-x:auto}table{border-collapse:collapse;margin:1rem 0;font-size:13.5px}
 caption{text-align:left;padding-bottom:.4rem;color:#555}

@@ -19,7 +19,7 @@ struct OtfStudyOptions {
     ViewOptions view;
     std::string folder;
     bool onPhantoms = false;
-    int repeats = 5;
+    int repeats = 9;
 };
 
 /// Away from every grid axis, so that the tubes' samples must be interpolated.
@@ -57,7 +57,7 @@ void addContrast(const StudyPhantom& phantom, const std::string& condition, std:
     bool isOne = false;
     for (const NamedPhantom& one : contrastConditions(phantom.config)) isOne = isOne || one.name == condition;
     if (!isOne) return;
-    std::vector<OpacityCurve> curves{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}};
+    std::vector<OpacityCurve> curves{parabolaCurve(), linearCurve()};
     for (const ReadingResult& reading : readings) curves.emplace_back(reading.curve);
     const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, View{});
     const auto contrasts = surfaceContrasts(phantom.volume, rays, View{}, curves);

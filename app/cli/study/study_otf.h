@@ -17,11 +17,11 @@ namespace echolucent::cli {
 /// One setting that is compared: the default but for one parameter.
 struct OtfVariant {
     InterfaceFunction interfaceFunction = InterfaceFunction::variance;
-    std::string parameter;  ///< "tube spacing", "cell size", ...; "none": nothing is changed but the interface function
+    std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": nothing but the interface function
     std::string value;
     AdaptiveOtfConfig config;
     bool isReference = false;  ///< the densest: tube cores every 4 units, double precision
-    [[nodiscard]] std::string name() const { return parameter == "none" ? value : parameter + " " + value; }
+    [[nodiscard]] std::string name() const { return value.empty() ? parameter : parameter + " " + value; }
 };
 [[nodiscard]] std::string nameOf(InterfaceFunction function);
 
@@ -69,7 +69,9 @@ struct ReadingResult {
     std::optional<double> contrast;  ///< CNR_S, of the six conditions along the beam
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithSurface = 0;
-    SurfaceLight light;
+    SurfaceLight light;          ///< of the reading's own curve
+    SurfaceLight parabolaLight;  ///< of x^2 along the same tube cores
+    SurfaceLight linearLight;    ///< of eq. 1 with L_L = 20/255, a = 0.5
     std::string message;
     SampledCurve curve;
 };

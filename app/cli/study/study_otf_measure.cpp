@@ -123,6 +123,8 @@ ReadingResult measureReading(const OtfCase& one, MethodReading reading) {
     result.message = otf.message;
     result.curve = otf.curve;
     result.light = surfaceLight(*one.volume, otf, otf.curve);
+    result.parabolaLight = surfaceLight(*one.volume, otf, parabolaCurve());
+    result.linearLight = surfaceLight(*one.volume, otf, linearCurve());
     if (one.truth != nullptr) result.detection = detectionQuality(otf, *one.truth, one.volume->geometry());
     return result;
 }

@@ -22,7 +22,7 @@ PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std:
     for (const VariantResult* result : results) {
         series.x.push_back(result->timeRatio());
         series.y.push_back(errorOf(*result, ofDetection));
-        series.labels.push_back(result->variant.parameter == "none" ? "unchanged" : result->variant.value);
+        series.labels.push_back(result->variant.value.empty() ? result->variant.name() : result->variant.value);
     }
     return series;
 }
@@ -58,8 +58,8 @@ Plot curvesPlot(const OtfStudy& study) {
     for (std::size_t i = count; i-- > 0;)
         curves.emplace_back((i + 1 == count ? "adaptive, " : "") + std::string(nameOf(study.readings[i].reading)),
                             study.readings[i].curve);
-    curves.emplace_back("parabolic, x²", sampled(PowerCurve{2, 1.0}));
-    curves.emplace_back("linear, eq. 1 with L_L = 20/255, a = 0.5", sampled(LinearCurve{20.0 / 255.0, 0.5, 1.0}));
+    curves.emplace_back("parabolic, x²", sampled(parabolaCurve()));
+    curves.emplace_back("linear, eq. 1 with L_L = 20/255, a = 0.5", sampled(linearCurve()));
     for (const auto& [name, curve] : curves) {
         PlotSeries series;
         series.name = name;
@@ -79,9 +79,11 @@ void addReadings(const OtfStudy& study, HtmlPage& page) {
         "the project's method notes tell. Default: what the program uses where nobody asks for another.");
     if (!study.truthKnown) {
         const TextTable table = volumeTable(study);
-        page.table(table.columns, table.rows,
-                   "Light from the surfaces: of the rays along the tube cores' axes, the share of the composited "
-                   "intensity that comes from within 3 units of the surface found.");
+        page.table(
+            table.columns, table.rows,
+            "Light from the surfaces: of the rays along the tube cores' axes, the share of the composited "
+            "intensity that comes from within 3 units of the surface found; of the reading's own curve and of the "
+            "curves that no tube core shapes.");
         for (const ReadingResult& result : study.readings)
             if (!result.message.empty()) page.paragraph(fmt::format("{}: {}", nameOf(result.reading), result.message));
         page.plot(curvesPlot(study));
@@ -123,7 +125,7 @@ Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetect
         std::vector<const VariantResult*> some;
         for (const VariantResult* result : own)
             if (result->variant.parameter == parameter) some.push_back(result);
-        plot.series.push_back(seriesOf(some, parameter == "none" ? "unchanged" : parameter, ofDetection));
+        plot.series.push_back(seriesOf(some, parameter, ofDetection));
     }
     return plot;
 }

@@ -128,10 +128,13 @@ TextTable contrastTable(const OtfStudy& study) {
 }
 
 TextTable volumeTable(const OtfStudy& study) {
-    TextTable table{{"reading", "tube cores with a surface", "Σd", "light from the surfaces %", "mean light"}, {}};
+    TextTable table{{"reading", "tube cores with a surface", "Σd", "light from the surfaces %", "of x² %", "of eq. 1 %",
+                     "mean light"},
+                    {}};
     for (const ReadingResult& result : study.readings)
         table.rows.push_back({std::string(nameOf(result.reading)), std::to_string(result.tubesWithSurface),
                               fmt::format("{:.3f}", result.sumOfWeights), percent(result.light.meanShare),
+                              percent(result.parabolaLight.meanShare), percent(result.linearLight.meanShare),
                               fmt::format("{:.3f}", result.light.meanIntensity)});
     return table;
 }
@@ -176,7 +179,7 @@ std::string variantsCsv(const OtfStudy& study) {
 std::string readingsCsv(const OtfStudy& study) {
     CsvTable csv({"reading", "group", "condition", "seed", "azimuth_degrees", "elevation_degrees", "right_weight_share",
                   "empty_weight_share", "found_share", "mean_error_units", "sum_of_d", "tubes_with_surface", "cnr_s",
-                  "surface_light_share", "message"});
+                  "surface_light_share", "parabola_light_share", "linear_light_share", "message"});
     for (const ReadingResult& result : study.readings) {
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
         csv.row({std::string(nameOf(result.reading)), result.group, result.condition,
@@ -184,7 +187,7 @@ std::string readingsCsv(const OtfStudy& study) {
                  known(result.detection.rightShare()), known(result.detection.emptyShare()),
                  known(result.detection.foundShare()), known(result.detection.meanDistanceUnits()), result.sumOfWeights,
                  std::int64_t{result.tubesWithSurface}, result.contrast.value_or(NAN), result.light.meanShare,
-                 result.message});
+                 result.parabolaLight.meanShare, result.linearLight.meanShare, result.message});
     }
     return csv.text();
 }

@@ -57,7 +57,7 @@ private:
 };
 
 void VariantList::addGrids() {
-    add("none", nameOf(m_base.interfaceFunction), m_base);
+    add("unchanged", "", m_base);
     AdaptiveOtfConfig reference = ofSpacing(referenceSpacing);
     reference.precision = Precision::double64;
     add("reference", "", reference, true);

@@ -51,8 +51,12 @@ std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base) {
     return chosen;
 }
 
+OpacityCurve parabolaCurve() { return PowerCurve{2, 1.0}; }
+
+OpacityCurve linearCurve() { return LinearCurve{20.0 / 255.0, 0.5, 1.0}; }
+
 ContrastCurves contrastCurvesOf(const Volume& volume, const View& view) {
-    ContrastCurves all{{"x²", "eq. 1"}, {PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}}};
+    ContrastCurves all{{"x²", "eq. 1"}, {parabolaCurve(), linearCurve()}};
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
         all.names.emplace_back(nameOf(reading));
         all.curves.emplace_back(adaptOpacity(volume, view, configOf(reading))->curve);

@@ -33,12 +33,16 @@ struct StudyPhantom {
     explicit StudyPhantom(const PhantomConfig& given) : config(given), truth(given), volume(*makePhantom(given)) {}
 };
 
+/// What the adaptive curve is compared with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
+[[nodiscard]] OpacityCurve parabolaCurve();
+[[nodiscard]] OpacityCurve linearCurve();
+
 /// What contrast is measured of: the fixed curves and the readings' curves, in this order everywhere.
 struct ContrastCurves {
     std::vector<std::string> names;
     std::vector<OpacityCurve> curves;
 };
-/// x^2, eq. 1 with L_L = 20/255 and a = 0.5, and the adaptive curves of the published, settled and default readings.
+/// parabolaCurve(), linearCurve(), and the adaptive curves of the published, settled and default readings.
 [[nodiscard]] ContrastCurves contrastCurvesOf(const Volume& volume, const View& view);
 
 /// CNR_S of each of these curves.

@@ -1,0 +1,169 @@
+// The routes and borders of the scale space against each other and against the convolution written out.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "processing/tube_core/scale_space.h"
+
+namespace echolucent {
+namespace {
+
+constexpr std::array<TubeBorder, 2> borders{TubeBorder::mirrorThenZero, TubeBorder::circular};
+constexpr std::array<std::size_t, 8> lengths{1, 2, 7, 39, 64, 195, 199, 256};
+
+AdaptiveOtfConfig with(SmoothingRoute route, TubeBorder border) {
+    AdaptiveOtfConfig config;
+    config.smoothing = route;
+    config.border = border;
+    return config;
+}
+
+/// All scales, coarsest first.
+std::vector<std::vector<double>> scalesOf(const std::vector<double>& function, const AdaptiveOtfConfig& config) {
+    const ScaleSpace space(config);
+    ScaleSmoother smoother(space);
+    smoother.begin(function);
+    std::vector<std::vector<double>> scales(space.levels());
+    for (std::size_t level = 0; level < scales.size(); ++level) smoother.smooth(level, scales[level]);
+    return scales;
+}
+
+/// Speckle's variance along a tube: exponential noise with a bright part.
+std::vector<double> noise(std::size_t length, unsigned seed) {
+    std::mt19937 random(seed);
+    std::exponential_distribution<double> value(1.0);
+    std::vector<double> function(length);
+    for (std::size_t i = 0; i < length; ++i) function[i] = value(random) * (2 * i > length ? 1.0 : 0.1);
+    return function;
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+double largestOf(const std::vector<double>& function) { return *std::max_element(function.begin(), function.end()); }
+
+TEST(ScaleSpaceRoutes, FourierEqualsDirectToRounding) {
+    for (const TubeBorder border : borders)
+        for (const std::size_t length : lengths)
+            for (const bool endsAtZero : {true, false}) {
+                const auto function = noise(length, static_cast<unsigned>(length));
+                auto direct = with(SmoothingRoute::direct, border), fourier = with(SmoothingRoute::fourier, border);
+                direct.kernelEndsAtZero = fourier.kernelEndsAtZero = endsAtZero;
+                const auto expected = scalesOf(function, direct), got = scalesOf(function, fourier);
+                ASSERT_EQ(expected.size(), got.size());
+                for (std::size_t level = 0; level < expected.size(); ++level)
+                    EXPECT_LE(largestDifference(expected[level], got[level]), 1e-12 * largestOf(function)) << length;
+            }
+}
+
+TEST(ScaleSpaceRoutes, OneSmootherServesFunctionsOfAnyLengthOneAfterTheOther) {
+    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier, SmoothingRoute::recursive}) {
+        const AdaptiveOtfConfig config = with(route, TubeBorder::mirrorThenZero);
+        const ScaleSpace space(config);
+        ScaleSmoother smoother(space);
+        std::vector<double> result;
+        for (const std::size_t length : {195u, 40u, 300u, 195u}) {
+            const auto function = noise(length, 3);
+            smoother.begin(function);
+            smoother.smooth(1, result);
+            EXPECT_EQ(result, scalesOf(function, config)[1]) << "the same bits as a fresh one";
+        }
+        smoother.begin({});
+        smoother.smooth(0, result);
+        EXPECT_TRUE(result.empty());
+    }
+}
+
+TEST(ScaleSpaceRoutes, CircularIsTheConvolutionOnARing) {
+    const auto function = noise(37, 11);
+    const auto config = with(SmoothingRoute::direct, TubeBorder::circular);
+    const ScaleSpace space(config);
+    const auto scales = scalesOf(function, config);
+    for (std::size_t level = 0; level < scales.size(); ++level)
+        for (int i = 0; i < 37; ++i) {
+            long double expected = 0;
+            for (int j = -space.kernel(level).radius(); j <= space.kernel(level).radius(); ++j)
+                expected += static_cast<long double>(space.kernel(level).weight(std::abs(j))) *
+                            function[static_cast<std::size_t>((i + j + 37 * 37) % 37)];
+            EXPECT_NEAR(scales[level][static_cast<std::size_t>(i)], static_cast<double>(expected), 1e-14);
+        }
+}
+
+TEST(ScaleSpaceRoutes, ConstantsStayConstantAwayFromTheZeroBehind) {
+    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier, SmoothingRoute::recursive})
+        for (const TubeBorder border : borders)
+            for (const double value : {1.0, 0.1, 6.0221e-7}) {
+                const auto config = with(route, border);
+                const auto scales = scalesOf(std::vector<double>(800, value), config);
+                const double sigmas[] = {32, 16, 8, 4, 2};
+                for (std::size_t level = 0; level < scales.size(); ++level) {
+                    // The recursive Gaussian is not cut: 1e-12 of it lies beyond 16 sigma.
+                    const double reach = border == TubeBorder::circular ? 0 : 17 * sigmas[level];
+                    for (std::size_t i = 0; i + static_cast<std::size_t>(reach) < 800; ++i)
+                        EXPECT_NEAR(scales[level][i], value, 1e-12 * value);
+                }
+            }
+}
+
+/// Largest error of the recursive route, as a share of the impulse's answer at its peak.
+double impulseError(double sigma, const AdaptiveOtfConfig& against) {
+    std::vector<double> impulse(static_cast<std::size_t>(30 * sigma) + 41, 0.0);
+    impulse[impulse.size() / 2] = 1.0;
+    AdaptiveOtfConfig direct = against, recursive = against;
+    recursive.smoothing = SmoothingRoute::recursive;
+    for (AdaptiveOtfConfig* config : {&direct, &recursive}) {
+        config->coarsestScale = config->finestScale = 0;
+        config->sigmaPerKernelSize = sigma;
+    }
+    const auto expected = scalesOf(impulse, direct)[0];
+    return largestDifference(expected, scalesOf(impulse, recursive)[0]) / largestOf(expected);
+}
+
+TEST(ScaleSpaceRoutes, TheRecursiveGaussianKeepsItsErrorAtEverySigma) {
+    AdaptiveOtfConfig uncut, cut, lowered;
+    uncut.kernelCut = 9.0;
+    cut.kernelEndsAtZero = false;
+    for (const double sigma : {0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
+        const double error = impulseError(sigma, uncut);
+        std::printf(
+            "recursive, sigma %4.1f: error %.1e of the peak; against kernels cut at 3 sigma %.1e, lowered %.1e\n",
+            sigma, error, impulseError(sigma, cut), impulseError(sigma, lowered));
+        EXPECT_LE(error, 5e-4) << sigma;
+    }
+}
+
+TEST(ScaleSpaceRoutes, TheRecursiveRouteHandlesBordersAsTheDirectOne) {
+    AdaptiveOtfConfig uncut;
+    uncut.kernelCut = 9.0;
+    double largest = 0.0;
+    for (const TubeBorder border : borders)
+        for (const std::size_t length : lengths) {
+            const auto function = noise(length, static_cast<unsigned>(length) + 50);
+            AdaptiveOtfConfig direct = uncut, recursive = uncut;
+            direct.border = recursive.border = border;
+            recursive.smoothing = SmoothingRoute::recursive;
+            const auto expected = scalesOf(function, direct), got = scalesOf(function, recursive);
+            for (std::size_t level = 0; level < expected.size(); ++level)
+                largest = std::max(largest, largestDifference(expected[level], got[level]) / largestOf(function));
+        }
+    std::printf("recursive, noise with both borders: error at most %.1e of the largest value\n", largest);
+    EXPECT_LE(largest, 2e-4);
+}
+
+TEST(ScaleSpaceRoutes, AStrideKeepsSigmaInUnits) {
+    AdaptiveOtfConfig config;
+    config.cellStride = 4;
+    const ScaleSpace space(config);
+    EXPECT_EQ(space.sigma(0), 32.0 / 4);
+    EXPECT_EQ(space.sigma(4), 2.0 / 4);
+}
+
+}  // namespace
+}  // namespace echolucent
