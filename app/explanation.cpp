@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "widgets/panels/chosen_reading.h"
+
 namespace echolucent {
 
 namespace {
@@ -12,8 +14,9 @@ QString tr(const char* text) { return QCoreApplication::translate("explanation",
 QString curveSentence(const PictureFacts& facts) {
     switch (facts.active) {
         case CurveKind::adaptive:
-            return tr("What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
-                      "computed from this volume.");
+            return tr(
+                "What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
+                "computed from this volume.");
         case CurveKind::manual: return tr("What is seen and what is clear follows from the OTF drawn by hand.");
         case CurveKind::linear:
             return tr("A linear OTF: everything above a threshold becomes opaque in proportion to its intensity.");
@@ -43,15 +46,66 @@ Interface meanInterface(const AdaptiveOtf& otf) {
     return mean;
 }
 
-QString methodSentence(const AdaptiveOtf& otf) {
+QString surfaceSentence(const AdaptiveOtf& otf) {
     if (!otf.message.empty()) return QString::fromStdString(otf.message);
     const Interface mean = meanInterface(otf);
-    return tr("%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid. In front "
-              "of it the intensity is about %3 and becomes clearer, at it about %4 and becomes more opaque.")
-        .arg(otf.tubesWithSurface)
-        .arg(otf.tubesMeetingVolume)
-        .arg(mean.low, 0, 'f', 2)
-        .arg(mean.high, 0, 'f', 2);
+    const QString effect =
+        otf.config.form == CurveForm::ramp
+            ? tr("In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
+            : tr("In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
+                 "opaque.");
+    return tr("%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid.")
+               .arg(otf.tubesWithSurface)
+               .arg(otf.tubesMeetingVolume) +
+           QLatin1Char(' ') + effect.arg(mean.low, 0, 'f', 2).arg(mean.high, 0, 'f', 2);
+}
+
+QString readingSentence(const AdaptiveOtfConfig& config) {
+    const auto reading = readingOf(config);
+    if (!reading) return tr("Parameters of the method were changed.");
+    switch (*reading) {
+        case MethodReading::asPublished: return tr("The method is read as it was published, word by word.");
+        case MethodReading::settled: return tr("The open points of the published method are settled as its notes say.");
+        case MethodReading::standard: return tr("The method runs with this program's default parameters.");
+    }
+    return {};
+}
+
+/// What tells surfaces, and what becomes of them.
+QString methodSentences(const AdaptiveOtf& otf) {
+    const AdaptiveOtfConfig& config = otf.config;
+    const bool ramp = config.form == CurveForm::ramp;
+    QStringList sentences{readingSentence(config)};
+    sentences
+        << (config.interfaceFunction == InterfaceFunction::ratio
+                ? tr("Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
+                : tr("Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
+    sentences
+        << (ramp ? tr("The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "
+                      "surface on.")
+                 : tr("The curve is the initial function times one basis function for each tube core."));
+    if (ramp && otf.trust > 0.0 && otf.trust < 1.0)
+        sentences << tr("As few tube cores found a surface, %1 % of the curve is the initial function.")
+                         .arg(100.0 * (1.0 - otf.trust), 0, 'f', 0);
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString motionSentence(MotionOtf motion) {
+    switch (motion) {
+        case MotionOtf::oneOtf: return tr("In a motion this one OTF serves every frame.");
+        case MotionOtf::eachView: return tr("In a motion every frame has an OTF of its own, not smoothed over time.");
+        case MotionOtf::mean:
+            return tr("In a motion every frame gets an OTF of its own, and the mean of the newest five is shown.");
+        case MotionOtf::movingLeastSquares:
+            return tr(
+                "In a motion every frame gets an OTF of its own, and what is shown is a polynomial of order two "
+                "through the newest five (moving least squares).");
+        case MotionOtf::leastFlicker:
+            return tr(
+                "In a motion every frame gets an OTF of its own, and these are smoothed over time with the weights "
+                "that flicker least for their delay.");
+    }
+    return {};
 }
 
 }  // namespace
@@ -67,7 +121,8 @@ QString explainPicture(const PictureFacts& facts) {
         sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(facts.view.nearCutMm, 0, 'f', 1);
     sentences << curveSentence(facts);
-    if (facts.otf != nullptr && facts.active == CurveKind::adaptive) sentences << methodSentence(*facts.otf);
+    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
+        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
     if (facts.shaded) sentences << tr("Light from the upper left in front shows the shape of surfaces.");
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");

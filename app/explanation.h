@@ -6,6 +6,7 @@
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/motion_mode.h"
 
 namespace echolucent {
 
@@ -14,13 +15,15 @@ struct PictureFacts {
     const Study& study;
     const Volume& volume;
     const AdaptiveOtf* otf;  ///< null: not computed yet
+    MotionOtf motion;        ///< which OTF the frames of a motion show
     View view;
     CurveKind active;
     bool shaded;
     bool simulated;
 };
 
-/// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found, what is assumed.
+/// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found
+/// (interface function, form and reading of the method), what becomes of it in a motion, what is assumed.
 [[nodiscard]] QString explainPicture(const PictureFacts& facts);
 
 }  // namespace echolucent

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/method_panel.h"
@@ -55,11 +56,16 @@ void MainWindow::createParts() {
     m_methodPanel = new MethodPanel(this);
     m_viewPanel = new ViewPanel(this);
     m_studyPanel = new StudyPanel(this);
+    m_coursePanel = new OtfCoursePanel(m_course, this);
     QDockWidget* otf = addDock(tr("Opacity transfer function"), "dock.otfEditor", m_otfEditor);
     QDockWidget* picture = addDock(tr("Picture"), "dock.view", m_viewPanel);
     QDockWidget* method = addDock(tr("Adaptive"), "dock.method", m_methodPanel);
     QDockWidget* study = addDock(tr("Study"), "dock.study", m_studyPanel);
+    m_courseDock = addDock(tr("OTF over angle"), "dock.motionMap", m_coursePanel);
     splitDockWidget(otf, picture, Qt::Vertical);
+    // Behind the editor, so that nothing beside the 3D view grows when it opens.
+    tabifyDockWidget(otf, m_courseDock);
+    m_courseDock->hide();
     tabifyDockWidget(picture, method);
     tabifyDockWidget(method, study);
     picture->raise();
@@ -95,33 +101,47 @@ void MainWindow::connectSession() {
         updateIdle();
     });
     connect(&m_session, &Session::loadingProgressed, m_runStatus, &RunStatus::setProgress);
-    connect(m_runStatus, &RunStatus::cancelRequested, &m_session, &Session::cancelLoading);
+    connect(m_runStatus, &RunStatus::cancelRequested, this, [this] {
+        if (m_session.loading()) return m_session.cancelLoading();
+        m_session.cancelComputing();
+        computeFor(m_otfView);  // what was being computed for the picture is still wanted
+    });
     connect(&m_session, &Session::studyOpened, this, &MainWindow::studyOpened);
     connect(&m_session, &Session::openFailed, this, &MainWindow::openFailed);
     connect(&m_session, &Session::volumeChanged, this, &MainWindow::volumeChanged);
-    connect(&m_session, &Session::computingOtfChanged, this, &MainWindow::updateIdle);
+    connect(&m_session, &Session::computingOtfChanged, this, [this](bool computing) {
+        if (!computing && std::exchange(m_lookingForNearCut, false) && !m_session.loading()) m_runStatus->endProgress();
+        announceShownFrame();
+        updateIdle();
+    });
     connect(&m_session, &Session::otfComputed, this, &MainWindow::otfComputed);
-    connect(&m_session, &Session::otfFailed, this,
-            [this](const QString& sentence) { m_messageBar->showMessage(MessageKind::error, sentence); });
+    connect(&m_session, &Session::nearCutSuggested, this, &MainWindow::takeNearCut);
+    connect(&m_session, &Session::otfFailed, this, [this](const QString& sentence) {
+        m_motionPlayer.pause();
+        m_messageBar->showMessage(MessageKind::error, sentence);
+    });
 }
 
 void MainWindow::connectPicture() {
     connect(m_volumeView, &VolumeViewWidget::cameraChanged, this, &MainWindow::cameraMovedByPerson);
-    connect(m_volumeView, &VolumeViewWidget::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_volumeView, &VolumeViewWidget::busyChanged, this, [this] {
+        announceShownFrame();
+        updateIdle();
+    });
     connect(m_volumeView, &VolumeViewWidget::pointed, this, [this](auto intensity, auto opacity) {
         m_runStatus->setPointed(intensity, opacity);
         m_otfEditor->setCursorIntensity(intensity);
     });
-    connect(m_volumeView, &VolumeViewWidget::filesDropped, this, [this](const QStringList& files) { open(files.first()); });
+    connect(m_volumeView, &VolumeViewWidget::filesDropped, this,
+            [this](const QStringList& files) { open(files.first()); });
     connect(m_volumeView, &VolumeViewWidget::pictureDelivered, this, [this](bool, double milliseconds) {
         m_runStatus->setRenderer(m_volumeView->rendererName(), milliseconds);
-        showFrameRate();
-        // With an OTF of its own for each view, a frame is whole once both its curve and its picture are there.
-        if (!m_session.computingOtf()) m_motionPlayer.frameShown();
+        announceShownFrame();
         updateIdle();
     });
 
     connect(m_viewPanel, &ViewPanel::nearCutChanged, this, &MainWindow::setNearCut);
+    connect(m_viewPanel, &ViewPanel::nearCutSuggestionRequested, this, &MainWindow::suggestNearCut);
     connect(m_viewPanel, &ViewPanel::beamAxisChanged, this, &MainWindow::setBeamAxis);
     connect(m_viewPanel, &ViewPanel::phaseChanged, &m_session, &Session::setPhase);
     connect(m_viewPanel, &ViewPanel::resetRequested, this, &MainWindow::resetView);
@@ -155,26 +175,6 @@ void MainWindow::connectMethod() {
     });
 }
 
-void MainWindow::connectMotion() {
-    connect(m_motionPanel, &MotionPanel::playRequested, this,
-            [this](bool play) { play ? m_motionPlayer.play() : m_motionPlayer.pause(); });
-    connect(m_motionPanel, &MotionPanel::angleChanged, &m_motionPlayer, &MotionPlayer::setAngle);
-    connect(m_motionPanel, &MotionPanel::axisChanged, &m_motionPlayer, &MotionPlayer::setAxis);
-    connect(m_motionPanel, &MotionPanel::pingPongChanged, &m_motionPlayer, &MotionPlayer::setPingPong);
-    connect(m_motionPanel, &MotionPanel::otfChanged, this, [this](MotionOtf otf) {
-        // Back to one OTF: the one of the view in which the motion began.
-        computeFor(otf == MotionOtf::eachView ? m_volumeView->view() : m_motionStart);
-    });
-    connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, [this](bool playing) {
-        m_motionPanel->setPlaying(playing);
-        m_frameClock.invalidate();
-        m_frameSeconds = 0;
-        if (!playing) m_motionPanel->setFrameRate(std::nullopt);
-        updateIdle();
-    });
-    connect(&m_motionPlayer, &MotionPlayer::angleChanged, this, &MainWindow::showMotionFrame);
-}
-
 void MainWindow::restoreSettings() {
     m_viewPanel->setColourMap(m_settings.colourMap());
     m_viewPanel->setInterpolation(m_settings.interpolation());
@@ -201,16 +201,6 @@ void MainWindow::keepSettings() {
     m_settings.setShaded(m_viewPanel->shaded());
     m_settings.setMotionPingPong(m_motionPanel->pingPong());
     m_settings.setHistogramLogarithmic(m_otfEditor->canvas().histogramScale() == HistogramScale::logarithmic);
-}
-
-void MainWindow::showFrameRate() {
-    if (!m_motionPlayer.isPlaying()) return;
-    const double seconds = static_cast<double>(m_frameClock.isValid() ? m_frameClock.restart() : 0) * 1e-3;
-    if (!m_frameClock.isValid()) m_frameClock.start();
-    if (!(seconds > 0)) return;
-    // A running mean over about ten frames, so that the number can be read.
-    m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
-    m_motionPanel->setFrameRate(1.0 / m_frameSeconds);
 }
 
 bool MainWindow::idle() const {

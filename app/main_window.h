@@ -10,6 +10,7 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "processing/view.h"
+#include "widgets/motion/otf_course.h"
 #include "widgets/panels/message_bar.h"
 
 class QAction;
@@ -20,6 +21,7 @@ namespace echolucent {
 
 class MethodPanel;
 class MotionPanel;
+class OtfCoursePanel;
 class OtfEditor;
 class RunStatus;
 class StudyPanel;
@@ -50,6 +52,8 @@ public:
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_volumeView; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_otfEditor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
+    /// The OTFs of the motion so far.
+    [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
     /// What the picture shows and why it looks as it does, in a few sentences.
     [[nodiscard]] QString explanation() const;
@@ -72,11 +76,9 @@ private:
     void connectSession();
     void connectPicture();
     void connectMethod();
-    void connectMotion();
     void restoreSettings();
     void keepSettings();
     void updateIdle();
-    void showFrameRate();
 
     // main_window_study.cpp: what follows when something was opened, computed or turned
     void studyOpened();
@@ -86,11 +88,25 @@ private:
     void computeFor(const View& view);
     void computeForThisView();
     void setNearCut(double mm);
+    void suggestNearCut();
+    void takeNearCut(const NearCutSuggestion& suggestion);
     void setBeamAxis(BeamAxis axis);
     void resetView();
-    void showMotionFrame(double angle);
-    void cameraMovedByPerson();
     [[nodiscard]] AdaptiveOtfConfig methodConfig() const;
+
+    // main_window_motion.cpp: the motion of probe and object, frame by frame
+    void connectMotion();
+    void connectMotionPanel();
+    void showMotionFrame(double angle, int phase);
+    void showFrameWithItsOtf();
+    void announceShownFrame();
+    void cameraMovedByPerson();
+    void showFrameRate();
+    void beginMotionAtRest();
+    [[nodiscard]] View motionView() const;
+    [[nodiscard]] SampledCurve curveToShow(const AdaptiveOtf& otf);
+    void keepCourseOf(const AdaptiveOtfConfig& config);
+    [[nodiscard]] CourseFrame courseFrame() const;
 
     // main_window_files.cpp: files in and out
     void chooseAndOpen();
@@ -115,6 +131,7 @@ private:
     Settings m_settings;
     Session m_session;
     MotionPlayer m_motionPlayer;
+    OtfCourse m_course;
 
     MessageBar* m_messageBar = nullptr;
     VolumeViewWidget* m_volumeView = nullptr;
@@ -122,17 +139,34 @@ private:
     MethodPanel* m_methodPanel = nullptr;
     ViewPanel* m_viewPanel = nullptr;
     MotionPanel* m_motionPanel = nullptr;
+    OtfCoursePanel* m_coursePanel = nullptr;
+    QDockWidget* m_courseDock = nullptr;
     StudyPanel* m_studyPanel = nullptr;
     RunStatus* m_runStatus = nullptr;
     QMenu* m_recentMenu = nullptr;
     QMenu* m_docksMenu = nullptr;
 
-    View m_otfView;            ///< the view of the newest OTF asked for
-    View m_motionStart;        ///< the view at angle 0 of the motion
-    bool m_newStudy = false;   ///< the next OTF is the first of a study: the camera is set with it
+    View m_otfView;      ///< the view of the newest OTF asked for
+    View m_motionStart;  ///< the view at angle 0 of the motion
+    View m_nearCutView;  ///< the view for which a near cut is looked for
+    bool m_lookingForNearCut = false;
+    std::shared_ptr<const AdaptiveOtf> m_shownOtf;  ///< of the adaptive curve shown; null before a study's first
+    bool m_frameWaits = false;                      ///< the present frame of the motion is shown once its OTF is there
+    /// What the course's rows have in common; another one begins a new course.
+    struct CourseKey {
+        const Study* study = nullptr;
+        View start;
+        MotionAxis axis = MotionAxis::y;
+        AdaptiveOtfConfig config;
+        OtfCourse::Rows rows = OtfCourse::Rows::angles;
+        int fixed = 0;  ///< the phase or the angle that stays; 0 where both change
+        friend bool operator==(const CourseKey&, const CourseKey&) = default;
+    };
+    std::optional<CourseKey> m_courseKey;
+    bool m_newStudy = false;              ///< the next OTF is the first of a study: the camera is set with it
     const Study* m_shownStudy = nullptr;  ///< told apart by address only
-    QElapsedTimer m_frameClock;  ///< since the frame of the motion shown last
-    double m_frameSeconds = 0;   ///< running mean; 0: none yet
+    QElapsedTimer m_frameClock;           ///< since the frame of the motion shown last
+    double m_frameSeconds = 0;            ///< running mean; 0: none yet
     bool m_idle = true;
     bool m_shown = false;
 };

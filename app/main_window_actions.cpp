@@ -58,6 +58,13 @@ void MainWindow::createActions() {
               [this] { m_motionPlayer.togglePlaying(); });
     addAction(motion, tr("One degree back"), "motion.back", Qt::Key_Left, [this] { m_motionPlayer.stepBy(-1); });
     addAction(motion, tr("One degree on"), "motion.on", Qt::Key_Right, [this] { m_motionPlayer.stepBy(1); });
+    motion->addSeparator();
+    QAction* map = m_courseDock->toggleViewAction();
+    map->setObjectName("motion.showMap");
+    connect(map, &QAction::triggered, m_courseDock, [dock = m_courseDock](bool open) {
+        if (open) dock->raise();
+    });
+    motion->addAction(map);
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     addAction(help, tr("&What does the picture show?"), "help.explain", QKeySequence::HelpContents,
@@ -77,7 +84,8 @@ void MainWindow::showExplanation() {
 void MainWindow::showAbout() {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, tr("About Echolucent"),
-        tr("Echolucent %1\n\nA workstation for 3D ultrasound that computes the opacity transfer function from the volume, "
+        tr("Echolucent %1\n\nA workstation for 3D ultrasound that computes the opacity transfer function from the "
+           "volume, "
            "after Petersch, Hadwiger, Hauser and Hönigmann (2005).\n\nNot a medical device: not for diagnosis or "
            "treatment.")
             .arg(QApplication::applicationVersion()),

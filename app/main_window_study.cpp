@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <QLocale>
 
 #include "app/explanation.h"
 #include "app/main_window.h"
@@ -43,24 +43,29 @@ void MainWindow::studyOpened() {
 
 void MainWindow::volumeChanged() {
     // A new study begins with its first phase; another phase keeps camera, cut and beam axis.
-    m_newStudy = m_session.volume() == m_session.study()->phases.front() && m_session.study() != m_shownStudy;
+    const bool otherStudy = m_session.study() != m_shownStudy;
+    m_newStudy = m_newStudy || otherStudy;
     m_shownStudy = m_session.study();
     m_otfEditor->setHistogram(m_session.histogram());
     m_otfEditor->setWhiteLevel(m_session.volume()->whiteLevel());
-    m_methodPanel->clearResult();
-    m_runStatus->clearOtf();
-    if (m_newStudy) {
-        m_motionPlayer.pause();
-        m_motionPlayer.setAngle(0);
+    if (otherStudy) {
+        m_otfView = View{};
+        m_shownOtf.reset();
+        m_messageBar->setRemark({});
         m_viewPanel->setPhaseCount(static_cast<int>(m_session.study()->phases.size()));
         m_viewPanel->setPhase(0);
-        m_otfView = View{};
         m_viewPanel->setBeamAxis(m_otfView.beamAxis);
         m_viewPanel->setNearCutMm(0);
-        m_motionStart = m_otfView;
+        beginMotionAtRest();
         showNearCutRange();
+    } else if (m_session.phase() == m_motionPlayer.phase()) {
+        return;  // a frame of the motion, which knows what follows
     }
-    computeFor(m_otfView);
+    m_methodPanel->clearResult();
+    m_runStatus->clearOtf();
+    m_motionPlayer.setPhase(m_session.phase());
+    const bool oneOtf = m_motionPanel->otf() == MotionOtf::oneOtf;
+    computeFor(oneOtf ? m_otfView : motionView());
 }
 
 void MainWindow::showNearCutRange() {
@@ -86,19 +91,23 @@ void MainWindow::computeForThisView() {
 }
 
 void MainWindow::otfComputed() {
-    const AdaptiveOtf& otf = *m_session.otf();
+    m_shownOtf = m_session.otf();
+    const AdaptiveOtf& otf = *m_shownOtf;
     // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
-    m_otfEditor->setAdaptiveCurve(otf.curve);
+    m_otfEditor->setAdaptiveCurve(curveToShow(otf));
     m_volumeView->setCurve(m_otfEditor->activeCurve());
     m_methodPanel->showResult(otf);
     m_runStatus->setOtf(otf.times.total, otf.tubesWithSurface, otf.tubesMeetingVolume);
+    // Not while it plays: the bar would push the picture up and down.
+    if (!m_motionPlayer.isPlaying()) m_messageBar->setRemark(QString::fromStdString(otf.message));
     m_volumeView->setVolume(m_session.volume());
     if (std::exchange(m_newStudy, false)) {
         m_volumeView->setBeamAxis(m_otfView.beamAxis);
         m_volumeView->setNearCut(m_otfView.nearCutMm);
         m_volumeView->resetView(m_otfView);
     }
-    if (!m_volumeView->busy()) m_motionPlayer.frameShown();
+    if (std::exchange(m_frameWaits, false)) m_volumeView->setView(motionView());
+    announceShownFrame();
     updateIdle();
 }
 
@@ -109,6 +118,45 @@ void MainWindow::setNearCut(double mm) {
     view.nearCutMm = mm;
     // The tubes begin where the picture begins.
     computeFor(view);
+}
+
+void MainWindow::suggestNearCut() {
+    if (!m_session.volume()) return;
+    m_motionPlayer.pause();
+    m_nearCutView = m_frameWaits ? motionView() : m_volumeView->view();
+    m_lookingForNearCut = true;
+    m_runStatus->beginProgress(tr("looking for the near cut"));
+    m_session.requestNearCut(m_nearCutView, methodConfig());
+}
+
+void MainWindow::takeNearCut(const NearCutSuggestion& suggestion) {
+    const QLocale locale;
+    const double before = m_viewPanel->nearCutMm();
+    if (std::exchange(m_lookingForNearCut, false)) m_runStatus->endProgress();
+    if (!suggestion.message.empty()) {
+        m_messageBar->showMessage(MessageKind::warning, tr("The near cut stays at %1 mm. %2")
+                                                            .arg(locale.toString(before, 'f', 1))
+                                                            .arg(QString::fromStdString(suggestion.message)));
+        computeFor(m_otfView);  // it may have been under way when the search took its place
+        return;
+    }
+    m_otfView = m_nearCutView;
+    showNearCutRange();
+    m_viewPanel->setNearCutMm(suggestion.nearCutMm);
+    const double cut = m_viewPanel->nearCutMm();  // as the panel rounds it
+    setNearCut(cut);
+    const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
+                                       .arg(locale.toString(cut, 'f', 1))
+                                       .arg(suggestion.tubesInFluid)
+                                       .arg(suggestion.tubesWithSurface)
+                                 : tr("Nothing stands in front of the fluid: no near cut is needed.");
+    if (cut == before) return m_messageBar->showMessage(MessageKind::info, said);
+    const QString old = locale.toString(before, 'f', 1);
+    m_messageBar->showMessage(MessageKind::info, said + QLatin1Char(' ') + tr("It was %1 mm before.").arg(old),
+                              {{tr("Back to %1 mm").arg(old), [this, before] {
+                                    m_viewPanel->setNearCutMm(before);
+                                    setNearCut(before);
+                                }}});
 }
 
 void MainWindow::setBeamAxis(BeamAxis axis) {
@@ -134,33 +182,12 @@ void MainWindow::resetView() {
     m_volumeView->resetView(view);
 }
 
-void MainWindow::cameraMovedByPerson() {
-    // The motion starts from where the person left the camera.
-    if (m_motionPlayer.isPlaying()) m_motionPlayer.pause();
-    m_motionStart = m_volumeView->view();
-    m_motionPanel->setAngle(0);
-    QSignalBlocker quiet(m_motionPlayer);
-    m_motionPlayer.setAngle(0);
-}
-
-void MainWindow::showMotionFrame(double angle) {
-    m_motionPanel->setAngle(angle);
-    View view = m_motionStart;
-    switch (m_motionPlayer.axis()) {
-        case MotionAxis::x: view.elevationDegrees += angle; break;
-        case MotionAxis::y: view.azimuthDegrees += angle; break;
-        case MotionAxis::z: view.rollDegrees += angle; break;
-    }
-    m_volumeView->setView(view);
-    if (m_motionPanel->otf() == MotionOtf::eachView) computeFor(view);
-    updateIdle();
-}
-
 QString MainWindow::explanation() const {
     if (!m_session.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
     return explainPicture({.study = *m_session.study(),
                            .volume = *m_session.volume(),
-                           .otf = m_session.otf().get(),
+                           .otf = m_shownOtf.get(),
+                           .motion = m_motionPanel->otf(),
                            .view = m_volumeView->view(),
                            .active = m_otfEditor->state().active,
                            .shaded = m_viewPanel->shaded(),

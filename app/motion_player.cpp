@@ -17,7 +17,8 @@ void MotionPlayer::setMinimumFrameInterval(int milliseconds) { m_interval.setInt
 bool MotionPlayer::stepNow() {
     if (!m_playing || !m_frameShown) return false;
     m_interval.start();
-    moveTo(nextAngle());
+    moveTo(movesProbe(m_scenario) ? nextAngle() : m_angle,
+           movesObject(m_scenario) ? (m_phase + 1) % m_phaseCount : m_phase);
     return true;
 }
 
@@ -40,10 +41,25 @@ void MotionPlayer::setAngle(double degrees) {
     if (!std::isfinite(degrees)) return;
     const double inRange = std::clamp<double>(degrees, firstMotionAngle, lastMotionAngle);
     const int angle = static_cast<int>(std::lround(inRange));
-    if (angle != m_angle) moveTo(angle);
+    if (angle != m_angle) moveTo(angle, m_phase);
 }
 
 void MotionPlayer::stepBy(int degrees) { setAngle(m_angle + static_cast<double>(degrees)); }
+
+void MotionPlayer::setScenario(MotionScenario scenario) { m_scenario = scenario; }
+
+void MotionPlayer::setPhaseCount(int count) {
+    Q_ASSERT(count >= 1);
+    m_phaseCount = count;
+    m_phase = 0;
+}
+
+void MotionPlayer::setPhase(int phase) {
+    Q_ASSERT(phase >= 0 && phase < m_phaseCount);
+    if (phase == m_phase) return;
+    m_phase = phase;
+    m_frameShown = false;
+}
 
 void MotionPlayer::setAxis(MotionAxis axis) {
     if (axis == m_axis) return;
@@ -65,10 +81,13 @@ void MotionPlayer::advanceIfReady() {
     if (!m_interval.isActive()) stepNow();
 }
 
-void MotionPlayer::moveTo(int angle) {
+void MotionPlayer::moveTo(int angle, int phase) {
+    const bool turns = angle != m_angle;
     m_angle = angle;
+    m_phase = phase;
     m_frameShown = false;
-    emit angleChanged(angle);
+    if (turns) emit angleChanged(angle);
+    emit frameChanged(angle, phase);
 }
 
 int MotionPlayer::nextAngle() {

@@ -1,4 +1,4 @@
-// Plays the transducer motion: which angle comes next, and when.
+// Plays the motion of the probe, of the object, or of both: which frame comes next, and when.
 #pragma once
 
 #include <QObject>
@@ -8,15 +8,16 @@
 
 namespace echolucent {
 
-/// Turns from firstMotionAngle to lastMotionAngle in steps of one degree. A step is taken only when the frame of the
-/// angle before has been shown and the minimum frame interval is over, so playing never outruns the renderer.
+/// A moving probe turns from firstMotionAngle to lastMotionAngle in steps of one degree; a moving object goes on by one
+/// phase a frame, over and over. A step is taken only when the frame before has been shown and the minimum frame
+/// interval is over, so playing never outruns the renderer.
 ///
-///                 play()                        step: angleChanged(a)
+///                 play()                        step: frameChanged(a, p)
 ///   [Paused] ---------------> [Frame shown, interval over] --------> [Waiting for frameShown() and the interval]
 ///       ^                                ^                                              |
 ///       |  pause() in any state          +----------- both have happened ---------------+
 ///
-/// Scrubbing (setAngle, stepBy) is possible in any state; playing goes on from there.
+/// Scrubbing (setAngle, stepBy, setPhase) is possible in any state; playing goes on from there.
 class MotionPlayer : public QObject {
     Q_OBJECT
 
@@ -26,13 +27,16 @@ public:
     [[nodiscard]] bool isPlaying() const { return m_playing; }
     /// Whole degrees from the view in which the motion began.
     [[nodiscard]] double angle() const { return m_angle; }
+    /// Of the 4D study, counted from 0.
+    [[nodiscard]] int phase() const { return m_phase; }
+    [[nodiscard]] MotionScenario scenario() const { return m_scenario; }
     [[nodiscard]] MotionAxis axis() const { return m_axis; }
     [[nodiscard]] bool pingPong() const { return m_pingPong; }
     /// Least time between two steps, ms; 0: as fast as frames are shown. Default 33.
     void setMinimumFrameInterval(int milliseconds);
 
     /// Takes the next step at once, without waiting for the interval. False (and no step) while paused, or while the
-    /// frame of the present angle has not been shown.
+    /// present frame has not been shown.
     bool stepNow();
 
 public slots:
@@ -43,25 +47,36 @@ public slots:
     void setAngle(double degrees);
     /// The angle so many degrees on, clamped into the range.
     void stepBy(int degrees);
+    void setScenario(echolucent::MotionScenario scenario);
+    /// A study of so many phases (>= 1) is shown from its first phase; emits nothing.
+    void setPhaseCount(int count);
+    /// Another phase is shown, by hand; emits nothing. Needs a phase of the study.
+    void setPhase(int phase);
     /// Emits angleChanged(0) where another axis is chosen away from 0: the motion starts from its view again.
     void setAxis(echolucent::MotionAxis axis);
     /// True: turns at the ends and shows them once; false: starts from the first angle again.
     void setPingPong(bool pingPong);
-    /// The frame of the present angle is on the screen. To be called for every frame, played or scrubbed.
+    /// The present frame is on the screen. To be called for every frame, played or scrubbed.
     void frameShown();
 
 signals:
+    /// Another frame is to be shown.
+    void frameChanged(double degrees, int phase);
+    /// Before frameChanged, where it is the angle that changes.
     void angleChanged(double degrees);
     void playingChanged(bool playing);
 
 private:
     void advanceIfReady();
-    void moveTo(int angle);
+    void moveTo(int angle, int phase);
     [[nodiscard]] int nextAngle();
 
     QTimer m_interval;  // runs while the minimum frame interval is not over
     MotionAxis m_axis = MotionAxis::y;
+    MotionScenario m_scenario = MotionScenario::probe;
     int m_angle = 0;
+    int m_phase = 0;
+    int m_phaseCount = 1;
     int m_direction = 1;
     bool m_playing = false;
     bool m_pingPong = true;

@@ -27,6 +27,7 @@ Result<Study> simulatedScan(const Progress& progress) {
 Session::Session(QObject* parent)
     : QObject(parent),
       m_pipeline(&adaptOpacity),
+      m_nearCutSearch(&suggestNearCut),
       m_loader(QStringLiteral("study loader")),
       m_otfThread(QStringLiteral("adaptive OTF")) {
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
@@ -35,9 +36,8 @@ Session::Session(QObject* parent)
 }
 
 void Session::open(const QString& path, const ReadOptions& options) {
-    load(path, [file = path.toStdString(), options](const Progress& progress) {
-        return readStudy(file, options, progress);
-    });
+    load(path,
+         [file = path.toStdString(), options](const Progress& progress) { return readStudy(file, options, progress); });
 }
 
 void Session::openSimulatedScan() { load({}, &simulatedScan); }
@@ -59,12 +59,15 @@ void Session::load(const QString& path, std::function<Result<Study>(const Progre
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
             };
         }
-        const IntensityHistogram histogram = intensityHistogram(*study->phases.front());
+        // Here and not when a phase is shown: a 4D study plays its phases in the person's thread.
+        std::vector<IntensityHistogram> histograms;
+        for (const auto& phase : study->phases) histograms.push_back(intensityHistogram(*phase));
         auto shared = std::make_shared<const Study>(std::move(*study));
-        return [this, path, shared, histogram] {
+        return [this, path, shared, histograms = std::move(histograms)] {
             m_path = path;
             m_study = shared;
-            show(0, histogram);
+            m_histograms = histograms;
+            show(0);
             emit studyOpened();
         };
     });
@@ -73,13 +76,12 @@ void Session::load(const QString& path, std::function<Result<Study>(const Progre
 void Session::setPhase(int phase) {
     if (!m_study || phase < 0 || phase >= static_cast<int>(m_study->phases.size()))
         throw std::out_of_range("Session::setPhase: no such phase");
-    if (phase != m_phase) show(phase, intensityHistogram(*m_study->phases[static_cast<std::size_t>(phase)]));
+    if (phase != m_phase) show(phase);
 }
 
-void Session::show(int phase, const IntensityHistogram& histogram) {
+void Session::show(int phase) {
     m_phase = phase;
     m_volume = m_study->phases[static_cast<std::size_t>(phase)];
-    m_histogram = histogram;
     m_otf.reset();
     m_otfThread.cancel();
     emit volumeChanged();
@@ -101,6 +103,23 @@ void Session::requestOtf(const View& view, const AdaptiveOtfConfig& config) {
             if (volume != m_volume) return;
             m_otf = shared;
             emit otfComputed();
+        };
+    });
+}
+
+void Session::requestNearCut(const View& view, const AdaptiveOtfConfig& config) {
+    if (!m_volume) return;
+    m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume, view,
+                        config](const Progress& progress) -> NewestWinsThread::Deliver {
+        std::optional<NearCutSuggestion> result;
+        try {
+            result = search(*volume, view, config, progress);
+        } catch (const std::bad_alloc&) {
+            return [this] { emit otfFailed(tr("Looking for the near cut needs more memory than this machine has.")); };
+        }
+        if (!result) return {};
+        return [this, volume, suggestion = std::move(*result)] {
+            if (volume == m_volume) emit nearCutSuggested(suggestion);
         };
     });
 }

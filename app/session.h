@@ -5,10 +5,12 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
 #include "processing/histogram.h"
+#include "processing/near_cut.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {
@@ -33,7 +35,10 @@ public:
     [[nodiscard]] QString path() const { return m_path; }
     [[nodiscard]] bool isSimulatedScan() const { return m_path.isEmpty(); }
     [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
-    [[nodiscard]] const IntensityHistogram& histogram() const { return m_histogram; }
+    /// Of the volume shown.
+    [[nodiscard]] const IntensityHistogram& histogram() const {
+        return m_histograms[static_cast<std::size_t>(m_phase)];
+    }
     [[nodiscard]] int phase() const { return m_phase; }
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
@@ -44,10 +49,20 @@ public:
     /// The newest result for the volume shown; null where there is none yet.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
 
+    /// Looks for the near cut of the volume shown, in the same thread: takes the place of an OTF that is being
+    /// computed, and a newer request takes its place.
+    void requestNearCut(const View& view, const AdaptiveOtfConfig& config);
+    /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
+    void cancelComputing() { m_otfThread.cancel(); }
+
     /// The pipeline run by requestOtf; tests put one in its place that ends on command.
     using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const View&, const AdaptiveOtfConfig&,
                                                               const Progress&)>;
     void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
+    /// The same for requestNearCut.
+    using NearCutSearch = std::function<std::optional<NearCutSuggestion>(const Volume&, const View&,
+                                                                         const AdaptiveOtfConfig&, const Progress&)>;
+    void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }
 
 signals:
     void loadingChanged(bool loading);
@@ -59,22 +74,20 @@ signals:
     void volumeChanged();
     void computingOtfChanged(bool computing);
     void otfComputed();
-    /// The adaptive OTF could not be computed; otf() is as it was.
+    /// The adaptive OTF or the near cut could not be computed; otf() is as it was.
     void otfFailed(const QString& sentence);
+    void nearCutSuggested(const echolucent::NearCutSuggestion& suggestion);
 
 private:
-    struct Loaded {
-        Study study;
-        IntensityHistogram histogram;
-    };
     void load(const QString& path, std::function<Result<Study>(const Progress&)> read);
-    void show(int phase, const IntensityHistogram& histogram);
+    void show(int phase);
 
     Pipeline m_pipeline;
+    NearCutSearch m_nearCutSearch;
     QString m_path;
     std::shared_ptr<const Study> m_study;
     std::shared_ptr<const Volume> m_volume;
-    IntensityHistogram m_histogram;
+    std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
     // Last, so that both threads have ended before anything above is destroyed.

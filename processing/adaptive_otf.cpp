@@ -1,6 +1,7 @@
 #include "processing/adaptive_otf.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 #include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_profiles.h"
 #include "processing/tube_core/tube_quality.h"
-#include "processing/tube_core/tube_samples.h"
+#include "processing/tube_core/tube_reader.h"
 
 namespace echolucent {
 
@@ -48,34 +49,20 @@ struct RowTimes {
 class TubeRow {
 public:
     TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config, const ScaleSpace& scaleSpace)
-        : m_volume(volume),
-          m_view(view),
-          m_config(config),
-          m_smoother(scaleSpace),
-          m_onVoxels(tubesLieOnVoxels(volume.geometry(), view)) {
-        if (m_onVoxels) m_storedLimit = exactStoredLimit(volume);
-    }
+        : m_config(config), m_smoother(scaleSpace), m_reader(volume, view, config, true) {}
 
     /// Fills the row's tubes; leaves them half done where cancelled.
     void run(std::span<const TubeAxis> axes, std::span<TubeCore> tubes, const Progress& progress) {
         StopWatch watch;
-        std::vector<TubeSamples> samples;
-        for (const TubeAxis& axis : axes)
-            samples.push_back(samplesOf(axis, m_volume.geometry(), m_view, m_config.cellSize, m_onVoxels));
-        std::vector<std::vector<SlabSums>> sums(axes.size());
-        if (m_storedLimit) sumSlabs(m_volume, *m_storedLimit, samples, sums);
+        m_samples.clear();
+        for (const TubeAxis& axis : axes) m_samples.push_back(m_reader.samplesOf(axis));
+        m_reader.read(m_samples);
         m_times.sampling += watch.lap();
         for (std::size_t t = 0; t < axes.size(); ++t) {
             if (progress.cancelled()) return;
-            if (m_storedLimit) {
-                cellsFrom(sums[t], m_config.cellSize, m_volume.whiteLevel(), m_cells);
-            } else {
-                sampleSlabs(m_volume, samples[t], m_moments, m_values);
-                m_times.sampling += watch.lap();
-                cellsFrom(m_moments, m_config.cellSize, m_cells);
-            }
+            m_reader.cells(t, m_cells);
             m_times.cells += watch.lap();
-            describe(axes[t], samples[t], tubes[t]);
+            describe(axes[t], m_samples[t], tubes[t]);
             m_times.detection += watch.lap();
         }
     }
@@ -110,15 +97,11 @@ private:
         tube.surfaceVoxel = samples.onAxis(surface + (m_config.cellSize - 1) / 2.0);
     }
 
-    const Volume& m_volume;
-    const View& m_view;
     const AdaptiveOtfConfig& m_config;
     ScaleSmoother m_smoother;
-    bool m_onVoxels;
-    std::optional<std::uint32_t> m_storedLimit;  ///< sums of stored values are exact: no interpolation, integers
+    TubeReader m_reader;
+    std::vector<TubeSamples> m_samples;
     CellStatistics m_cells;
-    std::vector<SlabMoments> m_moments;
-    std::vector<double> m_values;
     DetectionScratch m_scratch;
     RowTimes m_times;
 };
@@ -134,14 +117,14 @@ bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& pro
     std::atomic<int> rowsDone = 0;
     result.tubes.resize(axes.size());
     tbb::parallel_for(tbb::blocked_range<int>(0, config.tubeRows, 1), [&](const tbb::blocked_range<int>& rows) {
+        TubeRow stages(volume, result.view, config, scaleSpace);
         for (int row = rows.begin(); row < rows.end() && !progress.cancelled(); ++row) {
             const auto first = static_cast<std::size_t>(row) * columns;
-            TubeRow stages(volume, result.view, config, scaleSpace);
             stages.run(std::span(axes).subspan(first, columns), std::span(result.tubes).subspan(first, columns),
                        progress);
-            rowTimes[static_cast<std::size_t>(row)] = stages.times();
             progress.at(0.95 * ++rowsDone / config.tubeRows);
         }
+        rowTimes[static_cast<std::size_t>(rows.begin())] = stages.times();
     });
     RowTimes spent;
     for (const RowTimes& row : rowTimes) {
@@ -163,32 +146,25 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     StopWatch watch;
     const AdaptiveOtfConfig& config = result.config;
     const std::vector<TubeAxis> axes = tubeAxes(volume.geometry(), result.view, config);
-    const bool onVoxels = tubesLieOnVoxels(volume.geometry(), result.view);
-    const auto storedLimit = onVoxels ? exactStoredLimit(volume) : std::nullopt;
     std::vector<TubeSamples> samples(axes.size());
     int longest = 0;
+    const TubeReader placing(volume, result.view, config, true);
     for (std::size_t t = 0; t < axes.size(); ++t) {
-        samples[t] = samplesOf(axes[t], volume.geometry(), result.view, config.cellSize, onVoxels);
+        samples[t] = placing.samplesOf(axes[t]);
         longest = std::max(longest, samples[t].slabs);
     }
     TubeProfiles profiles(axes.size(), longest);
     result.tubes.resize(axes.size());
     const auto columns = static_cast<std::size_t>(config.tubeColumns);
-    tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(config.tubeRows), [&](std::size_t row) {
-        if (progress.cancelled()) return;
-        std::vector<SlabMoments> moments;
-        std::vector<double> values;
-        std::vector<std::vector<SlabSums>> sums(columns);
-        if (storedLimit) sumSlabs(volume, *storedLimit, std::span(samples).subspan(row * columns, columns), sums);
-        for (std::size_t column = 0; column < columns; ++column) {
-            const std::size_t t = row * columns + column;
-            if (storedLimit)
-                momentsFrom(sums[column], volume.whiteLevel(), moments);
-            else
-                sampleSlabs(volume, samples[t], moments, values);
-            profiles.set(t, moments, config.cellSize);
-        }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, static_cast<std::size_t>(config.tubeRows)),
+                      [&](const tbb::blocked_range<std::size_t>& rows) {
+                          TubeReader reader(volume, result.view, config, true);
+                          for (std::size_t row = rows.begin(); row < rows.end() && !progress.cancelled(); ++row) {
+                              reader.read(std::span(samples).subspan(row * columns, columns));
+                              for (std::size_t column = 0; column < columns; ++column)
+                                  reader.profile(column, profiles, row * columns + column);
+                          }
+                      });
     result.times.sampling = watch.lap();
     if (progress.cancelled()) return false;
     const SpeckleScale scale(profiles);
@@ -198,6 +174,7 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     result.leastContrast = thresholds.contrast;
     if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
     result.times.cells = watch.lap();
+    tbb::enumerable_thread_specific<CellStatistics> scratch;
     tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t t) {
         TubeCore& tube = result.tubes[t];
         tube.column = axes[t].column;
@@ -208,7 +185,7 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         tube.entryVoxel = axes[t].entryVoxel;
         tube.firstSampleVoxel = samples[t].first;
         tube.firstCell = profiles.firstSlab(t);
-        CellStatistics cells;
+        CellStatistics& cells = scratch.local();
         cellsFrom(means, tube.firstCell, config.cellSize, cells);
         tube.cellMeans.assign(cells.means.begin(), cells.means.end());
         const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);

@@ -24,6 +24,7 @@ void addInfoCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
+void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action);
 

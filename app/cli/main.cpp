@@ -61,13 +61,14 @@ int main(int count, char** arguments) {
     addOtfCommand(program, action);
     addRenderCommand(program, action);
     addPhantomCommand(program, action);
+    addBenchCommand(program, action);
     addStudyCommand(program, action);
     addSweepCommand(program, action);
     try {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
         if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
-            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study or sweep.\n", word.c_str());
+            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study, sweep or bench.\n", word.c_str());
             return 2;
         }
         return program.exit(error) == 0 ? 0 : 2;

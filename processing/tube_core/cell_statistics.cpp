@@ -1,20 +1,24 @@
 #include "processing/tube_core/cell_statistics.h"
 
 #include <algorithm>
+#include <array>
 
 namespace echolucent {
 
 namespace {
 
-/// Finds where the tube's data begin and end and makes room for its cells. False: there is no cell.
-template <typename Slab>
-bool beginCells(std::span<const Slab> slabs, int cellSize, CellStatistics& cells) {
-    const std::uint32_t half = static_cast<std::uint32_t>((cellSize * cellSize + 1) / 2);
-    const int slabCount = static_cast<int>(slabs.size());
+/// Finds where the tube's data begin and end and makes room for its cells. countOf(slab): its samples with data. False:
+/// there is no cell.
+template <typename CountOf>
+bool beginCells(std::size_t slabs, int cellSize, const CountOf& countOf, CellStatistics& cells) {
+    const int half = (cellSize * cellSize + 1) / 2;
+    const int slabCount = static_cast<int>(slabs);
+    const auto isHalfData = [&](int slab) { return static_cast<int>(countOf(static_cast<std::size_t>(slab))) >= half; };
     int first = 0, last = slabCount - 1;
-    while (first < slabCount && slabs[static_cast<std::size_t>(first)].count < half) ++first;
-    while (last >= 0 && slabs[static_cast<std::size_t>(last)].count < half) --last;
-    cells.anyData = std::any_of(slabs.begin(), slabs.end(), [](const Slab& slab) { return slab.count > 0; });
+    while (first < slabCount && !isHalfData(first)) ++first;
+    while (last >= 0 && !isHalfData(last)) --last;
+    cells.anyData = first < slabCount;
+    for (std::size_t slab = 0; slab < slabs && !cells.anyData; ++slab) cells.anyData = countOf(slab) > 0;
     cells.firstCell = first;
     cells.lastCell = last - cellSize + 1;
     const auto count = static_cast<std::size_t>(std::max(0, slabCount - cellSize + 1));
@@ -24,73 +28,137 @@ bool beginCells(std::span<const Slab> slabs, int cellSize, CellStatistics& cells
     return cells.lastCell >= cells.firstCell;
 }
 
-void hold(CellStatistics& cells, int cell) {
-    if (cell == cells.firstCell) return;
-    const auto i = static_cast<std::size_t>(cell);
-    cells.means[i] = cells.means[i - 1];
-    cells.variances[i] = cells.variances[i - 1];
+/// Cells of less than half their samples repeat the one before; the first never is one. Marks the others.
+template <typename Count>
+void holdAcrossHoles(std::span<const Count> counts, int cellSize, CellStatistics& cells) {
+    const int samples = cellSize * cellSize * cellSize;
+    int count = 0;
+    for (int k = 0; k < cellSize - 1; ++k)
+        count += static_cast<int>(counts[static_cast<std::size_t>(cells.firstCell + k)]);
+    for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
+        const auto i = static_cast<std::size_t>(cell), size = static_cast<std::size_t>(cellSize);
+        count += static_cast<int>(counts[i + size - 1]);
+        if (2 * count >= samples) {
+            cells.complete[i] = 1;
+        } else if (cell > cells.firstCell) {
+            cells.means[i] = cells.means[i - 1];
+            cells.variances[i] = cells.variances[i - 1];
+        } else {
+            cells.means[i] = cells.variances[i] = 0.0;
+        }
+        count -= static_cast<int>(counts[i]);
+    }
 }
 
-void set(CellStatistics& cells, int cell, double mean, double variance) {
-    const auto i = static_cast<std::size_t>(cell);
-    cells.means[i] = mean;
-    cells.variances[i] = variance;
-    cells.complete[i] = 1;
+/// Cells that are computed together: their sums stay in registers and the compiler makes vectors of them.
+constexpr std::size_t batch = 64;
+
+/// Calls run(first cell, number of cells) for at most `batch` cells at a time.
+template <typename Run>
+void inBatches(const CellStatistics& cells, const Run& run) {
+    const auto end = static_cast<std::size_t>(cells.lastCell + 1);
+    for (auto first = static_cast<std::size_t>(cells.firstCell); first < end; first += batch)
+        run(first, std::min(batch, end - first));
+}
+
+/// Sums over the cells' slabs: sums[i] = values[first + i] + ... + values[first + i + cellSize - 1].
+template <typename Sum, typename Value>
+void addSlabs(const Value* values, std::size_t first, std::size_t count, int cellSize, std::array<Sum, batch>& sums) {
+    std::fill_n(sums.begin(), count, Sum{});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cellSize); ++k)
+        for (std::size_t i = 0; i < count; ++i) sums[i] += static_cast<Sum>(values[first + i + k]);
 }
 
 }  // namespace
 
-void cellsFrom(std::span<const SlabSums> slabs, int cellSize, double whiteLevel, CellStatistics& cells) {
-    if (!beginCells(slabs, cellSize, cells)) return;
-    const std::uint64_t samples = static_cast<std::uint64_t>(cellSize) * cellSize * cellSize;
-    SlabSums cell;
-    const auto add = [&](const SlabSums& slab) {
-        cell.count += slab.count;
-        cell.sum += slab.sum;
-        cell.sumOfSquares += slab.sumOfSquares;
-    };
-    for (int k = cells.firstCell; k < cells.firstCell + cellSize; ++k) add(slabs[static_cast<std::size_t>(k)]);
-    for (int i = cells.firstCell; i <= cells.lastCell; ++i) {
-        if (i > cells.firstCell) {
-            const SlabSums& left = slabs[static_cast<std::size_t>(i - 1)];
-            cell.count -= left.count;
-            cell.sum -= left.sum;
-            cell.sumOfSquares -= left.sumOfSquares;
-            add(slabs[static_cast<std::size_t>(i + cellSize - 1)]);
+void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells) {
+    if (!beginCells(
+            slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
+        return;
+    // 32^3 samples of 65535 stay below 2^31.
+    std::array<std::int32_t, batch> counts, sums;
+    std::array<std::uint64_t, batch> squares;
+    inBatches(cells, [&](std::size_t first, std::size_t count) {
+        addSlabs(slabs.counts.data(), first, count, cellSize, counts);
+        addSlabs(slabs.sums.data(), first, count, cellSize, sums);
+        for (std::size_t i = 0; i < count; ++i)
+            cells.means[first + i] = static_cast<double>(sums[i]) / (std::max(counts[i], 1) * whiteLevel);
+        if (slabs.sumsOfSquares.empty()) return;
+        addSlabs(slabs.sumsOfSquares.data(), first, count, cellSize, squares);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double scale = std::max(counts[i], 1) * whiteLevel;
+            const auto exact =
+                scaledVariance(static_cast<std::uint64_t>(counts[i]), static_cast<std::uint64_t>(sums[i]), squares[i]);
+            cells.variances[first + i] = static_cast<double>(exact) / scale / scale;
         }
-        if (2 * cell.count < samples) {
-            hold(cells, i);
-            continue;
+    });
+    holdAcrossHoles(std::span<const std::int32_t>(slabs.counts), cellSize, cells);
+}
+
+void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells) {
+    if (!beginCells(
+            slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
+        return;
+    // Counts have 10 bits and means 24: their products and sums are exact in double.
+    std::array<double, batch> counts, sums, deviations;
+    const float* count = slabs.counts.data();
+    const float* mean = slabs.means.data();
+    inBatches(cells, [&](std::size_t first, std::size_t cellCount) {
+        addSlabs(count, first, cellCount, cellSize, counts);
+        std::fill_n(sums.begin(), cellCount, 0.0);
+        const auto size = static_cast<std::size_t>(cellSize);
+        for (std::size_t k = first; k < first + size; ++k)
+            for (std::size_t i = 0; i < cellCount; ++i)
+                sums[i] += static_cast<double>(count[k + i]) * static_cast<double>(mean[k + i]);
+        for (std::size_t i = 0; i < cellCount; ++i) {
+            counts[i] = std::max(counts[i], 1.0);
+            sums[i] /= counts[i];
+            cells.means[first + i] = sums[i] / whiteLevel;
         }
-        const double scale = static_cast<double>(cell.count) * whiteLevel;
-        set(cells, i, static_cast<double>(cell.sum) / scale,
-            static_cast<double>(scaledVariance(cell.count, cell.sum, cell.sumOfSquares)) / scale / scale);
-    }
+        if (slabs.squaredDeviations.empty()) return;
+        addSlabs(slabs.squaredDeviations.data(), first, cellCount, cellSize, deviations);
+        for (std::size_t k = first; k < first + size; ++k)
+            for (std::size_t i = 0; i < cellCount; ++i) {
+                const double apart = static_cast<double>(mean[k + i]) - sums[i];
+                deviations[i] += static_cast<double>(count[k + i]) * apart * apart;
+            }
+        for (std::size_t i = 0; i < cellCount; ++i)
+            cells.variances[first + i] = deviations[i] / counts[i] / whiteLevel / whiteLevel;
+    });
+    holdAcrossHoles(std::span<const float>(slabs.counts), cellSize, cells);
 }
 
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells) {
-    if (!beginCells(slabs, cellSize, cells)) return;
+    if (!beginCells(
+            slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, cells))
+        return;
     const std::uint32_t samples = static_cast<std::uint32_t>(cellSize * cellSize * cellSize);
-    for (int i = cells.firstCell; i <= cells.lastCell; ++i) {
-        const auto cell = slabs.subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(cellSize));
+    for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
+        const auto i = static_cast<std::size_t>(cell);
+        const auto ofCell = slabs.subspan(i, static_cast<std::size_t>(cellSize));
         // As deviations from one slab's mean, so that equal slabs have that mean to the last bit and no spread.
-        const auto first =
-            std::find_if(cell.begin(), cell.end(), [](const SlabMoments& slab) { return slab.count > 0; });
-        const double near = first == cell.end() ? 0.0 : first->mean;
+        const auto filled =
+            std::find_if(ofCell.begin(), ofCell.end(), [](const SlabMoments& slab) { return slab.count > 0; });
+        const double near = filled == ofCell.end() ? 0.0 : filled->mean;
         std::uint32_t count = 0;
         double sum = 0.0, deviations = 0.0;
-        for (const SlabMoments& slab : cell) {
+        for (const SlabMoments& slab : ofCell) {
             count += slab.count;
             sum += slab.count * (slab.mean - near);
         }
         if (2 * count < samples) {
-            hold(cells, i);
+            if (cell > cells.firstCell) {
+                cells.means[i] = cells.means[i - 1];
+                cells.variances[i] = cells.variances[i - 1];
+            }
             continue;
         }
         const double mean = near + sum / count;
-        for (const SlabMoments& slab : cell)
+        for (const SlabMoments& slab : ofCell)
             deviations += slab.squaredDeviations + slab.count * (slab.mean - mean) * (slab.mean - mean);
-        set(cells, i, mean, deviations / count);
+        cells.means[i] = mean;
+        cells.variances[i] = deviations / count;
+        cells.complete[i] = 1;
     }
 }
 
@@ -102,25 +170,13 @@ void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellSt
     const auto count = static_cast<std::size_t>(std::max(0, cells.lastCell + 1));
     cells.variances.clear();
     cells.means.assign(count, 0.0);
-    cells.complete.assign(count, 0);
-    for (int cell = 0; cell <= slabs - cellSize; ++cell) {
-        double sum = 0.0;
-        for (int k = cell; k < cell + cellSize; ++k) sum += slabMeans[static_cast<std::size_t>(k)];
-        cells.means[static_cast<std::size_t>(first + cell)] = sum / cellSize;
-        cells.complete[static_cast<std::size_t>(first + cell)] = 1;
-    }
-}
-
-void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments) {
-    moments.resize(sums.size());
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        const SlabSums& slab = sums[k];
-        moments[k] = {slab.count, 0.0, 0.0};
-        if (slab.count == 0) continue;
-        moments[k].mean = static_cast<double>(slab.sum) / slab.count / whiteLevel;
-        moments[k].squaredDeviations = static_cast<double>(scaledVariance(slab.count, slab.sum, slab.sumOfSquares)) /
-                                       slab.count / whiteLevel / whiteLevel;
-    }
+    cells.complete.assign(count, 1);
+    std::fill_n(cells.complete.begin(), std::min(count, static_cast<std::size_t>(first)), std::uint8_t{0});
+    std::array<double, batch> sums;
+    inBatches(cells, [&](std::size_t begin, std::size_t cellCount) {
+        addSlabs(slabMeans.data(), begin - static_cast<std::size_t>(first), cellCount, cellSize, sums);
+        for (std::size_t i = 0; i < cellCount; ++i) cells.means[begin + i] = sums[i] / cellSize;
+    });
 }
 
 }  // namespace echolucent

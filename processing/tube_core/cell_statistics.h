@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "processing/tube_core/tube_samples.h"
+#include "processing/tube_core/tube_slabs.h"
 
 namespace echolucent {
 
@@ -17,7 +18,7 @@ inline constexpr int largestCellSize = 32;
 struct CellStatistics {
     std::vector<double> means;           ///< normalised intensity
     std::vector<double> variances;       ///< of normalised intensity, over the cell (divided by n): the interface
-                                         ///< indicating function
+                                         ///< indicating function; all 0 where the slabs hold none
     std::vector<std::uint8_t> complete;  ///< 1: at least half of the samples are data; 0: the values are held from the
                                          ///< cell before
     int firstCell = 0;                   ///< the first slab of which at least half is data
@@ -32,13 +33,13 @@ struct CellStatistics {
 }
 
 /// Cells from exact sums; whiteLevel: the stored value of normalised intensity 1.
-void cellsFrom(std::span<const SlabSums> slabs, int cellSize, double whiteLevel, CellStatistics& cells);
+void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
+
+/// Cells from single-precision moments. Where all slabs are equal, so are the cells, to the last bit.
+void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
 /// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);
-
-/// Moments from exact sums, normalised; whiteLevel: the stored value of normalised intensity 1.
-void momentsFrom(std::span<const SlabSums> sums, double whiteLevel, std::vector<SlabMoments>& moments);
 
 /// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells);

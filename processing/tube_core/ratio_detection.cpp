@@ -15,8 +15,7 @@ int leastBehind(const RatioRule& rule) { return (rule.behind + 1) / 2; }
 
 void scaleProfile(std::span<const float> means, const SpeckleScale& scale, std::vector<float>& scaled) {
     scaled.resize(means.size());
-    std::transform(means.begin(), means.end(), scaled.begin(),
-                   [&](float mean) { return static_cast<float>(scale.scaled(mean)); });
+    scale.scale(means, scaled);
 }
 
 double meanOf(std::span<const float> values) {
@@ -69,14 +68,25 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::v
     int beforeFirst = std::max(0, first - rule.before), behindLast = std::min(size, first + rule.behind);
     for (int k = beforeFirst; k < first; ++k) before += scaled[static_cast<std::size_t>(k)];
     for (int k = first; k < behindLast; ++k) behind += scaled[static_cast<std::size_t>(k)];
+    double perBefore = 1.0 / (first - beforeFirst), perBehind = 1.0 / (behindLast - first);
     for (int boundary = first; boundary <= last; ++boundary) {
         contrasts[static_cast<std::size_t>(boundary - first)] =
-            static_cast<float>(behind / (behindLast - boundary) - before / (boundary - beforeFirst));
+            static_cast<float>(behind * perBehind - before * perBefore);
         if (boundary == last) break;
-        before += scaled[static_cast<std::size_t>(boundary)];
-        behind -= scaled[static_cast<std::size_t>(boundary)];
-        if (behindLast < size) behind += scaled[static_cast<std::size_t>(behindLast++)];
-        if (boundary + 1 - beforeFirst > rule.before) before -= scaled[static_cast<std::size_t>(beforeFirst++)];
+        // What enters and what leaves is added in one: the sums wait for one addition a boundary, not for two.
+        const double passing = scaled[static_cast<std::size_t>(boundary)];
+        if (boundary + 1 - beforeFirst > rule.before)
+            before += passing - scaled[static_cast<std::size_t>(beforeFirst++)];
+        else {
+            before += passing;
+            perBefore = 1.0 / (boundary + 1 - beforeFirst);
+        }
+        if (behindLast < size)
+            behind += scaled[static_cast<std::size_t>(behindLast++)] - passing;
+        else {
+            behind -= passing;
+            perBehind = 1.0 / (behindLast - boundary - 1);
+        }
     }
 }
 

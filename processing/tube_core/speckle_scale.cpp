@@ -108,6 +108,11 @@ double SpeckleScale::spreadAt(double intensity) const { return between(m_spread,
 
 double SpeckleScale::scaled(double intensity) const { return between(m_scaled, intensity); }
 
+void SpeckleScale::scale(std::span<const float> intensities, std::span<float> results) const {
+    for (std::size_t i = 0; i < intensities.size(); ++i)
+        results[i] = static_cast<float>(between(m_scaled, intensities[i]));
+}
+
 double SpeckleScale::intensityAt(double scaled) const {
     const auto above = std::upper_bound(m_scaled.begin(), m_scaled.end(), scaled);
     if (above == m_scaled.begin()) return 0.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "processing/tube_core/tube_profiles.h"
@@ -23,6 +24,8 @@ public:
     [[nodiscard]] double spreadAt(double intensity) const;
     /// A normalised intensity in [0,1] on the scale: 0 at 0, rising.
     [[nodiscard]] double scaled(double intensity) const;
+    /// Many at once; as many results as intensities.
+    void scale(std::span<const float> intensities, std::span<float> results) const;
     /// The intensity at a value of the scale, clamped into [0,1].
     [[nodiscard]] double intensityAt(double scaled) const;
 

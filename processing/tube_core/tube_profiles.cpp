@@ -12,24 +12,68 @@ TubeProfiles::TubeProfiles(std::size_t tubes, int longest)
       m_first(tubes, 0),
       m_count(tubes, 0) {}
 
-void TubeProfiles::set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize) {
-    const auto least = static_cast<std::uint32_t>((cellSize * cellSize + 1) / 2);
-    const auto enough = [least](const SlabMoments& slab) { return slab.count >= least; };
-    const auto first = std::find_if(slabs.begin(), slabs.end(), enough);
-    const auto last = std::find_if(slabs.rbegin(), slabs.rend(), enough).base();
-    m_first[tube] = static_cast<int>(first - slabs.begin());
-    m_count[tube] = static_cast<int>(std::max<std::ptrdiff_t>(0, last - first));
-    float* mean = m_means.data() + tube * m_stride;
-    float* spread = m_spreads.data() + tube * m_stride;
-    for (auto slab = first; slab < last; ++slab, ++mean, ++spread) {
-        if (enough(*slab)) {
-            *mean = static_cast<float>(slab->mean);
-            *spread = static_cast<float>(std::sqrt(slab->squaredDeviations / slab->count));
-        } else {
-            *mean = mean[-1];
-            *spread = spread[-1];
-        }
+template <typename CountOf, typename Write>
+void TubeProfiles::setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf,
+                           const Write& write) {
+    const int least = (cellSize * cellSize + 1) / 2;
+    const auto enough = [&](std::size_t k) { return static_cast<int>(countOf(k)) >= least; };
+    std::size_t first = 0, end = slabs;
+    while (first < slabs && !enough(first)) ++first;
+    while (end > first && !enough(end - 1)) --end;
+    m_first[tube] = static_cast<int>(first);
+    m_count[tube] = static_cast<int>(end - first);
+    float* const means = m_means.data() + tube * m_stride;
+    float* const spreads = m_spreads.data() + tube * m_stride;
+    write(first, end - first, means, spreads);
+    for (std::size_t k = 1; k < end - first; ++k) {
+        if (enough(first + k)) continue;
+        means[k] = means[k - 1];
+        spreads[k] = spreads[k - 1];
     }
+}
+
+void TubeProfiles::set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize) {
+    const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const SlabMoments& slab = slabs[first + k];
+            means[k] = static_cast<float>(slab.mean);
+            spreads[k] = static_cast<float>(std::sqrt(slab.squaredDeviations / std::max(slab.count, 1u)));
+        }
+    };
+    setFrom(
+        tube, slabs.size(), cellSize, [&](std::size_t k) { return slabs[k].count; }, write);
+}
+
+void TubeProfiles::set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel) {
+    const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
+        const float white = static_cast<float>(whiteLevel);
+        // In two loops: the first is of integers, of the second the compiler makes vectors.
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::int64_t samples = slabs.counts[first + k], sum = slabs.sums[first + k];
+            const auto squares = static_cast<std::int64_t>(slabs.sumsOfSquares[first + k]);
+            spreads[k] = static_cast<float>(samples * squares - sum * sum);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto samples = static_cast<float>(std::max(slabs.counts[first + k], 1)) * white;
+            means[k] = static_cast<float>(static_cast<double>(slabs.sums[first + k]) / static_cast<double>(samples));
+            spreads[k] = std::sqrt(spreads[k]) / samples;
+        }
+    };
+    setFrom(
+        tube, slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
+}
+
+void TubeProfiles::set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel) {
+    const float white = static_cast<float>(whiteLevel);
+    const auto write = [&](std::size_t first, std::size_t count, float* means, float* spreads) {
+        for (std::size_t k = 0; k < count; ++k) {
+            means[k] = slabs.means[first + k] / white;
+            spreads[k] =
+                std::sqrt(slabs.squaredDeviations[first + k] / std::max(slabs.counts[first + k], 1.0f)) / white;
+        }
+    };
+    setFrom(
+        tube, slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, write);
 }
 
 }  // namespace echolucent

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "processing/tube_core/tube_samples.h"
+#include "processing/tube_core/tube_slabs.h"
 
 namespace echolucent {
 
@@ -19,6 +20,9 @@ public:
 
     /// Takes one tube's slabs; different tubes may be set side by side.
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
+    /// Of stored values, with their second moments; whiteLevel: the one of normalised intensity 1.
+    void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
+    void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
 
     [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
     /// Index of the tube's first slab among its samples.
@@ -29,6 +33,10 @@ public:
     [[nodiscard]] std::span<const float> spreads(std::size_t tube) const { return part(m_spreads, tube); }
 
 private:
+    /// countOf(k): samples of slab k with data. write(first, count, means, spreads): both, of so
+    /// many slabs; those of too little data are overwritten.
+    template <typename CountOf, typename Write>
+    void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
     [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {
         return {values.data() + tube * m_stride, static_cast<std::size_t>(m_count[tube])};
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace echolucent {
 
@@ -47,108 +48,6 @@ TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, cons
     return samples;
 }
 
-std::optional<std::uint32_t> exactStoredLimit(const Volume& volume) {
-    if (std::holds_alternative<std::vector<float>>(volume.voxels())) return std::nullopt;
-    const std::uint32_t largest = std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) ? 0xff : 0xffff;
-    if (volume.whiteLevel() >= largest) return largest;
-    if (volume.whiteLevel() != std::floor(volume.whiteLevel())) return std::nullopt;
-    return static_cast<std::uint32_t>(volume.whiteLevel());
-}
-
-namespace {
-
-/// A tube on voxels as memory sees it: strides of the voxel array, lateral samples clipped to the volume.
-struct VoxelTube {
-    std::int64_t base = 0;                        ///< offset of the first sample inside the volume, slab 0
-    std::int64_t along = 0, right = 0, down = 0;  ///< strides
-    int columns = 0, rows = 0;                    ///< samples inside, across and down
-};
-
-VoxelTube voxelTube(const VolumeGeometry& geometry, const TubeSamples& tube) {
-    const std::array<std::int64_t, 3> strides{1, geometry.size[0], geometry.size[0] * geometry.size[1]};
-    const double half = (tube.cellSize - 1) / 2.0;
-    const Vec3 corner = tube.first - tube.right * half - tube.down * half;
-    VoxelTube voxels;
-    std::array<std::int64_t, 3> start{};
-    for (int axis = 0; axis < 3; ++axis) start[axis] = std::llround(corner[axis]);
-    const auto clip = [&](const Vec3& direction, std::int64_t& stride, int& count) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const int step = static_cast<int>(direction[axis]);
-            if (step == 0) continue;
-            stride = step * strides[axis];
-            const std::int64_t size = geometry.size[axis], at = start[axis];
-            const std::int64_t skip = std::max<std::int64_t>(0, step > 0 ? -at : at - (size - 1));
-            const std::int64_t room = step > 0 ? size - at : at + 1;
-            count = static_cast<int>(std::clamp<std::int64_t>(room, 0, tube.cellSize) -
-                                     std::min<std::int64_t>(skip, tube.cellSize));
-            count = std::max(count, 0);
-            start[axis] += step * skip;
-        }
-    };
-    int slabs = 0;
-    std::int64_t alongStride = 0;
-    clip(tube.right, voxels.right, voxels.columns);
-    clip(tube.down, voxels.down, voxels.rows);
-    clip(tube.along, alongStride, slabs);
-    voxels.along = alongStride;
-    voxels.base = start[0] * strides[0] + start[1] * strides[1] + start[2] * strides[2];
-    return voxels;
-}
-
-template <bool masked, typename Stored>
-inline void addVoxel(const Stored* voxels, const std::uint8_t* mask, std::uint32_t limit, std::int64_t offset,
-                     SlabSums& slab) {
-    if constexpr (masked) {
-        if (mask[offset] == 0) return;
-    }
-    const std::uint64_t value = std::min<std::uint32_t>(voxels[offset], limit);
-    ++slab.count;
-    slab.sum += value;
-    slab.sumOfSquares += value * value;
-}
-
-template <bool masked, typename Stored>
-void sumRow(const Stored* voxels, const std::uint8_t* mask, std::uint32_t limit, std::span<const TubeSamples> tubes,
-            std::span<const VoxelTube> layout, std::span<std::vector<SlabSums>> slabs) {
-    int longest = 0;
-    for (const TubeSamples& tube : tubes) longest = std::max(longest, tube.slabs);
-    // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
-    for (int k = 0; k < longest; ++k)
-        for (std::size_t t = 0; t < tubes.size(); ++t) {
-            if (k >= tubes[t].slabs) continue;
-            const VoxelTube& tube = layout[t];
-            SlabSums slab;
-            for (int b = 0; b < tube.rows; ++b) {
-                const std::int64_t line = tube.base + k * tube.along + b * tube.down;
-                for (int a = 0; a < tube.columns; ++a)
-                    addVoxel<masked>(voxels, mask, limit, line + a * tube.right, slab);
-            }
-            slabs[t][static_cast<std::size_t>(k)] = slab;
-        }
-}
-
-}  // namespace
-
-void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
-              std::span<std::vector<SlabSums>> slabs) {
-    std::vector<VoxelTube> layout;
-    layout.reserve(tubes.size());
-    for (std::size_t t = 0; t < tubes.size(); ++t) {
-        layout.push_back(tubes[t].slabs > 0 ? voxelTube(volume.geometry(), tubes[t]) : VoxelTube{});
-        slabs[t].assign(static_cast<std::size_t>(tubes[t].slabs), {});
-    }
-    const auto run = [&](const auto* voxels) {
-        if (volume.dataMask().empty())
-            sumRow<false>(voxels, nullptr, storedLimit, tubes, layout, slabs);
-        else
-            sumRow<true>(voxels, volume.dataMask().data(), storedLimit, tubes, layout, slabs);
-    };
-    if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&volume.voxels()))
-        run(bytes->data());
-    else
-        run(std::get<std::vector<std::uint16_t>>(volume.voxels()).data());
-}
-
 namespace {
 
 /// Reads interpolated intensities of one volume; the voxel type is fixed once, not for each sample.
@@ -161,6 +60,19 @@ public:
           m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()),
           m_white(volume.whiteLevel()) {}
 
+    /// The nearest voxel's intensity; half way between two, the farther one's.
+    [[nodiscard]] double nearest(const Vec3& voxel) const {
+        std::int64_t offset = 0, stride = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double last = static_cast<double>(m_size[axis] - 1);
+            if (!(voxel[axis] >= -0.5 - rounding && voxel[axis] <= last + 0.5 + rounding)) return noData;
+            offset += stride * static_cast<std::int64_t>(std::floor(std::clamp(voxel[axis], 0.0, last) + 0.5));
+            stride *= m_size[axis];
+        }
+        return m_mask == nullptr || m_mask[offset] != 0 ? value(offset) : noData;
+    }
+
+    /// The intensity between the voxels around.
     [[nodiscard]] double at(const Vec3& voxel) const {
         std::array<std::int64_t, 3> low{}, high{};
         std::array<double, 3> share{};
@@ -230,7 +142,7 @@ SlabMoments momentsOf(std::span<const double> values) {
 
 }  // namespace
 
-void sampleSlabs(const Volume& volume, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values) {
     slabs.resize(static_cast<std::size_t>(tube.slabs));
     values.resize(static_cast<std::size_t>(tube.cellSize) * static_cast<std::size_t>(tube.cellSize));
@@ -241,9 +153,11 @@ void sampleSlabs(const Volume& volume, const TubeSamples& tube, std::vector<Slab
             for (int k = 0; k < tube.slabs; ++k) {
                 std::size_t next = 0;
                 for (int b = 0; b < tube.cellSize; ++b)
-                    for (int a = 0; a < tube.cellSize; ++a)
-                        values[next++] =
-                            sampler.at(tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half));
+                    for (int a = 0; a < tube.cellSize; ++a) {
+                        const Vec3 voxel =
+                            tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half);
+                        values[next++] = sampling == TubeSampling::nearest ? sampler.nearest(voxel) : sampler.at(voxel);
+                    }
                 slabs[static_cast<std::size_t>(k)] = momentsOf(values);
             }
         },

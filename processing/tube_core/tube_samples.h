@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "processing/tube_core/tube_grid.h"
@@ -29,13 +27,6 @@ struct TubeSamples {
 [[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view,
                                     int cellSize, bool onVoxels);
 
-/// Sums over the data voxels of a slab, in stored values: exact.
-struct SlabSums {
-    std::uint32_t count = 0;
-    std::uint64_t sum = 0;
-    std::uint64_t sumOfSquares = 0;
-};
-
 /// Mean and sum of squared deviations over the samples of a slab that have data, in normalised intensity.
 struct SlabMoments {
     std::uint32_t count = 0;
@@ -43,22 +34,15 @@ struct SlabMoments {
     double squaredDeviations = 0.0;
 };
 
-/// Stored values above this count as this (normalised intensity ends at 1); none: the volume's voxels are not integers,
-/// or its white level is not one where it matters, so that sums of stored values would not be exact.
-[[nodiscard]] std::optional<std::uint32_t> exactStoredLimit(const Volume& volume);
-
-/// Sums of tubes that lie on voxels, side by side in one row of the grid, so that memory is walked once for all of
-/// them. slabs[t] is filled with tubes[t].slabs entries. Voxels outside the volume or without data are left out.
-void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
-              std::span<std::vector<SlabSums>> slabs);
-
-/// Moments of any tube, by trilinear interpolation (exact voxels where the position is whole). A sample outside the box
-/// is left out; one with a no-data voxel among its neighbours takes the nearest voxel, or is left out with it.
-/// values: scratch, reused between calls.
-void sampleSlabs(const Volume& volume, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+/// Moments of any tube in double precision, one sample after the other: the reference for tube_slabs.h. Trilinear
+/// interpolation (exact voxels where the position is whole) or the nearest voxel. A sample outside the box is left out;
+/// one with a no-data voxel among its neighbours takes the nearest voxel, or is left out with it. values: scratch,
+/// reused between calls.
+void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values);
 
-/// Normalised intensity at a position in voxel index space, as sampleSlabs() takes it; NaN: left out.
+/// Normalised intensity at a position in voxel index space, as sampleSlabs() takes it by trilinear interpolation; NaN:
+/// left out.
 [[nodiscard]] double intensityAt(const Volume& volume, const Vec3& voxel);
 
 }  // namespace echolucent

@@ -130,48 +130,6 @@ private slots:
         QCOMPARE(active.count(), 4);
     }
 
-    void playsTenFramesOfMotion_data() {
-        QTest::addColumn<QString>("mode");
-        QTest::newRow("one OTF") << "motion.mode.static";
-        QTest::newRow("each view") << "motion.mode.eachView";
-    }
-
-    void playsTenFramesOfMotion() {
-        QFETCH(QString, mode);
-        open(m_shapes);
-        click<QRadioButton>(mode);
-        waitUntilIdle();
-        const bool eachView = mode.endsWith("eachView");
-        const SampledCurve first = m_window->session().otf()->curve;
-        std::vector<Picture> frames;
-        connect(&m_window->volumeView(), &VolumeViewWidget::pictureDelivered, this,
-                [&] { frames.push_back(shown()); });
-        std::vector<double> angles;
-        connect(&m_window->motionPlayer(), &MotionPlayer::angleChanged, this,
-                [&](double angle) { angles.push_back(angle); });
-        click<QAbstractButton>("motion.play");
-        QVERIFY(m_window->motionPlayer().isPlaying());
-        QVERIFY(!m_window->idle());
-        QTRY_VERIFY_WITH_TIMEOUT(angles.size() >= 10, 20000);
-        click<QAbstractButton>("motion.play");
-        QVERIFY(!m_window->motionPlayer().isPlaying());
-        waitUntilIdle();
-        m_window->volumeView().disconnect(this);
-
-        for (std::size_t i = 1; i < 10; ++i) QCOMPARE(angles[i], angles[i - 1] + 1);
-        QVERIFY(frames.size() >= 10);
-        const double angle = m_window->motionPlayer().angle();
-        QVERIFY(qAbs(m_window->volumeView().view().azimuthDegrees - angle) < 1e-6);
-        const auto& otf = *m_window->session().otf();
-        if (eachView) {
-            QVERIFY(qAbs(otf.view.azimuthDegrees - angle) < 1e-9);
-            QVERIFY(!(otf.curve == first));
-        } else {
-            QVERIFY(otf.curve == first);
-        }
-        QVERIFY(difference(shown(), cast(otf.curve)) < 0.01);
-    }
-
     void computeForThisViewTakesTheCamerasDirection() {
         open(m_shapes);
         View turned;
@@ -330,6 +288,8 @@ private slots:
         const AdaptiveOtf& otf = *m_window->session().otf();
         QVERIFY(QString::fromStdString(otf.message).contains("initial function is used"));
         QVERIFY(m_window->explanation().contains("initial function is used"));
+        QVERIFY(message()->isVisible());
+        QVERIFY(message()->text().contains("initial function is used"));
         for (int i = 0; i < 256; ++i)
             QVERIFY(qAbs(otf.curve.opacities[static_cast<std::size_t>(i)] - opacityAt(otf.config.initial, i / 255.0)) <
                     1e-12);

@@ -153,6 +153,49 @@ private slots:
         QCOMPARE(player.angle(), 21.0);
     }
 
+    void theObjectGoesOnOverAndOverWhileTheProbeRests() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setScenario(MotionScenario::object);
+        player.setPhaseCount(3);
+        QSignalSpy angles(&player, &MotionPlayer::angleChanged);
+        QSignalSpy frames(&player, &MotionPlayer::frameChanged);
+        player.play();
+        showAndStep(player, 4);
+        QList<int> phases;
+        for (const auto& frame : frames) phases << frame.at(1).toInt();
+        QCOMPARE(phases, (QList<int>{1, 2, 0, 1, 2}));
+        QCOMPARE(angles.count(), 0);
+    }
+
+    void bothMoveInOneFrame() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setScenario(MotionScenario::both);
+        player.setPhaseCount(2);
+        player.setAngle(45);
+        player.frameShown();
+        QSignalSpy frames(&player, &MotionPlayer::frameChanged);
+        player.play();
+        showAndStep(player, 2);
+        QCOMPARE(frames, (QList<QList<QVariant>>{{44.0, 1}, {43.0, 0}, {42.0, 1}}));
+    }
+
+    void aPhaseChosenByHandIsAFrameToWaitFor() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setPhaseCount(5);
+        QSignalSpy frames(&player, &MotionPlayer::frameChanged);
+        player.setPhase(3);
+        QCOMPARE(frames.count(), 0);
+        player.play();
+        QCOMPARE(frames.count(), 0);
+        player.frameShown();
+        QCOMPARE(frames, (QList<QList<QVariant>>{{1.0, 3}}));  // the probe moves, not the object
+        player.setPhaseCount(1);
+        QCOMPARE(player.phase(), 0);
+    }
+
     void anotherAxisStartsFromTheViewAgain() {
         MotionPlayer player;
         player.setAngle(20);

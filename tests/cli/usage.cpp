@@ -77,7 +77,7 @@ TEST(Usage, ASpacingThatNoScannerMakesIsRefusedBeforeAnythingIsComputed) {
 TEST(Usage, EveryCommandHasHelpWithAnExample) {
     const Outcome program = runProgram("--help");
     EXPECT_EQ(program.status, 0);
-    for (const std::string command : {"info", "otf", "render", "phantom", "sweep"}) {
+    for (const std::string command : {"info", "otf", "render", "phantom", "study", "sweep", "bench"}) {
         EXPECT_NE(program.output.find(command), std::string::npos);
         const Outcome help = runProgram(command + " --help");
         EXPECT_EQ(help.status, 0);

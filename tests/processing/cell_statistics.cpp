@@ -4,21 +4,39 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 
 namespace echolucent {
 namespace {
 
-std::vector<SlabSums> slabsOf(const std::vector<std::vector<std::uint16_t>>& values) {
-    std::vector<SlabSums> slabs;
+struct Slab {
+    std::int32_t count, sum;
+    std::uint64_t sumOfSquares;
+};
+
+void append(SlabSums& slabs, const Slab& slab) {
+    slabs.counts.push_back(slab.count);
+    slabs.sums.push_back(slab.sum);
+    slabs.sumsOfSquares.push_back(slab.sumOfSquares);
+}
+
+SlabSums slabsOf(const std::vector<std::vector<std::uint16_t>>& values) {
+    SlabSums slabs;
     for (const auto& slab : values) {
-        SlabSums sums;
+        Slab sums{};
         for (const std::uint64_t value : slab) {
             ++sums.count;
-            sums.sum += value;
+            sums.sum += static_cast<std::int32_t>(value);
             sums.sumOfSquares += value * value;
         }
-        slabs.push_back(sums);
+        append(slabs, sums);
     }
+    return slabs;
+}
+
+SlabSums slabsOf(const std::vector<Slab>& values) {
+    SlabSums slabs;
+    for (const Slab& slab : values) append(slabs, slab);
     return slabs;
 }
 
@@ -81,7 +99,7 @@ TEST(CellStatistics, MomentsAgreeWithSumsAndSurviveALargeMean) {
         slabs.push_back(moments);
     }
     CellStatistics cells;
-    cellsFrom(slabs, 3, cells);
+    cellsFrom(std::span<const SlabMoments>(slabs), 3, cells);
     ASSERT_EQ(cells.lastCell, 9);
     for (std::size_t i = 0; i < 10; ++i) {
         long double mean = 0, variance = 0;
@@ -94,12 +112,12 @@ TEST(CellStatistics, MomentsAgreeWithSumsAndSurviveALargeMean) {
 }
 
 TEST(CellStatistics, BeginsAtTheFirstSlabAndEndsAtTheLastThatIsHalfData) {
-    std::vector<SlabSums> slabs(20, SlabSums{0, 0, 0});
+    std::vector<Slab> slabs(20, Slab{0, 0, 0});
     for (std::size_t k = 4; k <= 15; ++k) slabs[k] = {25, 250, 2500};
     slabs[3] = {12, 120, 1200};
     slabs[16] = {13, 130, 1300};
     CellStatistics cells;
-    cellsFrom(slabs, 5, 255, cells);
+    cellsFrom(slabsOf(slabs), 5, 255, cells);
     EXPECT_EQ(cells.firstCell, 4);
     EXPECT_EQ(cells.lastCell, 12);
     for (int i = cells.firstCell; i <= cells.lastCell; ++i)
@@ -107,11 +125,11 @@ TEST(CellStatistics, BeginsAtTheFirstSlabAndEndsAtTheLastThatIsHalfData) {
 }
 
 TEST(CellStatistics, HoldsItsValuesAcrossAHole) {
-    std::vector<SlabSums> slabs;
-    for (std::uint64_t k = 0; k < 30; ++k) slabs.push_back({25, 25 * k, 25 * k * k});
+    std::vector<Slab> slabs;
+    for (int k = 0; k < 30; ++k) slabs.push_back({25, 25 * k, static_cast<std::uint64_t>(25 * k * k)});
     for (std::size_t k = 10; k < 18; ++k) slabs[k] = {0, 0, 0};
     CellStatistics cells;
-    cellsFrom(slabs, 5, 1, cells);
+    cellsFrom(slabsOf(slabs), 5, 1, cells);
     EXPECT_EQ(cells.lastCell, 25);
     EXPECT_EQ(cells.complete[7], 1);
     for (std::size_t i = 8; i <= 15; ++i) {  // cell 8 holds samples 8 and 9, cell 15 samples 18 and 19: less than half
@@ -126,12 +144,48 @@ TEST(CellStatistics, HoldsItsValuesAcrossAHole) {
 
 TEST(CellStatistics, SaysSoWhereThereIsNoCell) {
     CellStatistics cells;
-    cellsFrom(std::vector<SlabSums>(4, SlabSums{25, 25, 25}), 5, 255, cells);
+    cellsFrom(slabsOf(std::vector<Slab>(4, Slab{25, 25, 25})), 5, 255, cells);
     EXPECT_LT(cells.lastCell, cells.firstCell);
     EXPECT_TRUE(cells.anyData);
-    cellsFrom(std::vector<SlabSums>{}, 5, 255, cells);
+    cellsFrom(SlabSums{}, 5, 255, cells);
     EXPECT_LT(cells.lastCell, cells.firstCell);
     EXPECT_FALSE(cells.anyData);
+}
+
+TEST(CellStatistics, SinglePrecisionAgreesWithMomentsAndKeepsConstantsExact) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> value(0.0f, 4000.0f);
+    SlabMeans single;
+    std::vector<SlabMoments> moments;
+    const double white = 4095;
+    for (int k = 0; k < 200; ++k) {
+        const int count = k % 17 == 3 ? 9 : k > 90 && k < 97 ? 0 : 25;
+        const float mean = count == 0 ? 0.0f : value(random), deviations = count == 0 ? 0.0f : 100 * value(random);
+        single.counts.push_back(static_cast<float>(count));
+        single.means.push_back(mean);
+        single.squaredDeviations.push_back(deviations);
+        moments.push_back({static_cast<std::uint32_t>(count), mean / white, deviations / white / white});
+    }
+    CellStatistics got, expected;
+    cellsFrom(single, 5, white, got);
+    cellsFrom(std::span<const SlabMoments>(moments), 5, expected);
+    EXPECT_EQ(got.firstCell, expected.firstCell);
+    EXPECT_EQ(got.lastCell, expected.lastCell);
+    EXPECT_EQ(got.complete, expected.complete);
+    ASSERT_EQ(got.means.size(), expected.means.size());
+    for (std::size_t i = 0; i < got.means.size(); ++i) {
+        EXPECT_NEAR(got.means[i], expected.means[i], 1e-14);
+        EXPECT_NEAR(got.variances[i], expected.variances[i], 1e-14);
+    }
+    for (std::size_t k = 0; k < single.means.size(); ++k) {
+        single.means[k] = 0.1f;
+        single.squaredDeviations[k] = 0.0f;
+    }
+    cellsFrom(single, 5, white, got);
+    for (int i = got.firstCell; i <= got.lastCell; ++i) {
+        EXPECT_EQ(got.variances[static_cast<std::size_t>(i)], 0.0);
+        EXPECT_EQ(got.means[static_cast<std::size_t>(i)], static_cast<double>(0.1f) / white);
+    }
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <limits>
 #include <random>
 
-#include "processing/tube_core/cell_statistics.h"
-
 namespace echolucent {
 namespace {
 
@@ -27,38 +25,6 @@ std::vector<TubeSamples> samplesFor(const Volume& volume, const View& view, cons
         samples.push_back(
             samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
     return samples;
-}
-
-TEST(TubeSamples, SumsOnVoxelsEqualThePointByPointSampling) {
-    // All 6 beam axes with and without roll; some tubes hang over the border; even and odd cells.
-    Volume volume = noise({31, 28, 36});
-    std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume.geometry().voxelCount()), 1);
-    for (std::size_t i = 0; i < mask.size(); i += 7) mask[i] = 0;
-    const Volume masked = volume.withDataMask(mask);
-    for (const Volume* tested : {static_cast<const Volume*>(&volume), &masked})
-        for (int beam = 0; beam < 6; ++beam)
-            for (const double roll : {0.0, 90.0})
-                for (const int cellSize : {5, 4}) {
-                    AdaptiveOtfConfig config;
-                    config.cellSize = cellSize;
-                    config.tubeColumns = config.tubeRows = 7;
-                    const View view{.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll, .nearCutMm = 3.3};
-                    const auto samples = samplesFor(*tested, view, config);
-                    std::vector<std::vector<SlabSums>> sums(samples.size());
-                    sumSlabs(*tested, 255, samples, sums);
-                    std::vector<SlabMoments> moments;
-                    std::vector<double> scratch;
-                    for (std::size_t t = 0; t < samples.size(); ++t) {
-                        sampleSlabs(*tested, samples[t], moments, scratch);
-                        ASSERT_EQ(moments.size(), sums[t].size());
-                        for (std::size_t k = 0; k < moments.size(); ++k) {
-                            ASSERT_EQ(moments[k].count, sums[t][k].count);
-                            if (moments[k].count == 0) continue;
-                            EXPECT_NEAR(moments[k].mean * 255, static_cast<double>(sums[t][k].sum) / sums[t][k].count,
-                                        1e-10);
-                        }
-                    }
-                }
 }
 
 TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
@@ -100,7 +66,7 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     ASSERT_GT(centre.slabs, 30);
     std::vector<SlabMoments> slabs;
     std::vector<double> scratch;
-    sampleSlabs(volume, centre, slabs, scratch);
+    sampleSlabs(volume, TubeSampling::trilinear, centre, slabs, scratch);
     const ViewFrame frame = frameOf(view);
     for (int k = 8; k < centre.slabs - 8; ++k) {
         const SlabMoments& slab = slabs[static_cast<std::size_t>(k)];
@@ -137,16 +103,6 @@ TEST(TubeSamples, NotFiniteVoxelsAreLeftOut) {
     EXPECT_EQ(intensityAt(volume, {0.4, 0, 0}), 0.25);
     EXPECT_TRUE(std::isnan(intensityAt(volume, {0.6, 0, 0})));
     EXPECT_TRUE(std::isnan(intensityAt(volume, {2, 0, 0})));
-}
-
-TEST(TubeSamples, StoredSumsAreExactOnlyForIntegersWithAnIntegerWhiteLevel) {
-    VolumeGeometry geometry;
-    geometry.size = {2, 1, 1};
-    EXPECT_EQ(exactStoredLimit(Volume(geometry, std::vector<std::uint8_t>{1, 2})), 255u);
-    EXPECT_EQ(exactStoredLimit(Volume(geometry, std::vector<std::uint16_t>{1, 4095})), 4095u);
-    EXPECT_EQ(exactStoredLimit(Volume(geometry, std::vector<std::uint16_t>{1, 4095}, 1000.5)), std::nullopt);
-    EXPECT_EQ(exactStoredLimit(Volume(geometry, std::vector<std::uint16_t>{1, 4095}, 1e6)), 65535u);
-    EXPECT_EQ(exactStoredLimit(Volume(geometry, std::vector<float>{1, 2})), std::nullopt);
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ private slots:
     void everyControlHasItsNames_data() {
         QTest::addColumn<QString>("prefix");
         QTest::addColumn<int>("leastControls");
-        for (const auto& [prefix, count] : {std::pair{"adaptive", 15},
-                                            {"view", 10},
-                                            {"motion", 6},
+        for (const auto& [prefix, count] : {std::pair{"adaptive", 21},
+                                            {"view", 11},
+                                            {"motion", 9},
                                             {"status", 1},
                                             {"message", 3},
                                             {"rawLayout", 13}}) {
@@ -193,6 +193,33 @@ private slots:
         QCOMPARE(bar.findChildren<QPushButton*>().size(), 1);
         QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
         QVERIFY(!ran);
+    }
+
+    void aRemarkStandsBehindTheMessageOrAlone() {
+        MessageBar bar;
+        bar.setRemark("No surface found.");
+        QVERIFY(bar.isVisible());
+        QCOMPARE(bar.kind(), MessageKind::warning);
+        QCOMPARE(bar.text(), "No surface found.");
+        bar.showMessage(MessageKind::info, "Near cut at 4 mm.", {{"Back", {}}});
+        QCOMPARE(bar.text(), "Near cut at 4 mm. No surface found.");
+        bar.setRemark({});
+        QCOMPARE(bar.text(), "Near cut at 4 mm.");
+        QVERIFY(bar.findChild<QPushButton*>("message.action.0") != nullptr);
+        bar.setRemark("No surface found.");
+        QVERIFY(bar.findChild<QPushButton*>("message.action.0") != nullptr);
+        QTest::mouseClick(child<QToolButton>(bar, "message.close"), Qt::LeftButton);
+        QVERIFY(!bar.isVisible());
+        bar.setRemark("No surface found.");  // nobody wants to close it twice
+        QVERIFY(!bar.isVisible());
+        bar.showMessage(MessageKind::info, "Another message.");
+        QCOMPARE(bar.text(), "Another message.");
+        bar.setRemark({});
+        bar.setRemark("No surface found.");
+        QCOMPARE(bar.text(), "Another message. No surface found.");
+        bar.dismiss();
+        bar.setRemark({});
+        QVERIFY(!bar.isVisible());
     }
 
     void messageIsClosedByButtonKeyAndProgram() {

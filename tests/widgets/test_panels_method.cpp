@@ -74,13 +74,19 @@ private slots:
     void spinBoxKeyChangesOneField_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<AdaptiveOtfConfig>("expected");
+        constexpr InterfaceFunction variance = InterfaceFunction::variance;
         QTest::newRow("columns") << "tubeColumns" << AdaptiveOtfConfig{.tubeColumns = 16};
         QTest::newRow("rows") << "tubeRows" << AdaptiveOtfConfig{.tubeRows = 16};
         QTest::newRow("spacing") << "tubeSpacing" << AdaptiveOtfConfig{.tubeSpacing = 1.0};
         QTest::newRow("cell") << "cellSize" << AdaptiveOtfConfig{.cellSize = 6};
-        QTest::newRow("coarsest") << "coarsestScale" << AdaptiveOtfConfig{.coarsestScale = 8};
-        QTest::newRow("finest") << "finestScale" << AdaptiveOtfConfig{.finestScale = 4};
-        QTest::newRow("significance") << "significance" << AdaptiveOtfConfig{.significance = 0.45};
+        QTest::newRow("coarsest") << "coarsestScale"
+                                  << AdaptiveOtfConfig{.interfaceFunction = variance, .coarsestScale = 8};
+        QTest::newRow("finest") << "finestScale" << AdaptiveOtfConfig{.interfaceFunction = variance, .finestScale = 4};
+        QTest::newRow("significance") << "significance"
+                                      << AdaptiveOtfConfig{.interfaceFunction = variance, .significance = 0.45};
+        QTest::newRow("false alarm") << "falseAlarm"
+                                     << AdaptiveOtfConfig{.interfaceFunction = InterfaceFunction::ratio,
+                                                          .falseAlarm = AdaptiveOtfConfig{}.falseAlarm + 0.25};
         QTest::newRow("slope") << "slopeHalfStep" << AdaptiveOtfConfig{.slopeHalfStep = 6};
         QTest::newRow("scale") << "opacityScale" << AdaptiveOtfConfig{.initial = PowerCurve{2, 1.05}};
     }
@@ -88,6 +94,7 @@ private slots:
         QFETCH(QString, name);
         QFETCH(AdaptiveOtfConfig, expected);
         MethodPanel panel;
+        panel.setConfig({.interfaceFunction = expected.interfaceFunction});
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         QTest::keyClick(child<QAbstractSpinBox>(panel, ("adaptive." + name).toLatin1()), Qt::Key_Up);
         QCOMPARE(onlyConfigOf(spy), expected);
@@ -101,13 +108,17 @@ private slots:
 
     void theFinestScaleNeverExceedsTheCoarsest() {
         MethodPanel panel;
-        panel.setConfig({.coarsestScale = 4, .finestScale = 4});
+        panel.setConfig({.interfaceFunction = InterfaceFunction::variance, .coarsestScale = 4, .finestScale = 4});
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         QTest::keyClick(child<QSpinBox>(panel, "adaptive.coarsestScale"), Qt::Key_Down);
-        QCOMPARE(onlyConfigOf(spy), (AdaptiveOtfConfig{.coarsestScale = 3, .finestScale = 3}));
+        QCOMPARE(onlyConfigOf(spy),
+                 (AdaptiveOtfConfig{
+                     .interfaceFunction = InterfaceFunction::variance, .coarsestScale = 3, .finestScale = 3}));
         spy.clear();
         QTest::keyClick(child<QSpinBox>(panel, "adaptive.finestScale"), Qt::Key_Up);
-        QCOMPARE(onlyConfigOf(spy), (AdaptiveOtfConfig{.coarsestScale = 4, .finestScale = 4}));
+        QCOMPARE(onlyConfigOf(spy),
+                 (AdaptiveOtfConfig{
+                     .interfaceFunction = InterfaceFunction::variance, .coarsestScale = 4, .finestScale = 4}));
     }
 
     void initialFunctionByKeyboard() {
@@ -183,6 +194,66 @@ private slots:
         QCOMPARE(spy.count(), 1);  // nothing was left to change
     }
 
+    void aReadingSetsEveryParameterButTheInitialFunction() {
+        MethodPanel panel;
+        auto* reading = child<QComboBox>(panel, "adaptive.reading");
+        QCOMPARE(reading->currentText(), "Default");
+        panel.setConfig({.cellSize = 9, .initial = PowerCurve{4, 0.5}});
+        QCOMPARE(reading->currentText(), "Changed");
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        const QList<std::pair<QString, MethodReading>> readings{{"Default", MethodReading::standard},
+                                                                {"Settled", MethodReading::settled},
+                                                                {"As published", MethodReading::asPublished}};
+        for (const auto& [text, value] : readings) {
+            QTest::keyClick(reading, Qt::Key_Up);  // "Changed" stands last and cannot be chosen
+            QCOMPARE(reading->currentText(), text);
+            AdaptiveOtfConfig expected = configOf(value);
+            expected.initial = PowerCurve{4, 0.5};
+            QCOMPARE(onlyConfigOf(spy), expected);
+            spy.clear();
+        }
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Up);
+        QCOMPARE(reading->currentText(), "Changed");
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Down);
+        QCOMPARE(reading->currentText(), "As published");
+        for (int i = 0; i < 5; ++i) QTest::keyClick(reading, Qt::Key_Down);
+        QCOMPARE(reading->currentText(), "Default");
+    }
+
+    void formAndInterfaceFunctionAreChoices() {
+        MethodPanel panel;
+        QSignalSpy spy(&panel, &MethodPanel::configChanged);
+        auto* form = child<QComboBox>(panel, "adaptive.form");
+        auto* function = child<QComboBox>(panel, "adaptive.interfaceFunction");
+        AdaptiveOtfConfig config;
+        for (const auto& [key, value] :
+             {std::pair{Qt::Key_Home, CurveForm::ramp}, std::pair{Qt::Key_End, CurveForm::product}}) {
+            config.form = value == CurveForm::ramp ? CurveForm::product : CurveForm::ramp;
+            panel.setConfig(config);
+            QTest::keyClick(form, key);
+            config.form = value;
+            QCOMPARE(onlyConfigOf(spy), config);
+            spy.clear();
+            QCOMPARE(child<QSlider>(panel, "adaptive.strength")->isVisibleTo(&panel), value == CurveForm::product);
+            QCOMPARE(child<QSlider>(panel, "adaptive.rampOpacity")->isVisibleTo(&panel), value == CurveForm::ramp);
+        }
+        for (const auto& [key, value] :
+             {std::pair{Qt::Key_Home, InterfaceFunction::ratio}, std::pair{Qt::Key_End, InterfaceFunction::variance}}) {
+            config.interfaceFunction =
+                value == InterfaceFunction::ratio ? InterfaceFunction::variance : InterfaceFunction::ratio;
+            panel.setConfig(config);
+            QTest::keyClick(function, key);
+            config.interfaceFunction = value;
+            QCOMPARE(onlyConfigOf(spy), config);
+            spy.clear();
+            const bool scales = value == InterfaceFunction::variance;
+            for (const char* name : {"adaptive.coarsestScale", "adaptive.finestScale", "adaptive.significance"})
+                QCOMPARE(child<QWidget>(panel, name)->isEnabled(), scales);
+            QCOMPARE(child<QWidget>(panel, "adaptive.falseAlarm")->isEnabled(), !scales);
+            QVERIFY(child<QSpinBox>(panel, "adaptive.cellSize")->isEnabled());
+        }
+    }
+
     void computeAsksAndChangesNothing() {
         MethodPanel panel;
         QSignalSpy compute(&panel, &MethodPanel::computeRequested);
@@ -227,6 +298,7 @@ private slots:
 
     void wheelChangesOnlyTheFocusedControl() {
         MethodPanel panel;
+        panel.setConfig({.form = CurveForm::product});
         panel.show();
         QApplication::setActiveWindow(&panel);  // no window manager gives the focus on a virtual display
         auto* slider = child<QSlider>(panel, "adaptive.strength");

@@ -143,13 +143,16 @@ private slots:
         QSignalSpy light(&panel, &ViewPanel::shadedChanged);
         QSignalSpy reset(&panel, &ViewPanel::resetRequested);
         QSignalSpy save(&panel, &ViewPanel::savePictureRequested);
+        QSignalSpy suggest(&panel, &ViewPanel::nearCutSuggestionRequested);
         QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
         QCOMPARE(light.takeFirst().first().toBool(), false);
         QTest::mouseClick(child<QPushButton>(panel, "view.reset"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.savePicture"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>(panel, "view.nearCut.suggest"), Qt::LeftButton);
         QCOMPARE(reset.count(), 1);
         QCOMPARE(save.count(), 1);
-        QCOMPARE(all.count(), 3);
+        QCOMPARE(suggest.count(), 1);
+        QCOMPARE(all.count(), 4);
     }
 
     void phaseSelectorAppearsWithPhases() {
@@ -246,12 +249,57 @@ private slots:
         QCOMPARE(all.count(), 4);
     }
 
+    void everyModeAndScenarioIsSaidOnce() {
+        MotionPanel panel;
+        panel.setPhaseCount(20);
+        panel.show();
+        AllSignals all(panel);
+        QSignalSpy otf(&panel, &MotionPanel::otfChanged);
+        const QList<std::pair<const char*, MotionOtf>> modes{
+            {"motion.mode.mean", MotionOtf::mean},
+            {"motion.mode.movingLeastSquares", MotionOtf::movingLeastSquares},
+            {"motion.mode.leastFlicker", MotionOtf::leastFlicker},
+            {"motion.mode.eachView", MotionOtf::eachView},
+            {"motion.mode.static", MotionOtf::oneOtf}};
+        for (const auto& [name, mode] : modes) {
+            QTest::mouseClick(child<QRadioButton>(panel, name), Qt::LeftButton);
+            QCOMPARE(otf.count(), 1);
+            QCOMPARE(otf.takeFirst().first().value<MotionOtf>(), mode);
+            QCOMPARE(panel.otf(), mode);
+        }
+        QSignalSpy scenario(&panel, &MotionPanel::scenarioChanged);
+        QTest::keyClick(child<QComboBox>(panel, "motion.scenario"), Qt::Key_Down);
+        QCOMPARE(scenario.takeFirst().first().value<MotionScenario>(), MotionScenario::object);
+        QTest::keyClick(child<QComboBox>(panel, "motion.scenario"), Qt::Key_Down);
+        QCOMPARE(scenario.takeFirst().first().value<MotionScenario>(), MotionScenario::both);
+        QCOMPARE(all.count(), 7);
+        panel.setPhaseCount(1);
+        QCOMPARE(panel.scenario(), MotionScenario::probe);
+        QVERIFY(!child<QComboBox>(panel, "motion.scenario")->isEnabled());
+        QCOMPARE(all.count(), 7);
+    }
+
+    void aNarrowWindowKeepsEveryControlInside() {
+        MotionPanel panel;
+        panel.show();
+        for (const int width : {1400, 760, panel.minimumSizeHint().width()}) {
+            panel.resize(width, panel.heightForWidth(width));
+            QCoreApplication::sendPostedEvents();
+            for (const QWidget* control : panel.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+                QVERIFY2(panel.rect().contains(control->geometry()), qPrintable(control->objectName()));
+                QVERIFY2(control->width() >= control->minimumSizeHint().width(), qPrintable(control->objectName()));
+            }
+        }
+    }
+
     void motionSettersAreSilent() {
         MotionPanel panel;
         AllSignals all(panel);
         panel.setPlaying(true);
         panel.setAngle(-7.4);
         panel.setAxis(MotionAxis::z);
+        panel.setPhaseCount(3);
+        panel.setScenario(MotionScenario::both);
         panel.setOtf(MotionOtf::eachView);
         panel.setOtf(MotionOtf::oneOtf);
         panel.setOtf(MotionOtf::eachView);

@@ -59,7 +59,7 @@ MessageBar::MessageBar(QWidget* parent)
 void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
     removeActions();
     m_kind = kind;
-    m_text->setText(text);
+    m_message = text;
     for (int i = 0; i < actions.size(); ++i) {
         auto* button =
             named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
@@ -70,7 +70,30 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
         });
         m_actions->addWidget(button);
     }
-    setAccessibleName(lookOf(kind).name);
+    showText();
+}
+
+void MessageBar::setRemark(const QString& sentence) {
+    if (sentence == m_remark) return;
+    const bool alone = m_message.isEmpty();
+    m_remark = sentence;
+    m_remarkClosed = false;
+    if (alone && m_remark.isEmpty()) {
+        hide();
+        m_text->clear();
+        return;
+    }
+    if (alone || m_kind == MessageKind::info) m_kind = m_remark.isEmpty() ? MessageKind::info : MessageKind::warning;
+    showText();
+}
+
+void MessageBar::showText() {
+    QStringList sentences{m_message};
+    if (!m_remarkClosed) sentences << m_remark;
+    sentences.removeAll(QString());
+    const QString text = sentences.join(QLatin1Char(' '));
+    m_text->setText(text);
+    setAccessibleName(lookOf(m_kind).name);
     setAccessibleDescription(text);
     show();
     update();
@@ -80,6 +103,9 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
 
 void MessageBar::dismiss() {
     hide();
+    m_message.clear();
+    m_remark.clear();
+    m_remarkClosed = false;
     m_text->clear();
     removeActions();
 }
@@ -97,7 +123,10 @@ void MessageBar::removeActions() {
 }
 
 void MessageBar::closeByPerson() {
+    const QString remark = m_remark;
     dismiss();
+    m_remark = remark;
+    m_remarkClosed = !remark.isEmpty();
     emit closed();
 }
 

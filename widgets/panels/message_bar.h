@@ -30,10 +30,13 @@ public:
 
     /// Shows a sentence; replaces what was shown before.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// Closes the bar; emits nothing.
+    /// A sentence that is true of what is shown now: stands behind the message, or alone as a warning. Empty takes it
+    /// away; said again after it was closed, it stays closed.
+    void setRemark(const QString& sentence);
+    /// Closes the bar, the remark included; emits nothing.
     void dismiss();
 
-    /// Empty where nothing is shown.
+    /// Message and remark; empty where nothing is shown.
     [[nodiscard]] QString text() const;
     [[nodiscard]] MessageKind kind() const { return m_kind; }
 
@@ -47,9 +50,13 @@ protected:
 
 private:
     void removeActions();
+    void showText();
     void closeByPerson();
 
     MessageKind m_kind = MessageKind::info;
+    QString m_message;
+    QString m_remark;
+    bool m_remarkClosed = false;
     QLabel* m_text;
     QHBoxLayout* m_actions;
     QToolButton* m_close;

@@ -68,6 +68,7 @@ double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*
 MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("adaptive");
     setAccessibleName(tr("Adaptive opacity transfer function"));
+    createMethodChoices();
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(createMainControls());
     layout->addWidget(createAdvancedControls());
@@ -82,6 +83,11 @@ QWidget* MethodPanel::createMainControls() {
     m_strength->setToolTip(
         tr("How far the found surfaces bend the initial function: number of tube cores times the "
            "largest weight of one"));
+    m_rampOpacity = new ValueSlider("adaptive.rampOpacity", tr("Opacity"), 0.01, 2);
+    m_rampOpacity->setRange(0.01, 1);
+    m_rampOpacity->setToolTip(tr("Opacity where all tube cores say surface"));
+    m_strengthLabel = labelFor(m_strength, tr("Strength"));
+    m_rampOpacityLabel = labelFor(m_rampOpacity, tr("Opacity"));
     m_initial = named(new QComboBox, "adaptive.initial", tr("Initial function"),
                       tr("The function that the method starts from"));
     m_initial->addItem(tr("x² (parabolic)"), static_cast<int>(InitialKind::parabolic));
@@ -108,16 +114,21 @@ QWidget* MethodPanel::createMainControls() {
     auto* controls = new QWidget;
     auto* grid = new QGridLayout(controls);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(labelFor(m_strength, tr("Strength")), 0, 0);
+    // One of the two, as the form has it.
+    grid->addWidget(m_strengthLabel, 0, 0);
     grid->addWidget(m_strength, 0, 1, 1, 3);
-    grid->addWidget(labelFor(m_initial, tr("Initial")), 1, 0);
-    grid->addWidget(m_initial, 1, 1);
-    grid->addWidget(labelFor(m_opacityScale, tr("Scale a")), 1, 2);
-    grid->addWidget(m_opacityScale, 1, 3);
-    grid->addWidget(compute, 2, 0, 1, 3);
-    grid->addWidget(reset, 2, 3);
-    grid->addWidget(m_summary, 3, 0, 1, 4);
-    grid->addWidget(m_message, 4, 0, 1, 4);
+    grid->addWidget(m_rampOpacityLabel, 0, 0);
+    grid->addWidget(m_rampOpacity, 0, 1, 1, 3);
+    grid->addWidget(labelFor(m_form, tr("Form")), 1, 0);
+    grid->addWidget(m_form, 1, 1, 1, 3);
+    grid->addWidget(labelFor(m_initial, tr("Initial")), 2, 0);
+    grid->addWidget(m_initial, 2, 1);
+    grid->addWidget(labelFor(m_opacityScale, tr("Scale a")), 2, 2);
+    grid->addWidget(m_opacityScale, 2, 3);
+    grid->addWidget(compute, 3, 0, 1, 3);
+    grid->addWidget(reset, 3, 3);
+    grid->addWidget(m_summary, 4, 0, 1, 4);
+    grid->addWidget(m_message, 5, 0, 1, 4);
     grid->setColumnStretch(1, 1);
     clearResult();
     return controls;
@@ -145,8 +156,14 @@ QWidget* MethodPanel::createAdvancedControls() {
         createSpinBox("slopeHalfStep", tr("Slope half step"),
                       tr("The slope at a surface is taken over this many units to either side"), 1, 32, tr(" units"));
 
-    m_advanced =
-        named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"), tr("Tube cores, cells and scales"));
+    m_falseAlarm =
+        createDoubleSpinBox("falseAlarm", tr("Least contrast"),
+                            tr("Ratio of means: a surface counts from this contrast on, in standard deviations "
+                               "of the contrast where nothing is"),
+                            20, 2, 0.25);
+
+    m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
+                       tr("Reading, tube cores, cells and scales"));
     m_advanced->setText(tr("Advanced"));
     m_advanced->setCheckable(true);
     m_advanced->setAutoRaise(true);
@@ -157,14 +174,19 @@ QWidget* MethodPanel::createAdvancedControls() {
     auto* hidden = new QWidget;
     auto* grid = new QGridLayout(hidden);
     grid->setContentsMargins(0, 0, 0, 0);
-    const std::array<QWidget*, 8> controls{m_tubeColumns,   m_tubeRows,    m_tubeSpacing,  m_cellSize,
-                                           m_coarsestScale, m_finestScale, m_significance, m_slopeHalfStep};
+    grid->addWidget(labelFor(m_reading, tr("Reading")), 0, 0);
+    grid->addWidget(m_reading, 0, 1, 1, 3);
+    grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
+    grid->addWidget(m_interfaceFunction, 1, 1, 1, 3);
+    constexpr int rowsAbove = 2;
+    const std::array<QWidget*, 9> controls{m_tubeColumns,   m_tubeRows,      m_tubeSpacing, m_cellSize,    m_falseAlarm,
+                                           m_slopeHalfStep, m_coarsestScale, m_finestScale, m_significance};
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
         control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
         control->setMinimumWidth(84);
-        grid->addWidget(labelFor(control, control->accessibleName()), i / 2, 2 * (i % 2));
-        grid->addWidget(control, i / 2, 2 * (i % 2) + 1);
+        grid->addWidget(labelFor(control, control->accessibleName()), rowsAbove + i / 2, 2 * (i % 2));
+        grid->addWidget(control, rowsAbove + i / 2, 2 * (i % 2) + 1);
     }
     grid->setColumnStretch(1, 4);  // "automatic" is the longest text
     grid->setColumnStretch(3, 3);
@@ -187,10 +209,12 @@ void MethodPanel::connectControls() {
         using Control = std::remove_pointer_t<decltype(control)>;
         connect(control, &Control::valueChanged, this, [this, field](auto value) {
             m_config.*field = value;
-            emit configChanged(config());
+            changed();
         });
     };
     changes(m_strength, &AdaptiveOtfConfig::strength);
+    changes(m_rampOpacity, &AdaptiveOtfConfig::rampOpacity);
+    changes(m_falseAlarm, &AdaptiveOtfConfig::falseAlarm);
     changes(m_tubeColumns, &AdaptiveOtfConfig::tubeColumns);
     changes(m_tubeRows, &AdaptiveOtfConfig::tubeRows);
     changes(m_tubeSpacing, &AdaptiveOtfConfig::tubeSpacing);
@@ -201,6 +225,15 @@ void MethodPanel::connectControls() {
             [this](int scale) { takeScales(scale, std::min(scale, m_config.finestScale)); });
     connect(m_finestScale, &QSpinBox::valueChanged, this,
             [this](int scale) { takeScales(std::max(scale, m_config.coarsestScale), scale); });
+    connect(m_form, &QComboBox::currentIndexChanged, this, [this] {
+        m_config.form = static_cast<CurveForm>(m_form->currentData().toInt());
+        changed();
+    });
+    connect(m_interfaceFunction, &QComboBox::currentIndexChanged, this, [this] {
+        m_config.interfaceFunction = static_cast<InterfaceFunction>(m_interfaceFunction->currentData().toInt());
+        changed();
+    });
+    connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
     connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
     connect(m_opacityScale, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeInitial);
 }
@@ -210,7 +243,7 @@ void MethodPanel::takeScales(int coarsest, int finest) {
     m_config.finestScale = finest;
     showIn(m_coarsestScale, coarsest);
     showIn(m_finestScale, finest);
-    emit configChanged(config());
+    changed();
 }
 
 void MethodPanel::takeInitial() {
@@ -232,6 +265,8 @@ double MethodPanel::opacityScale() const { return m_opacityScale->value(); }
 void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
     m_config = config;
     m_config.strength = clampedInto(m_strength, config.strength);
+    m_config.rampOpacity = clampedInto(m_rampOpacity, config.rampOpacity);
+    m_config.falseAlarm = clampedInto(m_falseAlarm, config.falseAlarm);
     m_config.tubeColumns = clampedInto(m_tubeColumns, config.tubeColumns);
     m_config.tubeRows = clampedInto(m_tubeRows, config.tubeRows);
     m_config.tubeSpacing = clampedInto(m_tubeSpacing, config.tubeSpacing);
@@ -245,6 +280,8 @@ void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
 
 void MethodPanel::showConfig() {
     showIn(m_strength, m_config.strength);
+    showIn(m_rampOpacity, m_config.rampOpacity);
+    showIn(m_falseAlarm, m_config.falseAlarm);
     showIn(m_tubeColumns, m_config.tubeColumns);
     showIn(m_tubeRows, m_config.tubeRows);
     showIn(m_tubeSpacing, m_config.tubeSpacing);
@@ -253,7 +290,10 @@ void MethodPanel::showConfig() {
     showIn(m_finestScale, m_config.finestScale);
     showIn(m_significance, m_config.significance);
     showIn(m_slopeHalfStep, m_config.slopeHalfStep);
+    selectData(m_form, static_cast<int>(m_config.form));
+    selectData(m_interfaceFunction, static_cast<int>(m_config.interfaceFunction));
     showInitial();
+    showReading();
 }
 
 void MethodPanel::showInitial() {

@@ -23,9 +23,10 @@ enum class InitialKind {
     manual,     ///< the manual nodes of the editor
 };
 
-/// Objects: adaptive.strength (+ .value), .initial, .opacityScale, .compute, .reset, .summary, .message, .advanced and,
-/// under it, .tubeColumns, .tubeRows, .tubeSpacing, .cellSize, .coarsestScale, .finestScale, .significance,
-/// .slopeHalfStep.
+/// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
+/// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,
+/// .tubeRows, .tubeSpacing, .cellSize, .slopeHalfStep, for the ratio .falseAlarm, for the variance .coarsestScale,
+/// .finestScale, .significance.
 class MethodPanel : public QWidget {
     Q_OBJECT
 
@@ -58,8 +59,12 @@ private:
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
     void connectControls();
+    void createMethodChoices();
     void showConfig();
+    void showReading();
     void showInitial();
+    void takeReading();
+    void changed();
     void takeScales(int coarsest, int finest);
     void takeInitial();
     void resetToDefaults();
@@ -68,6 +73,12 @@ private:
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
     ValueSlider* m_strength = nullptr;
+    ValueSlider* m_rampOpacity = nullptr;
+    QLabel* m_strengthLabel = nullptr;
+    QLabel* m_rampOpacityLabel = nullptr;
+    QComboBox* m_form = nullptr;
+    QComboBox* m_reading = nullptr;
+    QComboBox* m_interfaceFunction = nullptr;
     QComboBox* m_initial = nullptr;
     QDoubleSpinBox* m_opacityScale = nullptr;
     QSpinBox* m_tubeColumns = nullptr;
@@ -77,6 +88,7 @@ private:
     QSpinBox* m_coarsestScale = nullptr;
     QSpinBox* m_finestScale = nullptr;
     QDoubleSpinBox* m_significance = nullptr;
+    QDoubleSpinBox* m_falseAlarm = nullptr;
     QSpinBox* m_slopeHalfStep = nullptr;
     QToolButton* m_advanced = nullptr;
     QLabel* m_summary = nullptr;

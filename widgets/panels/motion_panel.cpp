@@ -15,6 +15,7 @@
 #include <QStyleOptionSlider>
 #include <cmath>
 
+#include "widgets/panels/flow_layout.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -79,10 +80,12 @@ protected:
 
 MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("motion");
-    setAccessibleName(tr("Transducer motion"));
+    setAccessibleName(tr("Motion"));
     createControls();
+    createChoices();
     arrange();
     setPlaying(false);
+    setPhaseCount(1);
     showAngle();
 
     connect(m_play, &QPushButton::clicked, this, [this] { emit playRequested(!m_playing); });
@@ -91,7 +94,10 @@ MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
         emit angleChanged(degrees);
     });
     connect(m_axis, &QComboBox::currentIndexChanged, this, [this] { emit axisChanged(axis()); });
-    connect(m_eachView, &QRadioButton::toggled, this, [this] { emit otfChanged(otf()); });
+    connect(m_scenario, &QComboBox::currentIndexChanged, this, [this] { emit scenarioChanged(scenario()); });
+    connect(m_modeGroup, &QButtonGroup::idToggled, this, [this](int mode, bool checked) {
+        if (checked) emit otfChanged(static_cast<MotionOtf>(mode));
+    });
     connect(m_pingPong, &QCheckBox::toggled, this, &MotionPanel::pingPongChanged);
 }
 
@@ -109,16 +115,42 @@ void MotionPanel::createControls() {
     m_axis->addItem(tr("z axis (roll)"), static_cast<int>(MotionAxis::z));
     selectData(m_axis, static_cast<int>(MotionAxis::y));
     wheelNeedsFocus(m_axis);
-    m_oneOtf = named(new QRadioButton(tr("One OTF")), "motion.mode.static", tr("One OTF for every view"),
-                     tr("Every view shows the OTF that was computed before the motion"));
-    m_eachView = named(new QRadioButton(tr("Each view")), "motion.mode.eachView", tr("An OTF for each view"),
-                       tr("The adaptive OTF is computed anew for each view"));
-    m_oneOtf->setChecked(true);
     m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
-                       tr("Turns at the ends; otherwise the motion starts from −45° again"));
+                       tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
     m_pingPong->setChecked(true);
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
+    // Room from the start: what stands beside it must not move, nor the picture above, when playing begins.
+    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(88)));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void MotionPanel::createChoices() {
+    m_scenario = named(new QComboBox, "motion.scenario", tr("What moves"));
+    m_scenario->addItem(tr("Moving probe"), static_cast<int>(MotionScenario::probe));
+    m_scenario->addItem(tr("Moving object"), static_cast<int>(MotionScenario::object));
+    m_scenario->addItem(tr("Both move"), static_cast<int>(MotionScenario::both));
+    wheelNeedsFocus(m_scenario);
+
+    m_modeGroup = new QButtonGroup(this);
+    const auto mode = [this](MotionOtf otf, const QString& text, const QString& name, const QString& accessibleName,
+                             const QString& toolTip) {
+        auto* button = named(new QRadioButton(text), "motion.mode." + name, accessibleName, toolTip);
+        m_modeGroup->addButton(button, static_cast<int>(otf));
+        m_modes[static_cast<std::size_t>(otf)] = button;
+    };
+    mode(MotionOtf::oneOtf, tr("One OTF"), "static", tr("One OTF for every frame"),
+         tr("Every frame shows the OTF that was computed before the motion: it cannot flicker"));
+    mode(MotionOtf::eachView, tr("Each view"), "eachView", tr("An OTF for each view"),
+         tr("The adaptive OTF is computed anew for each frame, and not smoothed: the picture may flicker"));
+    mode(MotionOtf::mean, tr("Mean of 5"), "mean", tr("Mean of the newest five OTFs"),
+         tr("An OTF for each frame, and of these the mean of the newest five is shown: calm, but late"));
+    mode(MotionOtf::movingLeastSquares, tr("Least squares"), "movingLeastSquares", tr("Moving least squares"),
+         tr("A polynomial of order two through the newest five OTFs, taken at the present frame: in time, but hardly "
+            "calmer"));
+    mode(MotionOtf::leastFlicker, tr("Least flicker"), "leastFlicker", tr("Least flicker"),
+         tr("Weights on the newest OTFs that flicker least for their delay: the smoothing to take where nothing speaks "
+            "for another"));
+    m_modes.front()->setChecked(true);
 }
 
 void MotionPanel::arrange() {
@@ -129,29 +161,25 @@ void MotionPanel::arrange() {
     first->addWidget(m_angle, 1);
     first->addWidget(endLabel(lastMotionAngle));
     first->addWidget(m_angleValue);
+    first->addWidget(m_scenario);
     first->addWidget(m_axis);
 
-    auto* modes = new QButtonGroup(this);
-    modes->addButton(m_oneOtf);
-    modes->addButton(m_eachView);
-    auto* second = new QHBoxLayout;
-    second->addWidget(m_oneOtf);
-    second->addWidget(m_eachView);
-    second->addStretch(1);
+    auto* second = new FlowLayout(10);
+    for (QRadioButton* button : m_modes) second->addWidget(button);
+    second->addStretch();
     second->addWidget(m_frameRate);
     second->addWidget(m_pingPong);
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(first);
     layout->addLayout(second);
-    layout->addStretch(1);
 }
 
 void MotionPanel::setPlaying(bool playing) {
     m_playing = playing;
     m_play->setText(playing ? tr("Pause") : tr("Play"));
     m_play->setAccessibleName(m_play->text());
-    m_play->setToolTip(playing ? tr("Holds the motion (Space)") : tr("Turns the view from −45° to +45° (Space)"));
+    m_play->setToolTip(playing ? tr("Holds the motion (Space)") : tr("Starts the motion (Space)"));
     showPlayIcon();
 }
 
@@ -183,11 +211,29 @@ void MotionPanel::showAngle() { m_angleValue->setText(angleText(m_angle->value()
 MotionAxis MotionPanel::axis() const { return static_cast<MotionAxis>(m_axis->currentData().toInt()); }
 void MotionPanel::setAxis(MotionAxis axis) { selectData(m_axis, static_cast<int>(axis)); }
 
-MotionOtf MotionPanel::otf() const { return m_eachView->isChecked() ? MotionOtf::eachView : MotionOtf::oneOtf; }
+void MotionPanel::setPhaseCount(int count) {
+    if (count < 2) selectData(m_scenario, static_cast<int>(MotionScenario::probe));
+    m_scenario->setEnabled(count > 1);
+    m_scenario->setToolTip(count > 1
+                               ? tr("The probe turns around the object, the object moves through the %1 phases of "
+                                    "the study, or both")
+                                     .arg(count)
+                               : tr("The study holds one moment only, so that the object cannot move. Open a 4D "
+                                    "study for that."));
+}
+
+MotionScenario MotionPanel::scenario() const { return static_cast<MotionScenario>(m_scenario->currentData().toInt()); }
+
+void MotionPanel::setScenario(MotionScenario scenario) {
+    Q_ASSERT(m_scenario->isEnabled() || scenario == MotionScenario::probe);
+    selectData(m_scenario, static_cast<int>(scenario));
+}
+
+MotionOtf MotionPanel::otf() const { return static_cast<MotionOtf>(m_modeGroup->checkedId()); }
 
 void MotionPanel::setOtf(MotionOtf otf) {
-    const QSignalBlocker blocker(m_eachView);
-    (otf == MotionOtf::eachView ? m_eachView : m_oneOtf)->setChecked(true);
+    const QSignalBlocker blocker(m_modeGroup);
+    m_modes[static_cast<std::size_t>(otf)]->setChecked(true);
 }
 
 bool MotionPanel::pingPong() const { return m_pingPong->isChecked(); }

@@ -1,11 +1,13 @@
-// The controls of the transducer motion mode.
+// The controls of the motion mode.
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "widgets/panels/motion_mode.h"
 
+class QButtonGroup;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -15,8 +17,8 @@ class QSlider;
 
 namespace echolucent {
 
-/// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.mode.static,
-/// motion.mode.eachView, motion.pingPong, motion.frameRate. No setter emits a signal.
+/// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.scenario, motion.mode.static,
+/// .eachView, .mean, .movingLeastSquares, .leastFlicker, motion.pingPong, motion.frameRate. No setter emits a signal.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
@@ -30,6 +32,11 @@ public:
     void setAngle(double degrees);
     [[nodiscard]] MotionAxis axis() const;
     void setAxis(MotionAxis axis);
+    /// With one phase there is nothing but a moving probe, and the choice is disabled and says why.
+    void setPhaseCount(int count);
+    [[nodiscard]] MotionScenario scenario() const;
+    /// Needs more than one phase, the moving probe aside.
+    void setScenario(MotionScenario scenario);
     [[nodiscard]] MotionOtf otf() const;
     void setOtf(MotionOtf otf);
     /// True: back and forth; false: from the start again.
@@ -43,6 +50,7 @@ signals:
     void playRequested(bool play);
     void angleChanged(double degrees);
     void axisChanged(echolucent::MotionAxis axis);
+    void scenarioChanged(echolucent::MotionScenario scenario);
     void otfChanged(echolucent::MotionOtf otf);
     void pingPongChanged(bool pingPong);
 
@@ -52,6 +60,7 @@ protected:
 
 private:
     void createControls();
+    void createChoices();
     void arrange();
     void showAngle();
     void showPlayIcon();
@@ -61,8 +70,9 @@ private:
     QSlider* m_angle = nullptr;
     QLabel* m_angleValue = nullptr;
     QComboBox* m_axis = nullptr;
-    QRadioButton* m_oneOtf = nullptr;
-    QRadioButton* m_eachView = nullptr;
+    QComboBox* m_scenario = nullptr;
+    std::array<QRadioButton*, allMotionOtfs.size()> m_modes{};  // in the order of allMotionOtfs
+    QButtonGroup* m_modeGroup = nullptr;
     QCheckBox* m_pingPong = nullptr;
     QLabel* m_frameRate = nullptr;
 };

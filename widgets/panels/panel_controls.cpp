@@ -1,19 +1,25 @@
 #include "widgets/panels/panel_controls.h"
 
+#include <QAbstractSlider>
 #include <QComboBox>
-#include <QEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 
 namespace echolucent {
 namespace {
 
-class WheelFilter : public QObject {
+class ControlFilter : public QObject {
 public:
     using QObject::QObject;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractSlider*>(watched) != nullptr) {
+            const int key = static_cast<QKeyEvent*>(event)->key();
+            if (key == Qt::Key_Left || key == Qt::Key_Right) event->accept();
+            return false;
+        }
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
         event->ignore();  // goes on to the scroll area around the panel
         return true;
@@ -24,7 +30,7 @@ protected:
 
 void wheelNeedsFocus(QWidget* control) {
     control->setFocusPolicy(Qt::StrongFocus);
-    control->installEventFilter(new WheelFilter(control));
+    control->installEventFilter(new ControlFilter(control));
 }
 
 QLabel* labelFor(QWidget* control, const QString& text) {

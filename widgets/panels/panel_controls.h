@@ -19,7 +19,7 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
 }
 
 /// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by
-/// accident.
+/// accident. A slider with the focus keeps the arrow keys, which elsewhere turn the view.
 void wheelNeedsFocus(QWidget* control);
 
 /// A text in front of a control, which is its buddy.

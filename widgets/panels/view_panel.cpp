@@ -107,10 +107,17 @@ void ViewPanel::arrange() {
     connect(reset, &QPushButton::clicked, this, &ViewPanel::resetRequested);
     connect(savePicture, &QPushButton::clicked, this, &ViewPanel::savePictureRequested);
 
+    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a near cut"),
+                          tr("Cuts where most tube cores have left the tissue in front and have entered fluid"));
+    connect(suggest, &QPushButton::clicked, this, &ViewPanel::nearCutSuggestionRequested);
+    auto* nearCut = new QHBoxLayout;
+    nearCut->addWidget(m_nearCut, 1);
+    nearCut->addWidget(suggest);
+
     auto* grid = new QGridLayout;
     m_phaseLabel = labelFor(m_phaseSlider, tr("Phase"));
     grid->addWidget(labelFor(m_nearCut, tr("Near cut")), 0, 0);
-    grid->addWidget(m_nearCut, 0, 1, 1, 3);
+    grid->addLayout(nearCut, 0, 1, 1, 3);
     grid->addWidget(m_phaseLabel, 1, 0);
     grid->addWidget(m_phaseSelector, 1, 1, 1, 3);
     grid->addWidget(labelFor(m_colourMap, tr("Colour map")), 2, 0);

@@ -16,8 +16,8 @@ namespace echolucent {
 
 class ValueSlider;
 
-/// Objects: view.nearCut (+ .value), view.shaded, view.colourMap, view.interpolation, view.projection, view.beamAxis,
-/// view.phase (+ .value; hidden with one phase), view.reset, view.savePicture. No setter emits a signal.
+/// Objects: view.nearCut (+ .value, .suggest), view.shaded, view.colourMap, view.interpolation, view.projection,
+/// view.beamAxis, view.phase (+ .value; hidden with one phase), view.reset, view.savePicture. No setter emits a signal.
 class ViewPanel : public QWidget {
     Q_OBJECT
 
@@ -49,6 +49,8 @@ public:
 
 signals:
     void nearCutChanged(double mm);
+    /// The person asks where to cut.
+    void nearCutSuggestionRequested();
     void shadedChanged(bool shaded);
     void colourMapChanged(echolucent::ColourMap map);
     void interpolationChanged(echolucent::Interpolation interpolation);

@@ -208,6 +208,10 @@ std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
 
 bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->fine; }
 
+bool VolumeViewWidget::pictureIsCurrent() const {
+    return m_parts->shown && samePicture(m_parts->shown->request, {m_parts->volume, m_parts->curve, settings()});
+}
+
 QString VolumeViewWidget::scaleText() const { return QString::fromStdString(m_parts->scene.scaleBar().text()); }
 
 QImage VolumeViewWidget::screenImage() {

@@ -65,6 +65,8 @@ public:
     /// The newest picture made, null before the first; its size is smaller than the view's where it is coarse.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
     [[nodiscard]] bool pictureIsFine() const;
+    /// True where the newest picture, coarse or fine, is one of the present volume, curve, look and camera.
+    [[nodiscard]] bool pictureIsCurrent() const;
     /// True from a change until its fine picture is there. Always false while the widget is hidden.
     [[nodiscard]] bool busy() const { return m_busy; }
     /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.

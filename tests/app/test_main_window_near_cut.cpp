@@ -1,0 +1,136 @@
+// The near cut that the program suggests: what it does, what it says, and the way back.
+#include <QAbstractSpinBox>
+#include <QLocale>
+#include <QThread>
+
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+namespace {
+
+Session::NearCutSearch found(const NearCutSuggestion& suggestion) {
+    return [suggestion](const Volume&, const View&, const AdaptiveOtfConfig&, const Progress&) {
+        return std::optional(suggestion);
+    };
+}
+
+}  // namespace
+
+class TestMainWindowNearCut : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        m_file = m_fixture.file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        m_fixture.show();
+        m_fixture.open(m_file);
+    }
+    void cleanup() { m_fixture.close(); }
+
+    void theSuggestedCutIsMadeSaidAndTakenBack() {
+        session().setNearCutSearch(
+            found({.nearCutMm = 18.04, .tubesWithSurface = 156, .tubesInFluid = 140, .message = {}}));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        QCOMPARE(message()->text(),
+                 "Near cut at 18.0 mm: 140 of 156 tube cores are in fluid there. It was 0.0 mm before.");
+        m_fixture.waitUntilIdle();
+        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 18.0);
+        QCOMPARE(session().otf()->view.nearCutMm, 18.0);
+        QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "18.0 mm");
+
+        m_fixture.click("message.action.0");
+        m_fixture.waitUntilIdle();
+        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
+        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
+    }
+
+    void itIsLookedForInTheViewOfTheCameraWithTheConfigOfThePanel() {
+        std::optional<View> view;
+        std::optional<AdaptiveOtfConfig> config;
+        QThread* thread = nullptr;
+        session().setNearCutSearch(
+            [&](const Volume&, const View& asked, const AdaptiveOtfConfig& with, const Progress&) {
+                view = asked;
+                config = with;
+                thread = QThread::currentThread();
+                return std::optional(
+                    NearCutSuggestion{.nearCutMm = 5, .tubesWithSurface = 2, .tubesInFluid = 1, .message = {}});
+            });
+        View turned;
+        turned.azimuthDegrees = 20;
+        m_fixture.window().volumeView().setView(turned);
+        m_fixture.waitUntilIdle();
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->text().contains("5.0 mm"));
+        m_fixture.waitUntilIdle();
+        QCOMPARE(view->azimuthDegrees, 20.0);
+        QVERIFY(*config == session().otf()->config);
+        QVERIFY(thread != QThread::currentThread());
+        QCOMPARE(session().otf()->view.azimuthDegrees, 20.0);
+        QCOMPARE(session().otf()->view.nearCutMm, 5.0);
+    }
+
+    void whyNotIsSaidAndNothingChanges() {
+        session().setNearCutSearch(found({.message = "No surface found: nothing tells where fluid begins."}));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        QCOMPARE(message()->text(),
+                 "The near cut stays at 0.0 mm. No surface found: nothing tells where fluid begins.");
+        QCOMPARE(message()->kind(), MessageKind::warning);
+        m_fixture.waitUntilIdle();
+        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
+        QVERIFY(session().otf() != nullptr);
+    }
+
+    void nothingInFrontNeedsNoCut() {
+        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithSurface = 90, .tubesInFluid = 90, .message = {}}));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
+    }
+
+    void theSearchOfTheProgramAgreesWithThePureFunction() {
+        const auto expected = suggestNearCut(*session().volume(), View{}, session().otf()->config);
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        m_fixture.waitUntilIdle();
+        const double cut = m_fixture.window().volumeView().view().nearCutMm;
+        QVERIFY(qAbs(cut - (expected->message.empty() ? expected->nearCutMm : 0.0)) <= 0.05 + 1e-9);
+    }
+
+    void aSearchThatIsOvertakenLosesNoOtf() {
+        // A search that ends only when it is cancelled, as by the OTF of a strength that is changed meanwhile.
+        session().setNearCutSearch([](const Volume&, const View&, const AdaptiveOtfConfig&, const Progress& progress) {
+            while (!progress.cancelled()) QThread::yieldCurrentThread();
+            return std::optional<NearCutSuggestion>();
+        });
+        m_fixture.click("view.nearCut.suggest");
+        QVERIFY(session().computingOtf());
+        QTest::keyClick(&m_fixture.window(), Qt::Key_A);
+        m_fixture.waitUntilIdle();
+        QVERIFY(session().otf() != nullptr);
+        QVERIFY(!message()->isVisible());
+    }
+
+private:
+    Session& session() { return m_fixture.window().session(); }
+    MessageBar* message() { return m_fixture.child<MessageBar>("message"); }
+
+    WindowFixture m_fixture;
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindowNearCut test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_near_cut.moc"

@@ -1,0 +1,72 @@
+// The real main window for a test class: phantoms in files, opening, waiting for the picture, finding controls.
+#pragma once
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "app/main_window.h"
+#include "io/meta_image_writer.h"
+#include "processing/phantom.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+inline std::shared_ptr<const Volume> smallPhantom(PhantomScene scene, std::uint64_t seed, double phase = 0) {
+    PhantomConfig config = defaultPhantom(scene);
+    config.size = {60, 56, 58};
+    config.spacing = Vec3(1.4, 1.4, 1.4);
+    config.seed = seed;
+    config.phase = phase;
+    return std::make_shared<const Volume>(*makePhantom(config));
+}
+
+class WindowFixture {
+public:
+    /// Writes a study of these phases and returns its file.
+    QString file(const QString& name, const std::vector<std::shared_ptr<const Volume>>& phases) {
+        const QString path = m_folder.filePath(name);
+        if (!writeMetaImage(path.toStdString(), phases)) qFatal("%s", qPrintable(path));
+        return path;
+    }
+    void show() {
+        QFile::remove(settingsFile());
+        m_window = std::make_unique<MainWindow>(settingsFile());
+        m_window->resize(1000, 700);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        // A virtual display has no window manager that would make the window the active one.
+        QApplication::setActiveWindow(m_window.get());
+    }
+    void close() {
+        if (m_window) m_window->otfEditor().setManualSaved();
+        m_window.reset();
+    }
+    void open(const QString& path) {
+        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        window().open(path);
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+    }
+    void waitUntilIdle() { QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().volumeView().pictureIsFine(), 30000); }
+    [[nodiscard]] MainWindow& window() { return *m_window; }
+    [[nodiscard]] QString settingsFile() const { return m_folder.filePath("settings.ini"); }
+    template <typename Widget = QWidget>
+    Widget* child(const QString& name) {
+        auto* found = window().findChild<Widget*>(name);
+        if (found == nullptr) qFatal("no %s", qPrintable(name));
+        return found;
+    }
+    void click(const QString& name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,76 @@
+#include "widgets/motion/course_drawing.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace echolucent {
+namespace {
+
+constexpr double tickLength = 3.0;
+constexpr double numberGap = 5.0;  // from the plot to its numbers, pixels
+
+QColor mixed(const QColor& from, const QColor& to, double share) {
+    const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
+}
+
+}  // namespace
+
+PlotColours plotColours(const QPalette& palette) {
+    constexpr int darker = 140;  // per cent
+    const QColor panel = palette.color(QPalette::Window);
+    const QColor background = panel.lightness() < 128 ? panel.darker(darker) : palette.color(QPalette::Base);
+    const QColor text = palette.color(QPalette::WindowText);
+    return {background, text, mixed(background, text, 0.66), mixed(background, text, 0.09),
+            mixed(background, text, 0.28)};
+}
+
+QString rowName(const OtfCourse& course, int row) {
+    const int number = course.numberOf(row);
+    if (course.rows() == OtfCourse::Rows::phases)
+        return QCoreApplication::translate("OtfCourse", "phase %1").arg(number);
+    const QString sign = number > 0 ? QStringLiteral("+") : number < 0 ? QStringLiteral("−") : QString();
+    return QStringLiteral("%1%2°").arg(sign).arg(std::abs(number));
+}
+
+double plotLeft(const QFontMetrics& metrics) { return metrics.horizontalAdvance("+45°") + 2 * markWidth; }
+
+double plotRight(const QFontMetrics& metrics) {
+    return legendGap + legendWidth + metrics.horizontalAdvance("0.5") + 10;
+}
+
+namespace {
+
+std::vector<double> intensityTicks(const QPainter& painter, const PlotAxes& axes) {
+    const double cell = painter.fontMetrics().horizontalAdvance("0.00");
+    return tickPositions(axes.intensity, std::clamp(static_cast<int>(axes.rect.width() / (1.6 * cell)), 2, 6));
+}
+
+}  // namespace
+
+void paintIntensityTicks(QPainter& painter, const PlotAxes& axes, const PlotColours& colours) {
+    painter.setPen(QPen(colours.frame, 1.0));
+    for (const double tick : intensityTicks(painter, axes)) {
+        const double x = axes.positionOf({tick, 0.0}).x();
+        painter.drawLine(QPointF(x, axes.rect.bottom()), QPointF(x, axes.rect.bottom() + tickLength));
+    }
+}
+
+void paintIntensityAxis(QPainter& painter, const PlotAxes& axes, const PlotColours& colours) {
+    paintIntensityTicks(painter, axes, colours);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double cell = metrics.horizontalAdvance("0.00");
+    painter.setPen(colours.text);
+    for (const double tick : intensityTicks(painter, axes))
+        painter.drawText(
+            QRectF(axes.positionOf({tick, 0.0}).x() - cell, axes.rect.bottom() + numberGap, 2 * cell, metrics.height()),
+            Qt::AlignHCenter, QString::number(tick, 'f', 1));
+    painter.setPen(colours.secondary);
+    painter.drawText(QRectF(axes.rect.left(), axes.rect.bottom() + numberGap + metrics.height(), axes.rect.width(),
+                            metrics.height()),
+                     Qt::AlignHCenter, QCoreApplication::translate("OtfCourse", "intensity"));
+}
+
+}  // namespace echolucent

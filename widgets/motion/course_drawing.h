@@ -1,0 +1,37 @@
+// What the map and the curves of a motion's OTFs draw in common.
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QPalette>
+#include <QString>
+
+#include "widgets/motion/otf_course.h"
+#include "widgets/otf_editor/plot_axes.h"
+
+namespace echolucent {
+
+inline constexpr double legendGap = 16.0;  ///< pixels between the map and its legend
+inline constexpr double legendWidth = 12.0;
+inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's present row
+
+struct PlotColours {
+    QColor background, text, secondary, grid, frame;
+};
+/// Of a plot that lies a little deeper than its panel, in the dark and in the light theme.
+[[nodiscard]] PlotColours plotColours(const QPalette& palette);
+
+/// "+3°", "−3°", "0°" for an angle, "phase 3" for a phase.
+[[nodiscard]] QString rowName(const OtfCourse& course, int row);
+
+/// Where the plots of map and curves begin and end, so that their intensities lie above each other; pixels from the
+/// left and the right end of the canvas.
+[[nodiscard]] double plotLeft(const QFontMetrics& metrics);
+[[nodiscard]] double plotRight(const QFontMetrics& metrics);
+
+/// Ticks below the plot.
+void paintIntensityTicks(QPainter& painter, const PlotAxes& axes, const PlotColours& colours);
+/// Ticks and numbers below the plot, and the word "intensity".
+void paintIntensityAxis(QPainter& painter, const PlotAxes& axes, const PlotColours& colours);
+
+}  // namespace echolucent

@@ -1,0 +1,73 @@
+// The OTFs of a motion while it is played: what every mode makes of them, row by row, and how much each flickers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "processing/motion/otf_smoothing.h"
+#include "widgets/panels/motion_mode.h"
+
+namespace echolucent {
+
+/// Where in a motion a frame stands.
+struct CourseFrame {
+    int angle = 0;   ///< whole degrees from the view in which the motion began, firstMotionAngle to lastMotionAngle
+    int phase = 0;   ///< of the 4D study, 0 to phases - 1
+    int phases = 1;  ///< of the study
+};
+
+/// Takes the unsmoothed OTF of each frame. All smoothings run side by side on the same OTFs, so that any mode can be
+/// looked at, and its flicker compared, whichever is shown. Knows no widget.
+class OtfCourse {
+public:
+    /// A step of more frames than this is a jump: what was before it is not smoothed with what comes after.
+    static constexpr int longestStep = 3;
+    /// Flicker is measured over the newest frames, at most so many.
+    static constexpr std::size_t flickerFrames = 30;
+
+    /// What the rows stand for: angles where the probe moves, phases where only the object does.
+    enum class Rows { angles, phases };
+
+    /// Forgets everything. phases: rows of Rows::phases, >= 1.
+    void begin(Rows rows, int phases = 1);
+    /// Forgets the past of the smoothing; the rows stay.
+    void forgetPast();
+    /// A frame with an OTF of its own. The frame of the newest call again replaces that one; a jump forgets the past.
+    void add(const CourseFrame& frame, const SampledCurve& unsmoothed);
+    /// A frame that shows the one OTF of the motion.
+    void addOneOtf(const CourseFrame& frame, const SampledCurve& curve);
+
+    /// What a mode shows for the frame added last; empty before the first.
+    [[nodiscard]] const SampledCurve& newest(MotionOtf mode) const { return m_newest[indexOf(mode)]; }
+    /// otfFlicker() of the newest frames in a mode. None before the third frame since the last jump.
+    [[nodiscard]] std::optional<double> flicker(MotionOtf mode) const;
+
+    [[nodiscard]] Rows rows() const { return m_rows; }
+    [[nodiscard]] int rowCount() const { return static_cast<int>(m_curves.size()); }
+    /// What a row is called by: degrees, or the phase counted from 1.
+    [[nodiscard]] int numberOf(int row) const;
+    [[nodiscard]] int rowOf(const CourseFrame& frame) const;
+    /// The curve of a row in a mode; null where no such frame came yet.
+    [[nodiscard]] const SampledCurve* curve(int row, MotionOtf mode) const;
+    /// The row of the frame added last.
+    [[nodiscard]] std::optional<int> presentRow() const { return m_presentRow; }
+
+private:
+    using Curves = std::array<SampledCurve, allMotionOtfs.size()>;
+    [[nodiscard]] static constexpr std::size_t indexOf(MotionOtf mode) { return static_cast<std::size_t>(mode); }
+    void keep(const CourseFrame& frame, MotionOtf mode, const SampledCurve& curve);
+
+    Rows m_rows = Rows::angles;
+    std::vector<Curves> m_curves = std::vector<Curves>(lastMotionAngle - firstMotionAngle + 1);
+    Curves m_newest;
+    std::array<OtfHistory, 4> m_histories{OtfHistory(OtfSmoothing::none), OtfHistory(OtfSmoothing::mean),
+                                          OtfHistory(OtfSmoothing::movingLeastSquares),
+                                          OtfHistory(OtfSmoothing::leastFlicker)};
+    std::array<std::vector<SampledCurve>, allMotionOtfs.size()> m_recent;  // since the last jump, oldest first
+    std::optional<CourseFrame> m_last;
+    std::optional<int> m_presentRow;
+    double m_time = 0.0;  // in frames
+};
+
+}  // namespace echolucent

@@ -1,0 +1,54 @@
+// The opacity transfer function over the angle (or phase) as a picture: Petersch 2005, Fig. 11.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include "widgets/motion/otf_course.h"
+#include "widgets/otf_editor/plot_axes.h"
+
+namespace echolucent {
+
+/// Object motion.map. A row for each angle (or phase), upwards; intensity to the right; opacity as brightness, with a
+/// legend. Rows not yet shown are hatched. The present row is marked at both sides.
+class OtfMapCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The course outlives the canvas.
+    explicit OtfMapCanvas(const OtfCourse& course, QWidget* parent = nullptr);
+
+    /// Which mode's curves are the rows.
+    void setMode(MotionOtf mode);
+    [[nodiscard]] MotionOtf mode() const { return m_mode; }
+    /// The course has changed: draws it anew.
+    void showCourse();
+    /// The rows as grey levels, 255 = opacity 1, the last row on top; transparent where there is none.
+    [[nodiscard]] QImage image() const;
+    [[nodiscard]] const QRectF& plotRect() const { return m_axes.rect; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {380, 260}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 150}; }
+
+signals:
+    /// "+12°, intensity 0.42, opacity 0.18"; empty where nothing is pointed at.
+    void pointed(const QString& reading);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF bandOf(int row) const;
+    void paintRowAxis(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
+    void layOut();
+
+    const OtfCourse& m_course;
+    MotionOtf m_mode = MotionOtf::oneOtf;
+    PlotAxes m_axes;
+};
+
+}  // namespace echolucent

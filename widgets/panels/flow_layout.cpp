@@ -1,0 +1,75 @@
+#include "widgets/panels/flow_layout.h"
+
+#include <algorithm>
+
+namespace echolucent {
+
+FlowLayout::FlowLayout(int spacing, QWidget* parent) : QLayout(parent) {
+    setSpacing(spacing);
+    setContentsMargins(0, 0, 0, 0);
+}
+
+FlowLayout::~FlowLayout() {
+    for (QLayoutItem* item : m_items) delete item;
+}
+
+QLayoutItem* FlowLayout::itemAt(int index) const {
+    return index >= 0 && index < count() ? m_items[static_cast<std::size_t>(index)] : nullptr;
+}
+
+QLayoutItem* FlowLayout::takeAt(int index) {
+    QLayoutItem* item = itemAt(index);
+    if (item != nullptr) m_items.erase(m_items.begin() + index);
+    return item;
+}
+
+QSize FlowLayout::sizeHint() const {
+    QSize size;
+    for (const QLayoutItem* item : m_items) {
+        if (item->isEmpty()) continue;
+        const QSize hint = item->sizeHint();
+        size = {size.width() + hint.width() + (size.isEmpty() ? 0 : spacing()), std::max(size.height(), hint.height())};
+    }
+    return size;
+}
+
+QSize FlowLayout::minimumSize() const {
+    QSize size;
+    for (const QLayoutItem* item : m_items)
+        if (!item->isEmpty()) size = size.expandedTo(item->sizeHint());
+    return size;
+}
+
+void FlowLayout::setGeometry(const QRect& rect) {
+    QLayout::setGeometry(rect);
+    arrange(rect, true);
+}
+
+int FlowLayout::arrange(const QRect& rect, bool apply) const {
+    const int count = this->count();
+    int top = rect.top();
+    for (int first = 0; first < count;) {
+        int width = 0, height = 0, end = first;
+        for (; end < count; ++end) {
+            const QLayoutItem* item = itemAt(end);
+            if (item->isEmpty()) continue;
+            const int wider = width + (width > 0 ? spacing() : 0) + item->sizeHint().width();
+            if (width > 0 && wider > rect.width()) break;
+            width = wider;
+            height = std::max(height, item->sizeHint().height());
+        }
+        int left = rect.left();
+        for (int i = first; apply && i < end; ++i) {
+            QLayoutItem* item = itemAt(i);
+            if (item->isEmpty()) continue;
+            if (i == m_stretchBefore && i > first) left += std::max(0, rect.width() - width);
+            item->setGeometry({left, top, item->sizeHint().width(), height});
+            left += item->sizeHint().width() + spacing();
+        }
+        top += height + (end < count ? spacing() / 2 : 0);
+        first = end;
+    }
+    return top - rect.top();
+}
+
+}  // namespace echolucent

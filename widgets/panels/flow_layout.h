@@ -1,0 +1,39 @@
+// Controls in a row that goes on in the next line where the window is narrow.
+#pragma once
+
+#include <QLayout>
+#include <vector>
+
+namespace echolucent {
+
+/// Items keep the width they ask for; a line takes as many as fit, and the widest item is the least width. After
+/// addStretch() the items that follow stand at the right end of their line where they share it with those before.
+class FlowLayout : public QLayout {
+    Q_OBJECT
+
+public:
+    explicit FlowLayout(int spacing, QWidget* parent = nullptr);
+    ~FlowLayout() override;
+
+    void addStretch() { m_stretchBefore = count(); }
+
+    void addItem(QLayoutItem* item) override { m_items.push_back(item); }
+    [[nodiscard]] int count() const override { return static_cast<int>(m_items.size()); }
+    [[nodiscard]] QLayoutItem* itemAt(int index) const override;
+    QLayoutItem* takeAt(int index) override;
+    [[nodiscard]] Qt::Orientations expandingDirections() const override { return {}; }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, false); }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSize() const override;
+    void setGeometry(const QRect& rect) override;
+
+private:
+    /// Puts the items into the rectangle (or only measures) and returns the height they take.
+    int arrange(const QRect& rect, bool apply) const;
+
+    std::vector<QLayoutItem*> m_items;
+    int m_stretchBefore = -1;  // the first item behind the stretch
+};
+
+}  // namespace echolucent
