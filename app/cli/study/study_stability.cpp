@@ -54,21 +54,36 @@ Plot basisPlot(const std::vector<NumericCheck>& checks) {
     return plot;
 }
 
+/// As many digits of a reference as tell it from a double; the tables as CSV hold all 50.
+std::string shortened(const std::string& digits) {
+    constexpr std::size_t shownDigits = 24;
+    const auto exponent = std::min(digits.find('e'), digits.size());
+    if (exponent <= shownDigits) return digits;
+    return digits.substr(0, shownDigits) + "…" + digits.substr(exponent);
+}
+
 void addNumbers(const std::vector<NumericCheck>& checks, HtmlPage& page) {
     page.heading("Numbers");
     page.paragraph(
         "Each quantity as the program computes it, and as the textbook formula gives it in the same precision. "
-        "References have 50 digits (tests/fixtures holds the script that made them) or are exact fractions. The error "
-        "is the largest of its condition, and value and reference are those of the place where it is.");
-    std::vector<std::vector<std::string>> rows;
-    for (const NumericCheck& check : checks)
-        rows.push_back({check.quantity, check.condition, check.way, fmt::format("{:.17g}", check.value),
-                        check.reference, shown(check.error), check.allowed ? shown(*check.allowed) : "",
-                        !check.isOurs() ? ""
-                        : check.fails() ? "fails"
-                                        : "holds"});
-    page.table({"quantity", "condition", "way", "value", "reference", "error", "allowed", ""}, rows);
+        "References have 50 digits (tests/fixtures holds the script that made them, stability-numbers.csv all digits) "
+        "or are exact fractions. The error is the largest of its condition; value and reference are those of the place "
+        "where it is.");
     page.plot(basisPlot(checks));
+    for (auto first = checks.begin(); first != checks.end();) {
+        const auto last = std::find_if(first, checks.end(),
+                                       [&](const NumericCheck& check) { return check.quantity != first->quantity; });
+        std::vector<std::vector<std::string>> rows;
+        for (auto check = first; check != last; ++check)
+            rows.push_back({check->condition, check->way, fmt::format("{:.17g}", check->value),
+                            shortened(check->reference), shown(check->error),
+                            check->allowed ? shown(*check->allowed) : "",
+                            !check->isOurs() ? ""
+                            : check->fails() ? "fails"
+                                             : "holds"});
+        page.table({"condition", "way", "value", "reference", "error", "allowed", ""}, rows, first->quantity);
+        first = last;
+    }
 }
 
 void addCases(const std::vector<ExtremeResult>& results, HtmlPage& page) {

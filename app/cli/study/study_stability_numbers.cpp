@@ -61,11 +61,11 @@ double literalBasis(double x, double low, double high) {
 void checkBasis(std::vector<NumericCheck>& checks) {
     const auto& rows = reference::basisReferences;
     for (std::size_t first = 0; first < rows.size();) {
-        const double high = rows[first].high, gap = high - rows[first].low;
+        const double gap = rows[first].gap;
         const std::string condition = fmt::format("I_H - I_L = {:.3g}", gap);
         Worst here("basis function", condition, ours, 4e-16);
         Worst literal("basis function", condition, "eq. 6 literally: a, b, c", {});
-        for (; first < rows.size() && rows[first].high == high; ++first) {
+        for (; first < rows.size() && rows[first].gap == gap; ++first) {
             const auto& row = rows[first];
             const long double exact = numberFrom(row.digits);
             here.add(basisFunction(row.intensity, row.low, row.high), exact, row.digits);

@@ -8,6 +8,7 @@ namespace echolucent::reference {
 
 /// g(intensity) of eq. 5 with its erratum.
 struct BasisReference {
+    double gap;  ///< high - low before rounding
     double intensity, low, high;
     std::string digits;
 };
