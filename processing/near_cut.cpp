@@ -48,6 +48,9 @@ double bestCut(const std::vector<FluidStretch>& stretches) {
     std::sort(depths.begin(), depths.end());
     int most = 0;
     for (const double depth : depths) most = std::max(most, inFluid(stretches, depth));
+    // A few tubes that enter through a wall at the side are not worth what a cut takes from the others.
+    constexpr double enoughUncut = 0.8;
+    if (inFluid(stretches, 0.0) >= enoughUncut * most) return 0.0;
     // The last few tubes would push the cut deep into the others' fluid.
     constexpr double nearlyAll = 0.95;
     for (const double depth : depths)
@@ -71,6 +74,8 @@ std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View
     }
     const auto stretches = fluidStretches(*otf, volume.geometry());
     suggestion.nearCutMm = bestCut(stretches);
+    // Where a cell of fluid begins the wall's ramp is not over yet: at its middle it is.
+    if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cellSize - 1) / 2.0 * volume.geometry().unit();
     suggestion.tubesInFluid = inFluid(stretches, suggestion.nearCutMm);
     if (suggestion.nearCutMm == 0.0)
         suggestion.message = "Nothing stands in front of the fluid: no near cut is needed.";

@@ -1,0 +1,79 @@
+// --near auto through the real program.
+#include <algorithm>
+
+#include "program.h"
+
+namespace echolucent {
+namespace {
+
+using nlohmann::json;
+
+std::string walledFile() {
+    return phantomFile("walled.mha", "--scene shapes --size 110x100x120 --seed 5 --front-wall");
+}
+
+TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
+    const Outcome outcome = runProgram("otf \"" + walledFile() + "\" --near auto --json -");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const json otf = json::parse(outcome.output);
+    const double nearMm = otf["view"]["near_mm"];
+    // The wall is up to a fifth of 60 mm thick; the shapes lie behind.
+    EXPECT_GT(nearMm, 6.0);
+    EXPECT_LT(nearMm, 20.0);
+    double said = 0;
+    int inFluid = 0, withSurface = 0;
+    ASSERT_EQ(std::sscanf(outcome.errors.c_str(),
+                          "Near cut at %lf mm: %d of %d tube cores with a surface are in fluid there.", &said, &inFluid,
+                          &withSurface),
+              3)
+        << outcome.errors;
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    EXPECT_NEAR(said, nearMm, 0.005 + 1e-9);
+    EXPECT_GT(inFluid, 0.9 * withSurface);
+    // The same as asking for that cut.
+    const json asked = otfOf(walledFile(), "--near " + json(nearMm).dump());
+    EXPECT_EQ(asked["otf"], otf["otf"]);
+    for (const json& tube : otf["tubes"])
+        if (!tube["entry_voxel"].is_null()) {
+            EXPECT_NEAR(tube["entry_voxel"][2].get<double>(), nearMm / 0.5 - 0.5, 1e-9);
+        }
+}
+
+TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
+    const Outcome unneeded = runProgram("otf \"" + shapesFile() + "\" --near auto --json -");
+    ASSERT_EQ(unneeded.status, 0) << unneeded.errors;
+    EXPECT_EQ(unneeded.errors, "Nothing stands in front of the fluid: no near cut is needed.\n");
+    EXPECT_EQ(json::parse(unneeded.output)["view"]["near_mm"], 0.0);
+    const std::string empty = phantomFile("empty.mha", "--scene empty --size 64x64x64 --seed 5");
+    const Outcome none = runProgram("otf \"" + empty + "\" --near auto --json -");
+    ASSERT_EQ(none.status, 0) << none.errors;
+    EXPECT_EQ(none.errors,
+              "No surface behind fluid was found, so no near cut can be suggested.\n"
+              "No surface found: the initial function is used.\n");
+    EXPECT_EQ(json::parse(none.output)["view"]["near_mm"], 0.0);
+}
+
+TEST(NearAuto, WorksForThePictureToo) {
+    const Folder folder;
+    const Outcome outcome = runProgram("render \"" + walledFile() + "\" --near auto --otf adaptive --size 64x64 -o \"" +
+                                       folder / "cut.png" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors.rfind("Near cut at ", 0), 0u) << outcome.errors;
+    EXPECT_TRUE(std::filesystem::exists(folder / "cut.png"));
+}
+
+TEST(NearAuto, RefusesWhatIsNeitherANumberNorAuto) {
+    for (const char* near : {"nonsense", "automatic", "AUTO", "nan", "inf", "1x2", "\"\""}) {
+        const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --near " + near);
+        EXPECT_EQ(outcome.status, 2) << near;
+        EXPECT_EQ(outcome.output, "") << near;
+        EXPECT_NE(outcome.errors.find("--near"), std::string::npos) << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    }
+    const Outcome phantom = runProgram("phantom /dev/null/none.mha --truth - --near auto");
+    EXPECT_EQ(phantom.status, 2);
+    EXPECT_NE(phantom.errors.find("--near"), std::string::npos) << phantom.errors;
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,133 @@
+// The suggested near cut on phantoms with a wall of tissue in front, whose fluid and surfaces are known.
+#include "processing/near_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "processing/measures/detection_quality.h"
+#include "processing/phantom.h"
+#include "processing/tube_core/tube_grid.h"
+
+namespace echolucent {
+namespace {
+
+PhantomConfig phantomOf(PhantomScene scene, std::uint64_t seed, bool frontWall) {
+    PhantomConfig config = defaultPhantom(scene);
+    config.size = {128, 128, 128};
+    config.seed = seed;
+    config.frontWall = frontWall;
+    return config;
+}
+
+/// Of the tube cores that see an interface: how many are in the fluid before it at the cut.
+struct CutTruth {
+    int tubes = 0, inFluid = 0, behindTheCut = 0;
+};
+
+/// The tube cores of a view that see an interface when nothing is cut off.
+class TubesWithInterface {
+public:
+    TubesWithInterface(const PhantomConfig& config, const VolumeGeometry& geometry, const View& view)
+        : m_truth(config), m_forward(frameOf(view).forward), m_front(nearPlaneDepthMm(view, geometry)) {
+        for (const TubeAxis& axis : tubeAxes(geometry, view, {})) {
+            if (!axis.entryVoxel) continue;
+            if (const auto surface = interfaceDepthMm(m_truth, geometry, view, axis, {0, 0, 0}))
+                m_tubes.push_back({geometry.gridMmFromVoxel(*axis.entryVoxel), *surface});
+        }
+    }
+    [[nodiscard]] CutTruth at(double nearCutMm) const {
+        const double cut = m_front + nearCutMm;
+        CutTruth counted{.tubes = static_cast<int>(m_tubes.size())};
+        for (const Tube& tube : m_tubes) {
+            if (tube.surfaceMm <= cut) continue;
+            ++counted.behindTheCut;
+            // A tube that enters the volume's box behind the cut begins there.
+            const Vec3 first = tube.entryMm + m_forward * std::max(0.0, cut - m_forward.dot(tube.entryMm));
+            if (m_truth.materialAt(first) == PhantomMaterial::fluid) ++counted.inFluid;
+        }
+        return counted;
+    }
+
+private:
+    struct Tube {
+        Vec3 entryMm;
+        double surfaceMm;
+    };
+    PhantomTruth m_truth;
+    Vec3 m_forward;
+    double m_front;
+    std::vector<Tube> m_tubes;
+};
+
+TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
+    for (const PhantomScene scene : {PhantomScene::shapes, PhantomScene::fetus}) {
+        const PhantomConfig config = phantomOf(scene, 23, true);
+        const Volume volume = *makePhantom(config);
+        for (const View& view : {View{}, View{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
+            const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
+            const TubesWithInterface tubes(config, volume.geometry(), view);
+            const CutTruth truth = tubes.at(cut.nearCutMm);
+            std::printf(
+                "%s, azimuth %.0f: cut at %.2f mm; of %d tubes with an interface %d have it behind, %d are in fluid "
+                "(says: %d of %d)\n",
+                std::string(nameOf(scene)).c_str(), view.azimuthDegrees, cut.nearCutMm, truth.tubes, truth.behindTheCut,
+                truth.inFluid, cut.tubesInFluid, cut.tubesWithSurface);
+            EXPECT_EQ(cut.message, "");
+            EXPECT_GT(cut.nearCutMm, 0.0);
+            ASSERT_GT(truth.tubes, 50);
+            EXPECT_GE(truth.behindTheCut, 0.95 * truth.tubes);
+            // Obliquely, a cut across the view cannot lie behind all of a wall and in front of all surfaces.
+            int best = 0;
+            for (double depth = 0.0; depth < depthAlongViewMm(view, volume.geometry()); depth += 2.0)
+                best = std::max(best, tubes.at(depth).inFluid);
+            if (view == View{}) {
+                EXPECT_GE(truth.inFluid, 0.95 * truth.tubes);
+            } else {
+                EXPECT_GE(truth.inFluid, 0.85 * best);
+            }
+            // Uncut, hardly any of them begins in fluid: what was suggested is what brought it.
+            EXPECT_LE(tubes.at(0.0).inFluid, 0.3 * truth.tubes);
+        }
+    }
+}
+
+TEST(NearCut, DoesNotDependOnTheViewsOwn) {
+    const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 24, true));
+    const NearCutSuggestion uncut = *suggestNearCut(volume, {}, {});
+    EXPECT_EQ(suggestNearCut(volume, {.nearCutMm = 20}, {})->nearCutMm, uncut.nearCutMm);
+}
+
+TEST(NearCut, IsNoneWhereNothingStandsInFront) {
+    const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 25, false));
+    for (const View& view : {View{}, View{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
+        const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
+        EXPECT_EQ(cut.nearCutMm, 0.0);
+        EXPECT_EQ(cut.message, "Nothing stands in front of the fluid: no near cut is needed.");
+        EXPECT_GT(cut.tubesWithSurface, 50);
+    }
+}
+
+TEST(NearCut, IsNoneWithoutASurface) {
+    const Volume volume = *makePhantom(phantomOf(PhantomScene::empty, 26, false));
+    const NearCutSuggestion cut = *suggestNearCut(volume, {}, {});
+    EXPECT_EQ(cut.nearCutMm, 0.0);
+    EXPECT_EQ(cut.tubesWithSurface, 0);
+    EXPECT_EQ(cut.tubesInFluid, 0);
+    EXPECT_EQ(cut.message, "No surface behind fluid was found, so no near cut can be suggested.");
+}
+
+TEST(NearCut, OfACancelledRunIsNone) {
+    const Volume volume = *makePhantom(phantomOf(PhantomScene::empty, 26, false));
+    std::atomic<bool> cancel = true;
+    Progress progress;
+    progress.cancel = &cancel;
+    EXPECT_FALSE(suggestNearCut(volume, {}, {}, progress));
+}
+
+}  // namespace
+}  // namespace echolucent
