@@ -283,6 +283,33 @@ TEST(AdaptiveOtfExtremes, ASurfaceOfOneUlp) {
     forEveryConfig(Volume(plane.geometry(), voxels, 1.0));
 }
 
+TEST(AdaptiveOtfExtremes, FloatsOfAnyMagnitude) {
+    // Their squares, or their ratios, leave the range of single precision.
+    PlaneVolume plane;
+    plane.size = {80, 80, 80};
+    plane.distanceMm = 40;
+    const auto voxels = plane.voxels<float>();
+    const auto scaled = [&](double scale) {
+        std::vector<float> made(voxels.size());
+        std::transform(voxels.begin(), voxels.end(), made.begin(),
+                       [scale](float voxel) { return static_cast<float>(voxel * scale); });
+        return Volume(plane.geometry(), made, 255.0 * scale);
+    };
+    for (const Named& named : configs())
+        for (const View& view : {View{}, View{.azimuthDegrees = 14, .elevationDegrees = 5}}) {
+            const AdaptiveOtf usual = adapted(scaled(1.0), view, named.config);
+            for (const double scale : {0x1p-119, 0x1p-60, 0x1p60, 0x1p119}) {
+                SCOPED_TRACE(named.name + ", azimuth " + std::to_string(view.azimuthDegrees) + ", scale " +
+                             std::to_string(std::log2(scale)));
+                const AdaptiveOtf result = adapted(scaled(scale), view, named.config);
+                expectSound(result);
+                EXPECT_EQ(result.tubesWithSurface, usual.tubesWithSurface);
+                for (std::size_t i = 0; i < 256; ++i)
+                    EXPECT_NEAR(result.curve.opacities[i], usual.curve.opacities[i], 1e-6);
+            }
+        }
+}
+
 TEST(AdaptiveOtfExtremes, HighIntensityEqualToLowOrOneUlpAbove) {
     for (const double low : {0.0, 1e-300, 0.1, 0.5, 1.0}) {
         std::vector<TubeCore> tubes(8);

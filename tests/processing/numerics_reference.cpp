@@ -17,6 +17,7 @@
 #include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_quality.h"
 #include "processing/tube_core/tube_samples.h"
+#include "processing/tube_core/tube_slabs.h"
 
 namespace echolucent {
 namespace {
@@ -117,10 +118,10 @@ TEST(Reference, CellVarianceOf16BitVoxelsOfMean65000IsExactInIntegers) {
     AdaptiveOtfConfig config = configOf(MethodReading::settled);
     config.tubeColumns = config.tubeRows = 1;
     const TubeSamples samples = samplesOf(tubeAxes(geometry, {}, config).front(), geometry, {}, 5, true);
-    std::vector<std::vector<SlabSums>> sums(1);
-    sumSlabs(volume, *exactStoredLimit(volume), {&samples, 1}, sums);
+    SlabSums sums;
+    sumSlabs(volume, *exactStoredLimit(volume), {&samples, 1}, true, {&sums, 1});
     CellStatistics cells;
-    cellsFrom(sums[0], 5, 1.0, cells);
+    cellsFrom(sums, 5, 1.0, cells);
     const AdaptiveOtf otf = *adaptOpacity(volume, {}, config);
     ASSERT_EQ(otf.tubes[0].interfaceFunction.size(), 36u);
     ASSERT_EQ(cells.variances.size(), 36u);
@@ -131,9 +132,9 @@ TEST(Reference, CellVarianceOf16BitVoxelsOfMean65000IsExactInIntegers) {
         const std::uint64_t exact = std::stoull(rows[cell][1]), exactSum = std::stoull(rows[cell][2]);
         std::uint64_t sum = 0, squares = 0;
         for (std::size_t k = cell; k < cell + 5; ++k) {
-            EXPECT_EQ(sums[0][k].count, 25u);
-            sum += sums[0][k].sum;
-            squares += sums[0][k].sumOfSquares;
+            EXPECT_EQ(sums.counts[k], 25);
+            sum += static_cast<std::uint64_t>(sums.sums[k]);
+            squares += sums.sumsOfSquares[k];
         }
         EXPECT_EQ(sum, exactSum);
         EXPECT_EQ(scaledVariance(125, sum, squares), exact);

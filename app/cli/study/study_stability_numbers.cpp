@@ -14,6 +14,7 @@
 #include "processing/motion/otf_smoothing.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/tube_slabs.h"
 
 namespace echolucent::cli {
 
@@ -192,13 +193,15 @@ double varianceByMeans(const std::vector<std::uint16_t>& values) {
 }
 
 double varianceHere(const std::vector<std::uint16_t>& values) {
-    std::vector<SlabSums> slabs(BrightCube::cell);
+    SlabSums slabs;
+    slabs.counts.resize(BrightCube::cell);
+    slabs.sums.resize(BrightCube::cell);
+    slabs.sumsOfSquares.resize(BrightCube::cell);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        SlabSums& slab = slabs[i / (BrightCube::cell * BrightCube::cell)];
-        const std::uint64_t value = values[i];
-        ++slab.count;
-        slab.sum += value;
-        slab.sumOfSquares += value * value;
+        const std::size_t slab = i / (BrightCube::cell * BrightCube::cell);
+        ++slabs.counts[slab];
+        slabs.sums[slab] += values[i];
+        slabs.sumsOfSquares[slab] += std::uint64_t{values[i]} * values[i];
     }
     CellStatistics cells;
     cellsFrom(slabs, static_cast<int>(BrightCube::cell), 1.0, cells);
