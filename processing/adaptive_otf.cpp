@@ -170,7 +170,8 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     const SpeckleScale scale(profiles);
     RatioRule rule;
     rule.falseAlarm = config.falseAlarm;
-    const RatioThresholds thresholds = ratioThresholds(profiles, scale, rule);
+    const TubeContrasts contrasts(profiles, scale, rule);
+    const RatioThresholds thresholds = ratioThresholds(contrasts, rule);
     result.leastContrast = thresholds.contrast;
     if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
     result.times.cells = watch.lap();
@@ -189,7 +190,8 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         CellStatistics& cells = scratch.local();
         cellsFrom(means, tube.firstCell, config.cellSize, cells);
         tube.cellMeans.assign(cells.means.begin(), cells.means.end());
-        const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);
+        const auto surface =
+            firstFluidToTissue(means, contrasts.scaled(t), contrasts.contrasts(t), thresholds, rule, config.cellSize);
         if (!surface) return;
         const int cell = surface->cell + tube.firstCell;
         if (!describeSurface(cells, cell, config, tube)) return;
