@@ -1,6 +1,7 @@
 #include "processing/near_cut.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "processing/tube_core/ratio_detection.h"
@@ -14,18 +15,23 @@ struct FluidStretch {
     double begin = 0.0, end = 0.0;
 };
 
-/// The stretches of at least leastFluid cells whose means stay below the level, with tissue behind them. One that
+/// The stretches of at least leastFluid cells whose means stay below the level, with a surface behind them. One that
 /// begins where its tube does begins at the very front: nothing stands before it.
-void addStretches(const TubeCore& tube, double fluidIntensity, double firstMm, double unit,
+void addStretches(const TubeCore& tube, double fluidIntensity, double leastContrast, double firstMm, double unit,
                   std::vector<FluidStretch>& stretches) {
-    const int leastFluid = RatioRule{}.leastFluid;
+    const RatioRule rule;
     const int last = static_cast<int>(tube.cellMeans.size()) - 1;
     const auto isFluid = [&](int cell) { return tube.cellMeans[static_cast<std::size_t>(cell)] < fluidIntensity; };
     for (int cell = tube.firstCell; cell <= last; ++cell) {
         if (!isFluid(cell)) continue;
         const int begin = cell;
         while (cell <= last && isFluid(cell)) ++cell;
-        if (cell > last || cell - begin < leastFluid) continue;
+        if (cell > last || cell - begin < rule.leastFluid) continue;
+        const auto nearby = std::span(tube.interfaceFunction)
+                                .subspan(static_cast<std::size_t>(std::max(begin, cell - rule.behind)))
+                                .first(static_cast<std::size_t>(std::min(last, cell + rule.behind) -
+                                                                std::max(begin, cell - rule.behind) + 1));
+        if (*std::max_element(nearby.begin(), nearby.end()) < leastContrast) continue;
         stretches.push_back({begin == tube.firstCell ? 0.0 : firstMm + begin * unit, firstMm + cell * unit});
     }
 }
@@ -38,7 +44,7 @@ std::vector<FluidStretch> fluidStretches(const AdaptiveOtf& otf, const VolumeGeo
         if (!(tube.d > 0.0)) continue;
         const double fluid = otf.fluidIntensity.value_or((*tube.lowIntensity + *tube.highIntensity) / 2.0);
         const double first = frame.forward.dot(geometry.gridMmFromVoxel(tube.firstSampleVoxel)) - front;
-        addStretches(tube, fluid, first, geometry.unit(), stretches);
+        addStretches(tube, fluid, otf.leastContrast.value_or(0.0), first, geometry.unit(), stretches);
     }
     return stretches;
 }
