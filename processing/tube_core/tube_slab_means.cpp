@@ -230,9 +230,6 @@ bool canMeanSlabs(const Volume& volume) {
     if (geometry.size[0] < 2 || geometry.size[0] * geometry.size[1] < 4) return false;
     if (*std::max_element(geometry.size.begin(), geometry.size.end()) > longestAxis) return false;
     if (geometry.size[0] * geometry.size[1] > largestSlice) return false;
-    // Beyond these, squares of stored values leave the range of single precision, or their last digits do.
-    constexpr double leastWhite = 0x1p-30, largestWhite = 0x1p50;
-    if (!(volume.whiteLevel() >= leastWhite && volume.whiteLevel() <= largestWhite)) return false;
     return !std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) || volume.whiteLevel() >= 255.0;
 }
 

@@ -37,8 +37,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
               std::span<SlabSums> slabs);
 
 /// Whether meanSlabs() can take the volume; else sampleSlabs() must: fewer than 2 voxels along x or 4 in all, axes
-/// beyond 16384 voxels, slices beyond 8 million voxels, a white level below 2^-30 or above 2^50, or 8-bit voxels above
-/// the white level.
+/// beyond 16384 voxels, slices beyond 8 million voxels, or 8-bit voxels above the white level.
 [[nodiscard]] bool canMeanSlabs(const Volume& volume);
 
 /// Moments of tubes side by side in one row of the grid, anywhere between voxels; sampled as sampleSlabs() does, which
