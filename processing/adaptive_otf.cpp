@@ -181,9 +181,10 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         tube.column = axes[t].column;
         tube.row = axes[t].row;
         const auto means = profiles.means(t);
-        if (!axes[t].entryVoxel || means.empty()) return;
+        if (!axes[t].entryVoxel || !profiles.anyData(t)) return;
         tube.status = TubeStatus::none;
         tube.entryVoxel = axes[t].entryVoxel;
+        if (means.empty()) return;
         tube.firstSampleVoxel = samples[t].first;
         tube.firstCell = profiles.firstSlab(t);
         CellStatistics& cells = scratch.local();
