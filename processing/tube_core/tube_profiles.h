@@ -23,6 +23,7 @@ public:
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
     /// Of stored values, with their second moments; whiteLevel: the one of normalised intensity 1.
     void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
+    /// whiteLevel: times slabScale(), as the means are.
     void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
 
     [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
