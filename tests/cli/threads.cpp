@@ -36,7 +36,7 @@ std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& vo
             {"sweep", quoted + " --from 0 --to 1"},
             {"near", quoted},
             {"bench otf", quoted + " --runs 1"},
-            {"study otf", "--phantoms --size 48 --runs 1 -o \"FOLDER/s\""},
+            {"study otf", "--phantoms --size 48 --repeats 1 -o \"FOLDER/s\""},
             {"study contrast", "--size 48"},
             {"study motion", "--phantoms --phantom-size 40 --picture-size 32 --step 15 -o \"FOLDER/s\""},
             {"study stability", "-o \"FOLDER/s\""}};
