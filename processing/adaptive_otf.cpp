@@ -140,6 +140,16 @@ bool analyseTubes(const Volume& volume, AdaptiveOtf& result, const Progress& pro
     return !progress.cancelled();
 }
 
+/// The contrast at the middle of every cell; 0 where there is none.
+std::vector<float> contrastOfCells(std::span<const float> contrasts, std::size_t cells, int firstCell,
+                                   const RatioRule& rule, int cellSize) {
+    std::vector<float> ofCells(cells, 0.0f);
+    // Contrast 0 belongs to the boundary behind the first leastFluid slabs.
+    const auto shift = static_cast<std::size_t>(firstCell + std::max(0, rule.leastFluid - cellSize / 2));
+    for (std::size_t i = 0; i < contrasts.size() && i + shift < cells; ++i) ofCells[i + shift] = contrasts[i];
+    return ofCells;
+}
+
 /// Detection by ratio: all tubes are read before one is judged, because they say together how strong speckle is and
 /// where fluid ends. False where cancelled.
 bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progress& progress) {
@@ -170,7 +180,8 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     const SpeckleScale scale(profiles);
     RatioRule rule;
     rule.falseAlarm = config.falseAlarm;
-    const RatioThresholds thresholds = ratioThresholds(profiles, scale, rule);
+    const TubeContrasts contrasts(profiles, scale, rule);
+    const RatioThresholds thresholds = ratioThresholds(contrasts, rule);
     result.leastContrast = thresholds.contrast;
     if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
     result.times.cells = watch.lap();
@@ -180,15 +191,19 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
         tube.column = axes[t].column;
         tube.row = axes[t].row;
         const auto means = profiles.means(t);
-        if (!axes[t].entryVoxel || means.empty()) return;
+        if (!axes[t].entryVoxel || !profiles.anyData(t)) return;
         tube.status = TubeStatus::none;
         tube.entryVoxel = axes[t].entryVoxel;
+        if (means.empty()) return;
         tube.firstSampleVoxel = samples[t].first;
         tube.firstCell = profiles.firstSlab(t);
         CellStatistics& cells = scratch.local();
         cellsFrom(means, tube.firstCell, config.cellSize, cells);
         tube.cellMeans.assign(cells.means.begin(), cells.means.end());
-        const auto surface = firstFluidToTissue(means, scale, thresholds, rule, config.cellSize);
+        tube.interfaceFunction =
+            contrastOfCells(contrasts.contrasts(t), tube.cellMeans.size(), tube.firstCell, rule, config.cellSize);
+        const auto surface =
+            firstFluidToTissue(means, contrasts.scaled(t), contrasts.contrasts(t), thresholds, rule, config.cellSize);
         if (!surface) return;
         const int cell = surface->cell + tube.firstCell;
         if (!describeSurface(cells, cell, config, tube)) return;

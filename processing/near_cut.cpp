@@ -1,61 +1,76 @@
 #include "processing/near_cut.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
+
+#include "processing/tube_core/ratio_detection.h"
 
 namespace echolucent {
 
 namespace {
 
-/// The stretch of fluid in front of one tube's surface, mm behind the volume's foremost point along the view.
+/// A stretch of fluid along one tube core, mm behind the volume's foremost point along the view.
 struct FluidStretch {
     double begin = 0.0, end = 0.0;
-    bool fromTheStart = false;  ///< nothing but fluid lies before the surface
 };
 
-/// The cell in which the fluid before the surface begins: as far to the front as the cells' means stay below the level.
-int firstFluidCell(const TubeCore& tube, int cellSize, double fluidIntensity) {
-    int cell = std::max(tube.firstCell, tube.surfaceCell - cellSize);
-    while (cell > tube.firstCell && tube.cellMeans[static_cast<std::size_t>(cell - 1)] < fluidIntensity) --cell;
-    return cell;
+/// The stretches of at least leastFluid cells whose means stay below the level, with a surface behind them. One that
+/// begins where its tube does begins at the very front: nothing stands before it.
+void addStretches(const TubeCore& tube, double fluidIntensity, double leastContrast, double firstMm, double unit,
+                  std::vector<FluidStretch>& stretches) {
+    const RatioRule rule;
+    const int last = static_cast<int>(tube.cellMeans.size()) - 1;
+    const auto isFluid = [&](int cell) { return tube.cellMeans[static_cast<std::size_t>(cell)] < fluidIntensity; };
+    for (int cell = tube.firstCell; cell <= last; ++cell) {
+        if (!isFluid(cell)) continue;
+        const int begin = cell;
+        while (cell <= last && isFluid(cell)) ++cell;
+        if (cell > last || cell - begin < rule.leastFluid) continue;
+        const auto nearby = std::span(tube.interfaceFunction)
+                                .subspan(static_cast<std::size_t>(std::max(begin, cell - rule.behind)))
+                                .first(static_cast<std::size_t>(std::min(last, cell + rule.behind) -
+                                                                std::max(begin, cell - rule.behind) + 1));
+        if (*std::max_element(nearby.begin(), nearby.end()) < leastContrast) continue;
+        stretches.push_back({begin == tube.firstCell ? 0.0 : firstMm + begin * unit, firstMm + cell * unit});
+    }
 }
 
 std::vector<FluidStretch> fluidStretches(const AdaptiveOtf& otf, const VolumeGeometry& geometry) {
     const ViewFrame frame = frameOf(otf.view);
-    const double unit = geometry.unit(), front = nearPlaneDepthMm(otf.view, geometry);
+    const double front = nearPlaneDepthMm(otf.view, geometry);
     std::vector<FluidStretch> stretches;
     for (const TubeCore& tube : otf.tubes) {
         if (!(tube.d > 0.0)) continue;
         const double fluid = otf.fluidIntensity.value_or((*tube.lowIntensity + *tube.highIntensity) / 2.0);
-        const int cell = firstFluidCell(tube, otf.config.cellSize, fluid);
         const double first = frame.forward.dot(geometry.gridMmFromVoxel(tube.firstSampleVoxel)) - front;
-        stretches.push_back({first + cell * unit, first + tube.surfaceCell * unit, cell == tube.firstCell});
+        addStretches(tube, fluid, otf.leastContrast.value_or(0.0), first, geometry.unit(), stretches);
     }
     return stretches;
 }
 
 int inFluid(const std::vector<FluidStretch>& stretches, double depth) {
     return static_cast<int>(std::count_if(stretches.begin(), stretches.end(), [depth](const FluidStretch& stretch) {
-        return (stretch.fromTheStart || stretch.begin <= depth) && depth < stretch.end;
+        return stretch.begin <= depth && depth < stretch.end;
     }));
 }
 
-/// The least depth at which nearly as many tubes are in fluid as at the best one.
-double bestCut(const std::vector<FluidStretch>& stretches) {
-    std::vector<double> depths{0.0};
-    for (const FluidStretch& stretch : stretches)
-        if (!stretch.fromTheStart) depths.push_back(stretch.begin);
+/// The least depth at which nearly as many tubes are in fluid as anywhere, weighed by how much of the volume is left
+/// behind it: a cut through the last chamber shows little. 0 where the front does nearly as well.
+double bestCut(const std::vector<FluidStretch>& stretches, double volumeDepth) {
+    const auto worth = [&](double depth) { return inFluid(stretches, depth) * (1.0 - depth / volumeDepth); };
+    std::vector<double> depths;
+    double most = 0.0;
+    for (const FluidStretch& stretch : stretches) {
+        depths.push_back(stretch.begin);
+        most = std::max(most, worth(stretch.begin));
+    }
+    constexpr double goodEnough = 0.8;  // of the best: then nothing is cut
+    if (worth(0.0) >= goodEnough * most) return 0.0;
     std::sort(depths.begin(), depths.end());
-    int most = 0;
-    for (const double depth : depths) most = std::max(most, inFluid(stretches, depth));
-    // A few tubes that enter through a wall at the side are not worth what a cut takes from the others.
-    constexpr double enoughUncut = 0.8;
-    if (inFluid(stretches, 0.0) >= enoughUncut * most) return 0.0;
     // The last few tubes would push the cut deep into the others' fluid.
     constexpr double nearlyAll = 0.95;
-    for (const double depth : depths)
-        if (inFluid(stretches, depth) >= nearlyAll * most) return depth;
-    return 0.0;
+    return *std::find_if(depths.begin(), depths.end(), [&](double depth) { return worth(depth) >= nearlyAll * most; });
 }
 
 }  // namespace
@@ -73,7 +88,7 @@ std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View
         return suggestion;
     }
     const auto stretches = fluidStretches(*otf, volume.geometry());
-    suggestion.nearCutMm = bestCut(stretches);
+    suggestion.nearCutMm = bestCut(stretches, depthAlongViewMm(uncut, volume.geometry()));
     // Where a cell of fluid begins the wall's ramp is not over yet: at its middle it is.
     if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cellSize - 1) / 2.0 * volume.geometry().unit();
     suggestion.tubesInFluid = inFluid(stretches, suggestion.nearCutMm);

@@ -204,7 +204,7 @@ void addBenchCommand(CLI::App& program, Action& action) {
     otf.get_option("VOLUME")->required(false);
     options->view.addTo(otf);
     options->method.addTo(otf);
-    otf.add_option("--runs", options->runs, "Runs of which the median is taken")
+    otf.add_option("--runs,--repeats", options->runs, "Runs of which the median is taken")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     otf.add_option("--json", options->json, "The figures as JSON; - is standard output")->type_name("FILE");

@@ -80,6 +80,8 @@ void MethodOptions::addCurveAndGrid(CLI::App& command) {
               "What the tube cores make of the initial function");
     addField(command, "--ramp-begin", &AdaptiveOtfConfig::rampBegin, "SHARE",
              "Ramp: clear up to this share of the way from I_L to I_H");
+    addField(command, "--clear-spreads", &AdaptiveOtfConfig::clearSpreads, "SIGMAS",
+             "Ramp: ... and up to so many standard deviations of the fluid's voxels above I_L");
     addField(command, "--ramp-end", &AdaptiveOtfConfig::rampEnd, "SHARE", "Ramp: full from this share on");
     addField(command, "--ramp-opacity", &AdaptiveOtfConfig::rampOpacity, "A",
              "Ramp: opacity where all tubes say surface");

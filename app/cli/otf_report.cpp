@@ -94,12 +94,16 @@ Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double m
             {"false_alarm", config.falseAlarm},
             {"rank_bins", config.rankBins},
             {"ramp_begin", config.rampBegin},
+            {"clear_spreads", config.clearSpreads},
             {"ramp_end", config.rampEnd},
             {"ramp_opacity", config.rampOpacity},
             {"trusted_share", config.trustedShare},
             {"strength", config.strength},
             {"d_max", otf.dMax},
-            {"tubes_meeting_volume", otf.tubesMeetingVolume}};
+            {"tubes_meeting_volume", otf.tubesMeetingVolume},
+            {"least_contrast", maybe(otf.leastContrast)},
+            {"fluid_intensity", maybe(otf.fluidIntensity)},
+            {"trust", otf.trust}};
 }
 
 Json tubeObject(const TubeCore& tube) {
@@ -113,6 +117,8 @@ Json tubeObject(const TubeCore& tube) {
             {"i_low_max", maybe(tube.lowIntensityMax)},
             {"slope", maybe(tube.slope)},
             {"edge_to_noise", maybe(tube.edgeToNoise)},
+            {"contrast", maybe(tube.contrast)},
+            {"fluid_spread", maybe(tube.fluidSpread)},
             {"w_intensity", tube.intensityWeight},
             {"w_slope", tube.slopeWeight},
             {"w_extra", tube.extraWeight},
@@ -142,7 +148,8 @@ std::string cells(const std::optional<Vec3>& value) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName,
+                       double manualFactor) {
     const VolumeGeometry& geometry = volume.geometry();
     const StageTimes& times = otf.times;
     Json report;

@@ -44,11 +44,16 @@ HWY_INLINE DoubleVector exponential(DoubleVector x) {
     // ln 2 in two parts: the first ends early, so that its product with the power is exact.
     const auto rest = hn::Sub(hn::Sub(x, hn::Mul(power, constant(6.93147180369123816490e-01))),
                               hn::Mul(power, constant(1.90821492927058770002e-10)));
-    DoubleVector p = constant(1.0 / 6227020800.0);
-    for (const double factor : {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
-                                1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5})
-        p = timesPlus(p, rest, factor);
-    const auto mantissa = hn::Add(constant(1.0), hn::Add(rest, hn::Mul(hn::Mul(rest, rest), p)));
+    // Estrin's scheme: pairs, then pairs of pairs, instead of one long chain.
+    const auto square = hn::Mul(rest, rest), fourth = hn::Mul(square, square), eighth = hn::Mul(fourth, fourth);
+    const auto pair = [&](double low, double high) { return timesPlus(constant(high), rest, low); };
+    const auto p01 = pair(0.5, 1.0 / 6.0), p23 = pair(1.0 / 24.0, 1.0 / 120.0);
+    const auto p45 = pair(1.0 / 720.0, 1.0 / 5040.0), p67 = pair(1.0 / 40320.0, 1.0 / 362880.0);
+    const auto p89 = pair(1.0 / 3628800.0, 1.0 / 39916800.0);
+    const auto pab = pair(1.0 / 479001600.0, 1.0 / 6227020800.0);
+    const auto low = hn::Add(hn::Add(p01, hn::Mul(p23, square)), hn::Mul(hn::Add(p45, hn::Mul(p67, square)), fourth));
+    const auto p = hn::Add(low, hn::Mul(hn::Add(p89, hn::Mul(pab, square)), eighth));
+    const auto mantissa = hn::Add(constant(1.0), hn::Add(rest, hn::Mul(square, p)));
     const Words words;
     // The lowest bits of `shifted` are the power.
     const auto exponent = hn::ShiftLeft<52>(hn::Add(hn::BitCast(words, shifted), hn::Set(words, 1023)));

@@ -1,5 +1,8 @@
 #include "processing/tube_core/ratio_detection.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +15,11 @@ namespace echolucent {
 
 namespace {
 
+/// Tubes that one task takes at least.
+constexpr std::size_t tubesPerTask = 64;
+
 /// Half of `behind`, rounded up: what must at least lie behind a boundary.
 int leastBehind(const RatioRule& rule) { return (rule.behind + 1) / 2; }
-
-void scaleProfile(std::span<const float> means, const SpeckleScale& scale, std::vector<float>& scaled) {
-    scaled.resize(means.size());
-    scale.scale(means, scaled);
-}
 
 double meanOf(std::span<const float> values) {
     double sum = 0.0;
@@ -61,17 +62,21 @@ private:
 
 }  // namespace
 
-void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::vector<float>& contrasts) {
+std::size_t contrastCount(std::size_t slabs, const RatioRule& rule) {
+    const int count = static_cast<int>(slabs) - leastBehind(rule) - rule.leastFluid + 1;
+    return static_cast<std::size_t>(std::max(0, count));
+}
+
+void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::span<float> contrasts) {
     const int size = static_cast<int>(scaled.size());
     const int first = rule.leastFluid, last = size - leastBehind(rule);
-    contrasts.resize(static_cast<std::size_t>(std::max(0, last - first + 1)));
     if (contrasts.empty()) return;
     // Boundaries with all slabs on both sides; the few with less, at the ends, one by one.
     const int firstWhole = std::max(first, rule.before), lastWhole = std::min(last, size - rule.behind);
     const auto at = [first](int boundary) { return static_cast<std::size_t>(boundary - first); };
     if (firstWhole <= lastWhole)
         differencesOfMeans(scaled.subspan(static_cast<std::size_t>(firstWhole - rule.before)), rule.before, rule.behind,
-                           std::span(contrasts).subspan(at(firstWhole), at(lastWhole) - at(firstWhole) + 1));
+                           contrasts.subspan(at(firstWhole), at(lastWhole) - at(firstWhole) + 1));
     for (int boundary = first; boundary <= last; ++boundary) {
         if (boundary == firstWhole && firstWhole <= lastWhole) boundary = lastWhole + 1;
         if (boundary > last) break;
@@ -92,6 +97,19 @@ struct Strongest {
 Strongest strongestAt(std::span<const float> scaled, int boundary, float contrast, const RatioRule& rule) {
     const double before = meanOf(slabs(scaled, boundary - rule.before, boundary));
     return {boundary, contrast, before + contrast / 2.0};
+}
+
+/// The first of the largest values; not empty. In lanes: the compiler makes a vector of them.
+std::size_t placeOfLargest(std::span<const float> values) {
+    std::array<float, 8> largest;
+    largest.fill(values[0]);
+    std::size_t i = 0;
+    for (; i + largest.size() <= values.size(); i += largest.size())
+        for (std::size_t lane = 0; lane < largest.size(); ++lane)
+            largest[lane] = values[i + lane] > largest[lane] ? values[i + lane] : largest[lane];
+    for (; i < values.size(); ++i) largest[0] = std::max(largest[0], values[i]);
+    const float most = *std::max_element(largest.begin(), largest.end());
+    return static_cast<std::size_t>(std::find(values.begin(), values.end(), most) - values.begin());
 }
 
 /// The value at a share of the way from the least to the largest; values not empty.
@@ -116,21 +134,39 @@ double fluidLevel(const std::vector<Strongest>& strongest, double leastContrast)
 
 }  // namespace
 
-RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale& scale, const RatioRule& rule) {
+TubeContrasts::TubeContrasts(const TubeProfiles& profiles, const SpeckleScale& scale, const RatioRule& rule) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < profiles.tubes(); ++t)
+        count += profiles.means(t).size() + contrastCount(profiles.means(t).size(), rule);
+    m_values = std::make_unique_for_overwrite<float[]>(count);
+    float* next = m_values.get();
+    for (std::size_t t = 0; t < profiles.tubes(); ++t) {
+        const std::size_t slabCount = profiles.means(t).size(), boundaries = contrastCount(slabCount, rule);
+        m_profiles.emplace_back(next, slabCount);
+        m_contrasts.emplace_back(next + slabCount, boundaries);
+        next += slabCount + boundaries;
+    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, profiles.tubes(), tubesPerTask),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t t = range.begin(); t < range.end(); ++t) {
+                              scale.scale(profiles.means(t), m_profiles[t]);
+                              contrastsAlong(m_profiles[t], rule, m_contrasts[t]);
+                          }
+                      });
+}
+
+RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule) {
     RatioThresholds thresholds;
-    std::vector<float> scaled, contrasts;
-    std::vector<Strongest> strongest(profiles.tubes());
+    std::vector<Strongest> strongest(tubes.tubes());
     ContrastCounts counts;
     std::size_t tubesWithProfile = 0;
-    for (std::size_t t = 0; t < profiles.tubes(); ++t) {
-        scaleProfile(profiles.means(t), scale, scaled);
-        contrastsAlong(scaled, rule, contrasts);
+    for (std::size_t t = 0; t < tubes.tubes(); ++t) {
+        const auto scaled = tubes.scaled(t), contrasts = tubes.contrasts(t);
         counts.add(contrasts);
-        const auto most = std::max_element(contrasts.begin(), contrasts.end());
         if (!scaled.empty()) ++tubesWithProfile;
-        if (most != contrasts.end())
-            strongest[t] =
-                strongestAt(scaled, static_cast<int>(most - contrasts.begin()) + rule.leastFluid, *most, rule);
+        if (contrasts.empty()) continue;
+        const std::size_t most = placeOfLargest(contrasts);
+        strongest[t] = strongestAt(scaled, static_cast<int>(most) + rule.leastFluid, contrasts[most], rule);
     }
     const auto inSpreads = [&, spread = counts.spread()](double times) {
         return std::clamp(times * spread, rule.leastContrast, std::max(rule.leastContrast, rule.sureContrast));
@@ -188,12 +224,10 @@ int surfaceCellAt(std::span<const float> means, int boundary, const RatioRule& r
 
 }  // namespace
 
-std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, const SpeckleScale& scale,
-                                               const RatioThresholds& thresholds, const RatioRule& rule, int cellSize) {
+std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, std::span<const float> scaled,
+                                               std::span<const float> contrasts, const RatioThresholds& thresholds,
+                                               const RatioRule& rule, int cellSize) {
     if (!thresholds.anyBoundary || static_cast<int>(means.size()) < cellSize) return std::nullopt;
-    std::vector<float> scaled, contrasts;
-    scaleProfile(means, scale, scaled);
-    contrastsAlong(scaled, rule, contrasts);
     const auto boundaryOf = [&](std::size_t i) { return static_cast<int>(i) + rule.leastFluid; };
     const auto counts = [&](std::size_t i) {
         if (contrasts[i] <= thresholds.contrast) return false;

@@ -6,6 +6,7 @@
 // are of one nature. Here the ratio is a difference on the SpeckleScale, so that it stays right for compressed echo.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,22 +41,40 @@ struct RatioThresholds {
 /// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
 /// Element i belongs to the boundary between slabs i + leastFluid - 1 and i + leastFluid; shorter than half of `behind`
 /// past it: none. `scaled`: the profile on the scale.
-void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::vector<float>& contrasts);
+void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::span<float> contrasts);
+/// How many boundaries with a contrast a profile of so many slabs has.
+[[nodiscard]] std::size_t contrastCount(std::size_t slabs, const RatioRule& rule);
+
+/// All tubes' profiles on the scale and their contrasts, computed once for the thresholds and for the surfaces.
+class TubeContrasts {
+public:
+    TubeContrasts(const TubeProfiles& profiles, const SpeckleScale& scale, const RatioRule& rule);
+    [[nodiscard]] std::size_t tubes() const { return m_profiles.size(); }
+    [[nodiscard]] std::span<const float> scaled(std::size_t tube) const { return m_profiles[tube]; }
+    /// As contrastsAlong() gives them.
+    [[nodiscard]] std::span<const float> contrasts(std::size_t tube) const { return m_contrasts[tube]; }
+
+private:
+    std::unique_ptr<float[]> m_values;
+    std::vector<std::span<float>> m_profiles, m_contrasts;  ///< in m_values
+};
 
 /// Looks at all tubes. The contrast's spread without boundaries is read off its lower quartile, which boundaries, being
 /// few, hardly move. The fluid level is the median middle of the tubes' strongest boundaries.
-[[nodiscard]] RatioThresholds ratioThresholds(const TubeProfiles& profiles, const SpeckleScale& scale,
-                                              const RatioRule& rule);
+[[nodiscard]] RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule);
 
 /// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
-/// contrast counts; where several do in a row, the one of highest contrast. `means`: its profile. Returns the slab
-/// (counted from the profile's first) that begins the surface cell, so that the cell's mean is halfway between fluid
-/// and tissue; none: no surface. contrast: at the surface.
+/// contrast counts; where several do in a row, the one of highest contrast. `means`, `scaled`, `contrasts`: its
+/// profile, that on the scale, its contrasts. Returns the slab (counted from the profile's first) that begins the
+/// surface cell, so that the cell's mean is halfway between fluid and tissue; none: no surface. contrast: at the
+/// surface.
 struct RatioSurface {
     int cell = 0;
     double contrast = 0.0;
 };
-[[nodiscard]] std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, const SpeckleScale& scale,
+[[nodiscard]] std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means,
+                                                             std::span<const float> scaled,
+                                                             std::span<const float> contrasts,
                                                              const RatioThresholds& thresholds, const RatioRule& rule,
                                                              int cellSize);
 

@@ -12,7 +12,8 @@ TubeProfiles::TubeProfiles(std::size_t tubes, int longest)
       m_means(tubes * m_stride),
       m_spreads(tubes * m_stride),
       m_first(tubes, 0),
-      m_count(tubes, 0) {}
+      m_count(tubes, 0),
+      m_anyData(tubes, 0) {}
 
 template <typename CountOf, typename Write>
 void TubeProfiles::setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf,
@@ -22,6 +23,8 @@ void TubeProfiles::setFrom(std::size_t tube, std::size_t slabs, int cellSize, co
     std::size_t first = 0, end = slabs;
     while (first < slabs && !enough(first)) ++first;
     while (end > first && !enough(end - 1)) --end;
+    m_anyData[tube] = end > first ? 1 : 0;
+    for (std::size_t k = 0; k < slabs && m_anyData[tube] == 0; ++k) m_anyData[tube] = countOf(k) > 0 ? 1 : 0;
     m_first[tube] = static_cast<int>(first);
     m_count[tube] = static_cast<int>(end - first);
     float* const means = m_means.data() + tube * m_stride;

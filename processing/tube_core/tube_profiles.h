@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,11 +23,14 @@ public:
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
     /// Of stored values, with their second moments; whiteLevel: the one of normalised intensity 1.
     void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
+    /// whiteLevel: times slabScale(), as the means are.
     void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
 
     [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
     /// Index of the tube's first slab among its samples.
     [[nodiscard]] int firstSlab(std::size_t tube) const { return m_first[tube]; }
+    /// Whether any of its samples has data.
+    [[nodiscard]] bool anyData(std::size_t tube) const { return m_anyData[tube] != 0; }
     /// Mean normalised intensity from that slab on; empty: no slab holds enough data.
     [[nodiscard]] std::span<const float> means(std::size_t tube) const { return part(m_means, tube); }
     /// Standard deviation of a slab's samples, normalised intensity; as long as means().
@@ -44,6 +48,7 @@ private:
     std::size_t m_stride;
     std::vector<float> m_means, m_spreads;
     std::vector<int> m_first, m_count;
+    std::vector<std::uint8_t> m_anyData;
 };
 
 }  // namespace echolucent

@@ -39,7 +39,8 @@ void TubeReader::cells(std::size_t t, CellStatistics& cells) const {
     const double white = m_volume.whiteLevel();
     switch (m_route) {
         case Route::exactSums: return cellsFrom(m_sums[t], m_config.cellSize, white, cells);
-        case Route::singlePrecision: return cellsFrom(m_means[t], m_config.cellSize, white, cells);
+        case Route::singlePrecision:
+            return cellsFrom(m_means[t], m_config.cellSize, white * slabScale(m_volume), cells);
         case Route::doublePrecision: return cellsFrom(m_moments[t], m_config.cellSize, cells);
     }
 }
@@ -48,7 +49,8 @@ void TubeReader::profile(std::size_t t, TubeProfiles& profiles, std::size_t tube
     const double white = m_volume.whiteLevel();
     switch (m_route) {
         case Route::exactSums: return profiles.set(tube, m_sums[t], m_config.cellSize, white);
-        case Route::singlePrecision: return profiles.set(tube, m_means[t], m_config.cellSize, white);
+        case Route::singlePrecision:
+            return profiles.set(tube, m_means[t], m_config.cellSize, white * slabScale(m_volume));
         case Route::doublePrecision: return profiles.set(tube, m_moments[t], m_config.cellSize);
     }
 }

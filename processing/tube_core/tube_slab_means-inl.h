@@ -78,10 +78,11 @@ HWY_INLINE FloatVector blendBytes(IntVector words, IntVector weights) {
 #endif
 }
 
-/// From 0 to the white level; what is not a number becomes 0.
-HWY_INLINE FloatVector limited(FloatVector value, float white) {
+/// Scaled, from 0 to the white level; what is not a number becomes 0.
+HWY_INLINE FloatVector limited(FloatVector value, const Piece<float>& piece) {
     const Floats floats;
-    return hn::IfThenElseZero(hn::Gt(value, hn::Zero(floats)), hn::Min(value, hn::Set(floats, white)));
+    const auto scaled = hn::Mul(value, hn::Set(floats, piece.scale));
+    return hn::IfThenElseZero(hn::Gt(scaled, hn::Zero(floats)), hn::Min(scaled, hn::Set(floats, piece.white)));
 }
 
 /// The blend along x of the voxels at the cell's offset, moved by `shift` voxels, and of the next ones.
@@ -95,8 +96,8 @@ HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, c
                           cell.shareX);
     } else if constexpr (std::is_same_v<Voxel, float>) {
         const auto bytes = hn::ShiftLeft<2>(cell.offset);
-        return between(limited(hn::GatherOffset(floats, first, bytes), piece.white),
-                       limited(hn::GatherOffset(floats, first + 1, bytes), piece.white), cell.partX);
+        return between(limited(hn::GatherOffset(floats, first, bytes), piece),
+                       limited(hn::GatherOffset(floats, first + 1, bytes), piece), cell.partX);
     } else {
         const auto words =
             hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), hn::ShiftLeft<1>(cell.offset));
@@ -198,7 +199,7 @@ HWY_INLINE FloatVector voxelAt(const Piece<Voxel>& piece, IntVector offset) {
         const auto byte = hn::And(bytesAt<careful>(piece.first, offset, piece.lastWord), hn::Set(ints, 0xFF));
         return hn::ConvertTo(floats, hn::ShiftLeft<byteWeightBits>(byte));
     } else if constexpr (std::is_same_v<Voxel, float>) {
-        return limited(hn::GatherOffset(floats, piece.first, hn::ShiftLeft<2>(offset)), piece.white);
+        return limited(hn::GatherOffset(floats, piece.first, hn::ShiftLeft<2>(offset)), piece);
     } else {
         // The last voxel has no other behind it: the word that ends with it, then.
         const auto last = hn::Set(ints, piece.lastWord + 2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "processing/tube_core/tube_slabs.h"
 
@@ -96,7 +97,8 @@ public:
           m_size(volume.geometry().size),
           m_strides{1, m_size[0], m_size[0] * m_size[1]},
           m_count(volume.geometry().voxelCount()),
-          m_white(static_cast<float>(volume.whiteLevel())),
+          m_scale(static_cast<float>(slabScale(volume))),
+          m_white(static_cast<float>(volume.whiteLevel() * slabScale(volume))),
           m_pattern(patternOf(any)),
           m_route(route) {
         const double half = (any.cellSize - 1) / 2.0;
@@ -172,6 +174,7 @@ private:
         constexpr std::int64_t far = std::int64_t{1} << 30;
         piece.lastWord = static_cast<std::int32_t>(std::min(m_count - origin - 4, far));
         piece.white = m_white;
+        piece.scale = m_scale;
     }
 
     /// Pieces are short: what is farther than this need not be told from what is farther still.
@@ -201,7 +204,7 @@ private:
     const std::uint8_t* m_mask;
     std::array<std::int64_t, 3> m_size, m_strides;
     std::int64_t m_count;
-    float m_white;
+    float m_scale, m_white;
     SlabPattern m_pattern;
     PieceRoute m_route;
     Vec3 m_reach{0, 0, 0};                 ///< of a slab's samples from the axis
@@ -223,6 +226,13 @@ std::vector<std::pair<SlabRange, bool>> piecesOf(const TubeSamples& tube, SlabRa
 }
 
 }  // namespace
+
+double slabScale(const Volume& volume) {
+    if (!std::holds_alternative<std::vector<float>>(volume.voxels())) return 1.0;
+    // 2^127 is the largest power of two in single precision, and its inverse is not 0.
+    constexpr int largest = std::numeric_limits<float>::max_exponent - 1;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(volume.whiteLevel()), -largest, largest));
+}
 
 bool canMeanSlabs(const Volume& volume) {
     const VolumeGeometry& geometry = volume.geometry();

@@ -34,7 +34,8 @@ struct Piece {
     std::array<std::int32_t, 3> lowest{}, highest{};  ///< the outermost voxels' positions
     std::array<std::int32_t, 3> lastCell{};           ///< the last cell with a voxel on either side
     std::int32_t lastWord = 0;  ///< offset of the last voxel from which four bytes can be read, voxels of a byte
-    float white = 1.0f;         ///< stored value of intensity 1
+    float white = 1.0f;         ///< intensity 1: stored value times scale
+    float scale = 1.0f;         ///< of float voxels: a power of two, see slabScale()
     alignas(64) std::array<std::int32_t, pieceLength> x{}, y{}, z{};  ///< of the slabs' axis points; beyond the last
                                                                       ///< slab the last one's again
     int slabs = 0;

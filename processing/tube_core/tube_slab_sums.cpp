@@ -10,7 +10,6 @@
 #define HWY_TARGET_INCLUDE "processing/tube_core/tube_slab_sums.cpp"
 #include <hwy/foreach_target.h>
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #ifndef ECHOLUCENT_TUBE_SLAB_SUMS
@@ -126,10 +125,6 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
     alignas(64) std::array<std::uint64_t, slabsPerTurn> sums, squares, counts;
     for (int i = 0; i < slabsPerTurn; ++i)
         starts[static_cast<std::size_t>(i)] = std::min(i, end - begin - 1) * tube.along;
-    // A processor foresees steps within a page, not from slice to slice.
-    for (int k = begin + slabsPerTurn; k < std::min(begin + 2 * slabsPerTurn, tube.slabs); ++k)
-        for (int row = 0; row < tube.rows; ++row)
-            hwy::Prefetch(grid.voxels + tube.first + k * tube.along + row * tube.down);
     for (int lane = 0; lane < end - begin; lane += static_cast<int>(hn::Lanes(lanes))) {
         const auto start = hn::Load(offsets, starts.data() + lane);
         auto sum = hn::Zero(lanes), square = hn::Zero(lanes), count = hn::Zero(lanes);

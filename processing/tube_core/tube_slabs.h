@@ -19,7 +19,8 @@ struct SlabSums {
     std::vector<std::uint64_t> sumsOfSquares;  ///< empty where variance was not asked for
 };
 
-/// Moments of a tube's slabs over the samples that have data, in stored values. One entry a slab; a slab without data
+/// Moments of a tube's slabs over the samples that have data, in stored values times slabScale(). One entry
+/// a slab; a slab without data
 /// has zeros.
 struct SlabMeans {
     std::vector<float> counts;  ///< whole numbers
@@ -35,6 +36,11 @@ struct SlabMeans {
 /// them. slabs[t] is filled with tubes[t].slabs entries. Voxels outside the volume or without data are left out.
 void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes, bool withVariance,
               std::span<SlabSums> slabs);
+
+/// What SlabMeans are multiplied by: 1 for integers, for floats the power of two that brings the white level between 1
+/// and
+/// 2. Squares of the smallest and of the largest floats would not be floats.
+[[nodiscard]] double slabScale(const Volume& volume);
 
 /// Whether meanSlabs() can take the volume; else sampleSlabs() must: fewer than 2 voxels along x or 4 in all, axes
 /// beyond 16384 voxels, slices beyond 8 million voxels, or 8-bit voxels above the white level.

@@ -35,10 +35,10 @@ std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& vo
             {"phantom", "\"FOLDER/p.mha\" --scene shapes --size 20"},
             {"sweep", quoted + " --from 0 --to 1"},
             {"near", quoted},
-            {"bench otf", quoted + " --repeats 1"},
+            {"bench otf", quoted + " --runs 1"},
             {"study otf", "--phantoms --size 48 --repeats 1 -o \"FOLDER/s\""},
             {"study contrast", "--size 48"},
-            {"study motion", "--phantoms --size 40 -o \"FOLDER/s\""},
+            {"study motion", "--phantoms --phantom-size 40 --picture-size 32 --step 15 -o \"FOLDER/s\""},
             {"study stability", "-o \"FOLDER/s\""}};
 }
 

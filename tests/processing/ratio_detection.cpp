@@ -36,11 +36,13 @@ struct Judged {
     TubeProfiles profiles;
     SpeckleScale scale{profiles};
     RatioRule rule;
-    RatioThresholds thresholds = ratioThresholds(profiles, scale, rule);
+    TubeContrasts contrasts{profiles, scale, rule};
+    RatioThresholds thresholds = ratioThresholds(contrasts, rule);
 
     explicit Judged(const std::vector<MadeProfile>& made) : profiles(profilesOf(made)) {}
     [[nodiscard]] std::optional<RatioSurface> surface(std::size_t tube) const {
-        return firstFluidToTissue(profiles.means(tube), scale, thresholds, rule, madeCellSize);
+        return firstFluidToTissue(profiles.means(tube), contrasts.scaled(tube), contrasts.contrasts(tube), thresholds,
+                                  rule, madeCellSize);
     }
     /// Where the surface was found, slabs from the tube's first: the middle of its cell.
     [[nodiscard]] std::optional<double> place(std::size_t tube) const {
@@ -66,9 +68,10 @@ TEST(RatioContrasts, AreWhatASlowLoopGivesToTheEnds) {
         for (const int size : {0, 1, 7, 8, 10, 11, 12, 13, 15, 16, 17, 25, 200}) {
             std::vector<float> scaled;
             for (int k = 0; k < size; ++k) scaled.push_back(static_cast<float>(slabs.drawn(0.0, 30.0)));
-            std::vector<float> contrasts(3, 99.0f);
+            const std::size_t count = contrastCount(scaled.size(), rule);
+            ASSERT_EQ(static_cast<int>(count), std::max(0, size - least - rule.leastFluid + 1)) << size;
+            std::vector<float> contrasts(count, 99.0f);
             contrastsAlong(scaled, rule, contrasts);
-            ASSERT_EQ(static_cast<int>(contrasts.size()), std::max(0, size - least - rule.leastFluid + 1)) << size;
             for (int boundary = rule.leastFluid; boundary <= size - least; ++boundary) {
                 double before = 0.0, behind = 0.0;
                 int countBefore = 0, countBehind = 0;
@@ -86,10 +89,30 @@ TEST(RatioContrasts, AreWhatASlowLoopGivesToTheEnds) {
 }
 
 TEST(RatioContrasts, OfAConstantAreZero) {
-    std::vector<float> contrasts;
-    contrastsAlong(std::vector<float>(90, 7.3f), {}, contrasts);
+    std::vector<float> contrasts(contrastCount(90, {}), 99.0f);
     ASSERT_FALSE(contrasts.empty());
+    contrastsAlong(std::vector<float>(90, 7.3f), {}, contrasts);
     for (const float contrast : contrasts) EXPECT_NEAR(contrast, 0.0f, 1e-12f);
+}
+
+TEST(RatioContrasts, OfAllTubesAreThoseOfEach) {
+    SpeckledSlabs slabs(8);
+    // Of all lengths, none among them.
+    std::vector<MadeProfile> made(4);
+    for (const std::size_t size : {3u, 10u, 11u, 12u, 40u, 119u, 0u, 77u})
+        made.push_back(slabs.around(std::vector<double>(size, 0.3)));
+    const TubeProfiles profiles = profilesOf(made);
+    const SpeckleScale scale(profiles);
+    const TubeContrasts tubes(profiles, scale, {});
+    ASSERT_EQ(tubes.tubes(), made.size());
+    for (std::size_t t = 0; t < made.size(); ++t) {
+        ASSERT_EQ(tubes.scaled(t).size(), made[t].means.size());
+        for (std::size_t k = 0; k < made[t].means.size(); ++k)
+            EXPECT_FLOAT_EQ(tubes.scaled(t)[k], static_cast<float>(scale.scaled(profiles.means(t)[k])));
+        std::vector<float> contrasts(contrastCount(made[t].means.size(), {}));
+        contrastsAlong(tubes.scaled(t), {}, contrasts);
+        EXPECT_EQ(std::vector<float>(tubes.contrasts(t).begin(), tubes.contrasts(t).end()), contrasts);
+    }
 }
 
 TEST(RatioContrasts, DoNotDependOnTheGain) {
@@ -108,13 +131,10 @@ TEST(RatioContrasts, DoNotDependOnTheGain) {
                 profile.spreads[k] *= gain;
             }
         const TubeProfiles profiles = profilesOf(amplified);
-        const SpeckleScale scale(profiles);
-        std::vector<float> scaled(length), contrasts, all;
-        for (std::size_t t = 0; t < 20; ++t) {
-            scale.scale(profiles.means(t), scaled);
-            contrastsAlong(scaled, {}, contrasts);
-            all.insert(all.end(), contrasts.begin(), contrasts.end());
-        }
+        const TubeContrasts tubes(profiles, SpeckleScale(profiles), {});
+        std::vector<float> all;
+        for (std::size_t t = 0; t < 20; ++t)
+            all.insert(all.end(), tubes.contrasts(t).begin(), tubes.contrasts(t).end());
         return all;
     };
     const auto once = contrastsAtGain(1.0);

@@ -149,7 +149,8 @@ int slabsLikeTheReference(const Volume& volume, const View& view, TubeSampling s
     std::vector<SlabMoments> reference;
     std::vector<double> scratch;
     int compared = 0;
-    const double tolerance = toleranceFor(largest), white = volume.whiteLevel();
+    const double scale = slabScale(volume), tolerance = toleranceFor(largest * scale);
+    const double white = volume.whiteLevel() * scale;
     for (std::size_t t = 0; t < tubes.size(); ++t) {
         sampleSlabs(volume, sampling, tubes[t], reference, scratch);
         for (std::size_t k = 0; k < reference.size(); ++k) {

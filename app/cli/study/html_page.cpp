@@ -88,8 +88,8 @@ std::string inkText(double x, double y, std::string_view anchor, const std::stri
 
 std::string stretchedImage(double x, double y, double width, double height, const std::string& uri) {
     return fmt::format(
-        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
-        "style=\"image-rendering:pixelated\" href=\"{}\"/>\n",
+        "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" preserveAspectRatio=\"none\" "
+        "style=\"image-rendering:pixelated\" href=\"{4}\" xlink:href=\"{4}\"/>\n",
         x, y, width, height, uri);
 }
 

@@ -1,6 +1,7 @@
 // `study motion`: what the OTF does while the probe or the object moves.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -94,7 +95,8 @@ Result<void> studyMotion(const MotionStudyOptions& options) {
 
     std::vector<MotionFigures> figures;
     for (const MotionCase& motionCase : *cases) {
-        figures.push_back(measureMotion(motionCase, *config, options.pictureSize, stillEdge));
+        figures.push_back(
+            measureMotion(motionCase, *config, options.pictureSize, std::min(stillEdge, options.pictureSize)));
         for (const ModeFigures& mode : figures.back().modes) {
             if (mode.mode != OtfSmoothing::none && mode.mode != OtfSmoothing::leastFlicker) continue;
             std::vector<SweptOtf> course = figures.back().frames;
