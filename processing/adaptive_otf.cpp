@@ -181,7 +181,9 @@ bool analyseTubesByRatio(const Volume& volume, AdaptiveOtf& result, const Progre
     RatioRule rule;
     rule.falseAlarm = config.falseAlarm;
     const TubeContrasts contrasts(profiles, scale, rule);
-    const RatioThresholds thresholds = ratioThresholds(contrasts, rule);
+    RatioThresholds thresholds = ratioThresholds(contrasts, rule);
+    thresholds.step = rule.leastStep * scale.brightMean();
+    if (thresholds.anyBoundary && !mayBeFluid(thresholds, scale, rule)) thresholds.anyBoundary = false;
     result.leastContrast = thresholds.contrast;
     if (thresholds.anyBoundary) result.fluidIntensity = scale.intensityAt(thresholds.fluidLevel);
     result.times.cells = watch.lap();
@@ -317,6 +319,10 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, 
                             ? rampLogOpacity(result)
                             : adaptedLogOpacity(config.initial, result.tubes, AdaptiveOtf::sampleCount);
     result.curve = curveFromLogOpacity(result.logOpacity);
+    if (result.tubesWithSurface == 0) {
+        // Exactly the initial function, not what a logarithm and back leave of it.
+        result.curve.opacities = sampledOpacities(config.initial, AdaptiveOtf::sampleCount);
+    }
     result.message = messageFor(result);
     result.times.curve = stage.lap();
     result.times.total = total.lap();

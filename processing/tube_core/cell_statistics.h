@@ -35,7 +35,8 @@ struct CellStatistics {
 /// Cells from exact sums; whiteLevel: the stored value of normalised intensity 1.
 void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
-/// Cells from single-precision moments; whiteLevel: times slabScale(), as they are. Where all slabs are equal, so are the cells, to the last bit.
+/// Cells from single-precision moments; whiteLevel: times slabScale(), as they are. Where all slabs are equal, so are
+/// the cells, to the last bit.
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
 /// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.

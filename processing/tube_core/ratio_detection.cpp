@@ -119,17 +119,24 @@ double quantileOf(std::vector<double>& values, double share) {
     return *place;
 }
 
-/// The median middle of the stronger boundaries. Fluid is so much darker than anything else that the boundaries of
-/// tissue against brighter tissue are the weaker ones.
-double fluidLevel(const std::vector<Strongest>& strongest, double leastContrast) {
+/// Level and contrast of the stronger boundaries, their medians. Fluid is so much darker than anything else that the
+/// boundaries of tissue against brighter tissue are the weaker ones.
+void readLevels(const std::vector<Strongest>& strongest, RatioThresholds& thresholds) {
     std::vector<double> contrasts, middles;
     for (const Strongest& boundary : strongest)
-        if (boundary.contrast > leastContrast) contrasts.push_back(boundary.contrast);
+        if (boundary.contrast > thresholds.contrast) contrasts.push_back(boundary.contrast);
     constexpr double high = 0.9, nearly = 0.6;
-    const double least = nearly * quantileOf(contrasts, high);
-    for (const Strongest& boundary : strongest)
-        if (boundary.contrast >= std::max(least, leastContrast)) middles.push_back(boundary.middle);
-    return quantileOf(middles, 0.5);
+    const double least = std::max(nearly * quantileOf(contrasts, high), thresholds.contrast);
+    contrasts.clear();
+    for (const Strongest& boundary : strongest) {
+        if (boundary.contrast < least) continue;
+        contrasts.push_back(boundary.contrast);
+        middles.push_back(boundary.middle);
+    }
+    const double half = quantileOf(contrasts, 0.5) / 2.0;
+    thresholds.fluidLevel = quantileOf(middles, 0.5);
+    thresholds.fluid = thresholds.fluidLevel - half;
+    thresholds.tissue = thresholds.fluidLevel + half;
 }
 
 }  // namespace
@@ -180,8 +187,17 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rul
         return thresholds;
 
     thresholds.anyBoundary = true;
-    thresholds.fluidLevel = fluidLevel(strongest, thresholds.contrast);
+    readLevels(strongest, thresholds);
     return thresholds;
+}
+
+bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule) {
+    const double fluid = scale.intensityAt(thresholds.fluid), tissue = scale.intensityAt(thresholds.tissue);
+    if (fluid <= 0.0 || tissue >= rule.leastRatio * fluid) return true;
+    // Compressed: over a quarter of the range of brightness the spread grows clearly less than the mean.
+    constexpr double darker = 0.25, inProportion = 0.75;
+    const double bright = scale.brightMean();
+    return scale.spreadAt(bright) * darker < inProportion * scale.spreadAt(darker * bright);
 }
 
 namespace {
@@ -236,10 +252,18 @@ std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, std
     };
     const auto reachesTissue = [&](std::size_t i) {
         const int boundary = boundaryOf(i);
-        return meanOf(slabs(scaled, boundary, boundary + rule.behind)) > thresholds.fluidLevel;
+        if (meanOf(slabs(scaled, boundary, boundary + rule.behind)) <= thresholds.fluidLevel) return false;
+        const double rise = meanOf(slabs(means, boundary, boundary + rule.behind)) -
+                            meanOf(slabs(means, boundary - rule.before, boundary));
+        return rise >= thresholds.step;
+    };
+    const auto leavesFluid = [&](std::size_t i) {
+        const auto before = slabs(scaled, boundaryOf(i) - rule.before, boundaryOf(i));
+        return std::count_if(before.begin(), before.end(), [&](float slab) { return slab < thresholds.fluidLevel; }) >=
+               rule.leastDark;
     };
     std::size_t i = 0;
-    while (i < contrasts.size() && !(counts(i) && reachesTissue(i))) ++i;
+    while (i < contrasts.size() && !(counts(i) && leavesFluid(i) && reachesTissue(i))) ++i;
     if (i == contrasts.size()) return std::nullopt;
     std::size_t highest = i;
     for (; i < contrasts.size() && counts(i); ++i)

@@ -28,14 +28,22 @@ struct RatioRule {
     double certainShare = 0.01;  ///< ... this share of its tube cores, at least one, has a contrast of so many of these
                                  ///< standard deviations: among thousands of boundaries some are strong by accident
     double leastContrast = 0.5;  ///< ... but never less than this
-    double sureContrast = 4.0;   ///< ... nor more: what stands out so far is never speckle
+    double leastStep = 0.15;     ///< a surface rises by this share of the view's bright mean: slow changes of gain and
+                                 ///< steps of a grey level are none, however little noise there is
+    int leastDark = 6;           ///< of the slabs before a surface, so many are darker than the fluid level: a gap
+                                 ///< thinner than leastFluid, less its ramps, is no fluid
+    double leastRatio = 2.1;    ///< where echo is not compressed, tissue is typically so many times as bright as fluid;
+                                ///< a view whose boundaries are weaker holds none: bright tissue behind darker tissue
+    double sureContrast = 4.0;  ///< ... nor more: what stands out so far is never speckle
 };
 
 /// What the tubes of a view have in common: how strong a contrast is no accident, and where fluid ends.
 struct RatioThresholds {
-    double contrast = 0.0;     ///< a boundary counts from here on
-    double fluidLevel = 0.0;   ///< means below it are fluid, above it tissue: value of the scale
-    bool anyBoundary = false;  ///< whether any tube holds a contrast that counts
+    double contrast = 0.0;             ///< a boundary counts from here on
+    double fluidLevel = 0.0;           ///< means below it are fluid, above it tissue: value of the scale
+    double fluid = 0.0, tissue = 0.0;  ///< typical levels before and behind the strongest boundaries, on the scale
+    double step = 0.0;                 ///< a surface rises by at least this, normalised intensity
+    bool anyBoundary = false;          ///< whether any tube holds a contrast that counts
 };
 
 /// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
@@ -62,6 +70,10 @@ private:
 /// Looks at all tubes. The contrast's spread without boundaries is read off its lower quartile, which boundaries, being
 /// few, hardly move. The fluid level is the median middle of the tubes' strongest boundaries.
 [[nodiscard]] RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule);
+
+/// Whether the view's boundaries may be those of fluid: always where echo is compressed (the spread of speckle grows
+/// less than the mean, and the ratio of intensities says nothing).
+[[nodiscard]] bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule);
 
 /// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
 /// contrast counts; where several do in a row, the one of highest contrast. `means`, `scaled`, `contrasts`: its

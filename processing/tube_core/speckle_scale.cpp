@@ -21,6 +21,9 @@ constexpr double leastShare = 0.25;
 constexpr int nearBins = 8;
 constexpr std::uint32_t leastSlabs = 16;
 
+/// Less than this share of the mean is not speckle but the lack of it: without any noise, too, a difference is a ratio.
+constexpr double leastShareOfMean = 0.05;
+
 struct Knot {
     double mean, spread;
 };
@@ -77,7 +80,24 @@ std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
             knots.push_back({here.sumOfMeans / here.count, here.medianSpread()});
     }
     if (knots.empty()) knots.push_back({0.5, leastSpread});
+    // Speckle multiplies and scanners compress: the spread never grows faster than the mean. What does is a wall that a
+    // tube core straddles along its whole length.
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        if (knots[i - 1].mean > 0.0)
+            knots[i].spread = std::min(
+                knots[i].spread, knots[i].mean * std::max(knots[i - 1].spread / knots[i - 1].mean, leastShareOfMean));
     return knots;
+}
+
+/// The mean that all but the brightest fiftieth of the slabs stay below.
+double brightMeanOf(const std::array<SpreadCounts, meanBins>& counts) {
+    std::uint64_t all = 0, above = 0;
+    for (const SpreadCounts& bin : counts) all += bin.count;
+    for (std::size_t bin = counts.size(); bin-- > 0;) {
+        above += counts[bin].count;
+        if (above * 50 >= all && counts[bin].count > 0) return counts[bin].sumOfMeans / counts[bin].count;
+    }
+    return 0.0;
 }
 
 /// Linear between the knots, constant above the last; below the first in proportion to the mean, as echo without any
@@ -95,9 +115,14 @@ double spreadFrom(const std::vector<Knot>& knots, double mean) {
 }  // namespace
 
 SpeckleScale::SpeckleScale(const TubeProfiles& profiles) {
-    const std::vector<Knot> knots = knotsOf(countSpreads(profiles));
+    const auto counts = countSpreads(profiles);
+    m_brightMean = brightMeanOf(counts);
+    const std::vector<Knot> knots = knotsOf(counts);
     constexpr double step = 1.0 / (sampleCount - 1);
-    for (std::size_t i = 0; i < m_spread.size(); ++i) m_spread[i] = spreadFrom(knots, static_cast<double>(i) * step);
+    for (std::size_t i = 0; i < m_spread.size(); ++i) {
+        const double mean = static_cast<double>(i) * step;
+        m_spread[i] = std::max(spreadFrom(knots, mean), leastShareOfMean * mean);
+    }
     for (std::size_t i = 1; i < m_scaled.size(); ++i)
         m_scaled[i] = m_scaled[i - 1] + step * (1.0 / m_spread[i - 1] + 1.0 / m_spread[i]) / 2.0;
 }

@@ -22,6 +22,8 @@ public:
 
     /// Standard deviation of voxels around this mean, normalised intensity, above 0.
     [[nodiscard]] double spreadAt(double intensity) const;
+    /// The mean intensity that nearly all slabs stay below: how bright the view is.
+    [[nodiscard]] double brightMean() const { return m_brightMean; }
     /// A normalised intensity in [0,1] on the scale: 0 at 0, rising.
     [[nodiscard]] double scaled(double intensity) const;
     /// Many at once; as many results as intensities.
@@ -32,6 +34,7 @@ public:
 private:
     static constexpr int sampleCount = 1025;
     std::array<double, sampleCount> m_spread{}, m_scaled{};
+    double m_brightMean = 0.0;
 };
 
 }  // namespace echolucent
