@@ -154,12 +154,13 @@ Result<std::shared_ptr<const Volume>> volumeOf(const BenchOptions& options) {
 
 Result<void> bench(const BenchOptions& options) {
     if (auto distinct = differentFiles({options.volume.path, options.json}); !distinct) return distinct;
-    const auto view = options.view.get();
-    if (!view) return tl::unexpected<Failure>(view.error());
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto volume = volumeOf(options);
     if (!volume) return tl::unexpected<Failure>(volume.error());
+    const auto view = options.view.get(**volume, *config);
+    if (!view) return tl::unexpected<Failure>(view.error());
 
     View axis = *view, oblique = *view;
     axis.azimuthDegrees = axis.elevationDegrees = 0.0;

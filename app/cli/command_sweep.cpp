@@ -129,8 +129,7 @@ Result<void> sweep(const SweepOptions& options) {
     if (!motion) return tl::unexpected<Failure>(motion.error());
     const auto settings = settingsFrom(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
-    const auto view = options.view.get();
-    if (!view) return tl::unexpected<Failure>(view.error());
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto study = options.volume.readAll();
@@ -139,6 +138,8 @@ Result<void> sweep(const SweepOptions& options) {
         return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
                     "Use --object still, or a 4D volume.");
 
+    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(motion->firstPhase)], *config);
+    if (!view) return tl::unexpected<Failure>(view.error());
     const auto frames = motionFrames(*view, *motion, static_cast<int>(study->phases.size()));
     SweepReport report{.volume = options.volume.path, .start = *view, .motion = *motion};
     if (!options.oneOtf) report.smoothing = otfSmoothingFromName(options.smoothing);

@@ -62,6 +62,21 @@ TEST(NearAuto, WorksForThePictureToo) {
     EXPECT_TRUE(std::filesystem::exists(folder / "cut.png"));
 }
 
+TEST(NearAuto, CutsWhereverAVolumeIsLookedAt) {
+    const json cut = otfOf(walledFile(), "--near auto");
+    const Outcome sweep =
+        runProgram("sweep \"" + walledFile() + "\" --near auto --from 0 --to 1 --step 1 --smoothing none --csv -");
+    ASSERT_EQ(sweep.status, 0) << sweep.errors;
+    EXPECT_EQ(sweep.errors.rfind("Near cut at ", 0), 0u) << sweep.errors;
+    // The first frame is the cut view: its last opacity stands at the end of the first row.
+    const std::string row = sweep.output.substr(sweep.output.find('\n') + 1);
+    const std::string firstRow = row.substr(0, row.find('\n'));
+    EXPECT_DOUBLE_EQ(std::stod(firstRow.substr(firstRow.rfind(',') + 1)), cut["otf"]["opacity"].back().get<double>());
+    const Outcome bench = runProgram("bench otf \"" + walledFile() + "\" --near auto --runs 1");
+    ASSERT_EQ(bench.status, 0) << bench.errors;
+    EXPECT_EQ(bench.errors.rfind("Near cut at ", 0), 0u) << bench.errors;
+}
+
 TEST(NearAuto, RefusesWhatIsNeitherANumberNorAuto) {
     for (const char* near : {"nonsense", "automatic", "AUTO", "nan", "inf", "1x2", "\"\""}) {
         const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --near " + near);

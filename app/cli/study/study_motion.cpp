@@ -58,7 +58,7 @@ std::vector<std::shared_ptr<const Volume>> phantomPhases(PhantomScene scene, con
     return volumes;
 }
 
-Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const View& view) {
+Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const AdaptiveOtfConfig& config) {
     const Motion motion{.axis = SweepAxis::y, .from = options.from, .to = options.to, .step = options.step};
     std::vector<MotionCase> cases;
     if (options.phantoms || options.volume.path.empty()) {
@@ -68,7 +68,9 @@ Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, con
     if (options.volume.path.empty()) return cases;
     const auto study = options.volume.readAll();
     if (!study) return tl::unexpected<Failure>(study.error());
-    MotionCase base{"volume", study->name, study->phases, view, motion};
+    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(options.volume.phase)], config);
+    if (!view) return tl::unexpected<Failure>(view.error());
+    MotionCase base{"volume", study->name, study->phases, *view, motion};
     base.motion.firstPhase = options.volume.phase;
     addCases(cases, base);
     return cases;
@@ -84,14 +86,13 @@ Result<void> check(const MotionStudyOptions& options) {
 
 Result<void> studyMotion(const MotionStudyOptions& options) {
     if (auto checked = check(options); !checked) return checked;
-    const auto view = options.view.get();
-    if (!view) return tl::unexpected<Failure>(view.error());
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
+    const auto cases = casesFrom(options, *config);
+    if (!cases) return tl::unexpected<Failure>(cases.error());
     const auto folder = StudyFolder::at(options.output);
     if (!folder) return tl::unexpected<Failure>(folder.error());
-    const auto cases = casesFrom(options, *view);
-    if (!cases) return tl::unexpected<Failure>(cases.error());
 
     std::vector<MotionFigures> figures;
     for (const MotionCase& motionCase : *cases) {

@@ -100,10 +100,11 @@ Result<OtfStudy> studyPhantoms(const OtfStudyOptions& options) {
 }
 
 Result<OtfStudy> studyVolume(const OtfStudyOptions& options) {
-    const auto view = options.view.get();
-    if (!view) return tl::unexpected<Failure>(view.error());
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto volume = options.volume.readPhase();
     if (!volume) return tl::unexpected<Failure>(volume.error());
+    const auto view = options.view.get(**volume, {});
+    if (!view) return tl::unexpected<Failure>(view.error());
     OtfStudy study;
     study.repeats = options.repeats;
     const auto& size = (*volume)->geometry().size;
