@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,7 @@ struct Camera {
     double heightMm = 1.0;           ///< parallel: height of the picture, mm
     double viewAngleDegrees = 30.0;  ///< perspective: full vertical angle
     double distanceMm = 1.0;         ///< perspective: from the eye to the focal point
+    friend bool operator==(const Camera& a, const Camera& b) = default;
 };
 
 /// The camera of the default picture: parallel, looking along the view, the whole box in the picture with 4 % of its
@@ -65,6 +67,46 @@ struct Shading {
     friend bool operator==(const Shading&, const Shading&) = default;
 };
 
+/// What a ray shows of its samples.
+enum class RenderMode {
+    direct,   ///< direct volume rendering: eqs. 2 and 3
+    maximum,  ///< the colour of the largest intensity on the ray; the curve plays no part here and below
+    minimum,  ///< of the smallest
+    mean,     ///< of the mean: an x-ray
+};
+
+/// "direct", "maximum", "minimum", "mean".
+[[nodiscard]] std::string_view nameOf(RenderMode mode);
+[[nodiscard]] std::optional<RenderMode> renderModeFromName(std::string_view name);
+
+/// Colours change with depth along `forward`: a sample's colour is multiplied by a mix of the two tints, linear from the
+/// foremost corner of the volume's box (or the near plane, whichever is farther) to its hindmost corner.
+struct DepthColouring {
+    Vec3 nearTint{1.0, 0.94, 0.82};
+    Vec3 farTint{0.42, 0.60, 1.0};
+    friend bool operator==(const DepthColouring&, const DepthColouring&) = default;
+};
+
+/// Only what lies between two corners is rendered; grid mm.
+struct RenderBox {
+    Vec3 low, high;
+    friend bool operator==(const RenderBox&, const RenderBox&) = default;
+};
+
+/// Only what lies on the side that the normal points to is rendered; grid mm.
+struct ClippingPlane {
+    Vec3 point;
+    Vec3 normal{0, 0, 1};  ///< any length above 0
+    friend bool operator==(const ClippingPlane&, const ClippingPlane&) = default;
+};
+
+/// Where something opaque stands in each pixel: depth along camera.frame.forward from the grid origin, mm; infinity:
+/// nothing. Row-major from the top left. A map of another size than the picture's is read at the nearest place.
+struct DepthMap {
+    int width = 0, height = 0;
+    std::vector<float> depthMm;
+};
+
 struct RayCastSettings {
     int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
     Camera camera;
@@ -72,15 +114,32 @@ struct RayCastSettings {
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();
     double step = 1.0;  ///< units (smallest spacing) between samples, > 0
     Interpolation interpolation = Interpolation::trilinear;
+    RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
-    std::optional<Shading> shading;               ///< none: no gradient is computed
+    std::optional<Shading> shading;                ///< none: no gradient is computed; direct mode only
+    std::optional<DepthColouring> depthColouring;  ///< none: costs nothing; direct mode only
+    std::optional<RenderBox> box;
+    std::vector<ClippingPlane> clippingPlanes;
+    std::shared_ptr<const DepthMap> opaqueDepth;  ///< null: rays end at the volume's box only
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
+    bool skipEmptySpace = true;   ///< leaves out regions that the curve makes transparent: the same picture, sooner
+    /// Opacity of a step from all intensities between its two ends, not from one in its middle: thin ranges of the curve
+    /// are not stepped over. Direct mode, unshaded.
+    bool preIntegrated = false;
+    /// Each ray starts at a place of its own within its first step, the same run after run: rings become noise.
+    bool jittered = false;
+    bool findDepth = false;  ///< Picture::depthMm is wanted
+    friend bool operator==(const RayCastSettings&, const RayCastSettings&) = default;
 };
 
 /// Row-major from the top left, four floats a pixel: red, green, blue premultiplied by alpha, then alpha; all in [0,1].
 struct Picture {
     int width = 0, height = 0;
     std::vector<float> rgba;
+    /// Where findDepth was asked for: depth along camera.frame.forward from the grid origin, mm, of the sample at which
+    /// the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the first);
+    /// infinity where none does. Else empty.
+    std::vector<float> depthMm;
 };
 
 /// Renders the volume. Samples lie in the middle of steps: parallel rays on planes across the view, counted from the
@@ -94,6 +153,32 @@ struct Picture {
 /// of threads. Throws std::invalid_argument for a size, step or camera that makes no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,
                                               const RayCastSettings& settings, const Progress& progress = {});
+
+/// Casts rays through one volume again and again, and keeps what pictures have in common: the voxels in the order the
+/// kernel reads them, where they are empty under the curve, and, for an edit of the curve under a fixed camera, the
+/// samples themselves. Pictures are those of castRays(). One thread at a time.
+class RayCaster {
+public:
+    explicit RayCaster(std::shared_ptr<const Volume> volume);
+    ~RayCaster();
+    RayCaster(RayCaster&&) noexcept;
+    RayCaster& operator=(RayCaster&&) noexcept;
+
+    [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
+    /// As castRays(). Where all but the curve and the colour map is as in the call before, the samples of that view are
+    /// kept (see sampleMemoryLimit) and from then on only classified and composited anew.
+    [[nodiscard]] std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings,
+                                              const Progress& progress = {});
+
+    /// Bytes that the samples of one view may take; above it nothing is kept. 2 bytes a sample.
+    static constexpr std::size_t sampleMemoryLimit = std::size_t{512} << 20;
+    /// Bytes of kept samples now; 0 where none are kept.
+    [[nodiscard]] std::size_t keptSampleBytes() const;
+
+private:
+    class Parts;
+    std::unique_ptr<Parts> m_parts;
+};
 
 /// The picture over an opaque background (eq. 3's c(r,0)) as 8-bit RGB, rows from the top, three bytes a pixel.
 [[nodiscard]] std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background);

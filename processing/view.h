@@ -34,6 +34,7 @@ struct ViewFrame {
     Vec3 right;
     Vec3 down;
     Vec3 forward;
+    friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
 [[nodiscard]] ViewFrame frameOf(const View& view);
 

@@ -63,7 +63,7 @@ void castTile(const Kernel& kernel, const RayGeometry& rays, int tileColumn, int
 template <typename Kernel>
 std::optional<Picture> castTiles(const Kernel& kernel, const RayGeometry& rays, const RayCastSettings& settings,
                                  const Progress& progress) {
-    Picture picture{settings.width, settings.height, {}};
+    Picture picture{settings.width, settings.height, {}, {}};
     picture.rgba.assign(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height) * 4, 0.0f);
     const int columns = (settings.width + tileEdge - 1) / tileEdge, rows = (settings.height + tileEdge - 1) / tileEdge;
     TileCount count(progress, columns * rows);
