@@ -37,10 +37,10 @@ struct DepthTint {
 };
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first, all rays' second, ...; each the table position times 4, or noData.
+/// follow each other: all rays' first, all rays' second, ...; each the table position times 32, or noData.
 struct KeptSamples {
     static constexpr std::uint16_t noData = 0xFFFF;
-    static constexpr float perTablePosition = 4.0f;
+    static constexpr float perTablePosition = 32.0f;
     struct Packet {
         std::int64_t first = 0;  ///< number of the first sample kept
         std::vector<std::uint16_t> samples;
@@ -69,7 +69,7 @@ struct KernelJob {
     Picture* picture = nullptr;
 };
 
-/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones multiples of 4.
+/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones at the corner of a packet.
 struct Tile {
     int firstColumn, lastColumn, firstRow, lastRow;
 };

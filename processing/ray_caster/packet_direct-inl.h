@@ -38,36 +38,48 @@ struct Blend {
     FloatVector half;  ///< the sample at which the pixel's opacity reaches one half
 };
 
+/// A packet of rays on its way.
+template <typename Voxel>
+struct DirectRays {
+    Packet<Voxel> packet;
+    KeptSamples::Packet* kept;  ///< null: samples are not kept
+    std::optional<Light<Voxel>> light;
+    Gathered gathered;
+
+    DirectRays(const KernelJob<Voxel>& job, int column, int row, KeptSamples::Packet* keptSamples)
+        : packet(job, column, row), kept(keptSamples) {
+        if (job.light != nullptr && !packet.empty()) light.emplace(job, packet.rays());
+    }
+};
+
 template <typename Voxel>
 class DirectKernel {
 public:
-    DirectKernel(const KernelJob<Voxel>& job, Packet<Voxel>& packet, KeptSamples::Packet* kept)
-        : m_job(job), m_packet(packet), m_colours(job.table->colours()), m_kept(kept) {
-        if (job.light != nullptr) m_light.emplace(job, packet.rays());
-        m_rich = job.light != nullptr || job.depthTint != nullptr || job.picture->depthMm.size() > 0;
+    explicit DirectKernel(const KernelJob<Voxel>& job) : m_job(job), m_colours(job.table->colours()) {
+        m_rich = job.light != nullptr || job.depthTint != nullptr || !job.picture->depthMm.empty();
     }
 
-    void cast() {
-        const std::int64_t common = m_packet.longestCommonRun();
-        for (std::int64_t first = m_packet.first(); first < m_packet.last();) {
-            const std::int64_t empty = mayJump() ? m_packet.emptyFrom(first) : 0;
+    void cast(DirectRays<Voxel>& rays) {
+        m_rays = &rays;
+        const Packet<Voxel>& packet = rays.packet;
+        const std::int64_t common = packet.longestCommonRun();
+        for (std::int64_t next = packet.first(); next < packet.last();) {
+            const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
-                first += empty;
+                next += empty;
             } else if (common > 0) {
-                first += castRun(m_packet.run(first, common, -1));
+                next += castRun(packet.run(next, common, -1));
             } else {
-                const std::int64_t single = m_packet.longestSingleRun();
-                for (int lane = 0; lane < lanes; ++lane) castRun(m_packet.run(first, single, lane));
-                first += single;
+                const std::int64_t single = packet.longestSingleRun();
+                for (int lane = 0; lane < lanes; ++lane) castRun(packet.run(next, single, lane));
+                next += single;
             }
             if (!anyAlive()) return;
         }
     }
 
-    [[nodiscard]] const Gathered& gathered() const { return m_gathered; }
-
 private:
-    [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_kept == nullptr; }
+    [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_rays->kept == nullptr; }
 
     /// The number of samples done: all of the run, or up to where nothing more of it shows.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
@@ -84,7 +96,7 @@ private:
             if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
             // Shorter jumps cost more than they save.
             const bool atCheck = block % (2 * blockSize) == 0 && block > 0;
-            if (atCheck && mayJump() && m_packet.emptyFrom(run.first + block) > 0) break;
+            if (atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + block) > 0) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
             const bool full = run.full && hn::AllTrue(floats, alive);
             if (m_job.preIntegration != nullptr)
@@ -98,23 +110,27 @@ private:
         }
         add(run, blend);
         const std::int64_t done = std::min(block, run.count);
-        if (m_kept != nullptr && !stored)
-            m_kept->samples.resize(static_cast<std::size_t>((run.first + done - m_kept->first) * lanes));
+        if (m_rays->kept != nullptr && !stored)
+            m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
         return block == 0 ? run.count : done;
     }
 
     /// A run's opacity above which a ray ends, and at which the pixel's opacity is one half.
     void prepareLanes(const Run<Voxel>& run) {
+        const double (&transmittance)[lanes] = m_rays->gathered.transmittance;
         for (int i = 0; i < lanes; ++i) {
-            const double transmittance = m_gathered.transmittance[i];
-            const bool ended = transmittance <= 0.0 || transmittance < m_job.endTransmittance;
-            m_limit[i] = ended ? -1.0f : static_cast<float>(1.0 - m_job.endTransmittance / transmittance);
-            m_half[i] = transmittance > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance) : 2.0f;
-            m_before[i] = static_cast<float>(transmittance);
+            const bool ended = transmittance[i] <= 0.0 || transmittance[i] < m_job.endTransmittance;
+            const double limit = 1.0 - m_job.endTransmittance / (ended ? 1.0 : transmittance[i]);
+            m_limit[i] = static_cast<float>(ended ? -1.0 : limit);
         }
+        if (m_rich || m_job.preIntegration != nullptr)
+            for (int i = 0; i < lanes; ++i) {
+                m_half[i] = transmittance[i] > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance[i]) : 2.0f;
+                m_before[i] = static_cast<float>(transmittance[i]);
+            }
         if (m_job.depthTint == nullptr) return;
         const DepthTint& depth = *m_job.depthTint;
-        const RayBundle<lanes>& rays = m_packet.rays();
+        const RayBundle<lanes>& rays = m_rays->packet.rays();
         for (int i = 0; i < lanes; ++i) {
             const double from = rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + 0.5);
             m_tintStart[i] = static_cast<float>((from - depth.nearDepthMm) * depth.perMm);
@@ -122,22 +138,25 @@ private:
         }
     }
     [[nodiscard]] bool anyAlive() const {
-        for (int i = 0; i < lanes; ++i)
-            if (m_gathered.transmittance[i] > 0.0 && m_gathered.transmittance[i] >= m_job.endTransmittance) return true;
-        return false;
+        double most = 0.0;
+        for (int i = 0; i < lanes; ++i) {
+            const bool isRay = m_rays->packet.rays().first[i] < m_rays->packet.rays().last[i];
+            most = std::max(most, isRay ? m_rays->gathered.transmittance[i] : 0.0);
+        }
+        return most > 0.0 && most >= m_job.endTransmittance;
     }
 
     /// True where all samples of the run are kept already; else makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
-        if (m_kept == nullptr) return false;
-        if (m_kept->samples.empty()) m_kept->first = run.first;
-        const auto last = static_cast<std::size_t>((run.first + run.count - m_kept->first) * lanes);
-        if (m_kept->samples.size() >= last) return true;
-        m_kept->samples.resize(last);
+        if (m_rays->kept == nullptr) return false;
+        if (m_rays->kept->samples.empty()) m_rays->kept->first = run.first;
+        const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
+        if (m_rays->kept->samples.size() >= last) return true;
+        m_rays->kept->samples.resize(last);
         return false;
     }
     [[nodiscard]] std::uint16_t* keptAt(const Run<Voxel>& run, std::int64_t i) const {
-        return m_kept->samples.data() + (run.first + i - m_kept->first) * lanes;
+        return m_rays->kept->samples.data() + (run.first + i - m_rays->kept->first) * lanes;
     }
 
     HWY_INLINE FloatVector sampled(const Run<Voxel>& run, const Position& at, LaneMask active) const {
@@ -145,7 +164,7 @@ private:
     }
     /// Table positions of sample i, -1 where there is no data.
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
-        if (m_kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
+        if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
         const Floats floats;
         const Ints ints;
         const hn::Rebind<std::uint16_t, Floats> words;
@@ -164,23 +183,25 @@ private:
         return position;
     }
 
+    /// position: 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
-        return hn::GatherIndex(Floats(), m_job.table->opacities(),
-                               hn::NearestInt(hn::Max(position, set(0.0f))));
+        const Floats floats;
+        const auto left = hn::ConvertTo(Ints(), position);
+        const float* opacities = m_job.table->opacities();
+        return between(hn::GatherIndex(floats, opacities, left), hn::GatherIndex(floats, opacities + 1, left),
+                       hn::Sub(position, hn::ConvertTo(floats, left)));
     }
 
     template <bool full>
     HWY_INLINE void blendSample(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
         const auto number = set(static_cast<float>(i));
-        auto position = positionOf(run, i, number, stored);
-        auto opacity = opacityAt(position);
-        if (m_job.missing != nullptr) {
-            opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
-            position = hn::Max(position, set(0.0f));
-        }
+        const auto position = positionOf(run, i, number, stored);
+        const auto known = hn::Max(position, set(0.0f));
+        auto opacity = opacityAt(known);
+        if (m_job.missing != nullptr) opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
         if constexpr (!full) opacity = hn::IfThenElseZero(hn::And(alive, run.inRange(number)), opacity);
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
-        const Colour colour = m_colours.at(position);
+        const Colour colour = m_colours.at(known);
         blend.opacity = hn::Add(blend.opacity, added);
         blend.red = hn::MulAdd(added, colour.red, blend.red);
         blend.green = hn::MulAdd(added, colour.green, blend.green);
@@ -197,14 +218,15 @@ private:
         const auto opacity = hn::IfThenElseZero(active, opacityAt(position));
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         Colour colour = m_colours.at(position);
-        if (m_light) {
+        if (m_rays->light) {
+            const Light<Voxel>& light = *m_rays->light;
             const auto seen = hn::Mul(added, hn::Load(floats, m_before));
             const auto worth = hn::Ge(seen, set(LightSource::worthGradient));
-            auto factor = set(m_light->even());
+            auto factor = set(light.even());
             if (!hn::AllFalse(floats, worth))
-                factor = hn::IfThenElse(worth, m_light->factorAt(run, run.at(number), worth), factor);
-            colour = {m_light->lit(colour.red, factor, 0), m_light->lit(colour.green, factor, 1),
-                      m_light->lit(colour.blue, factor, 2)};
+                factor = hn::IfThenElse(worth, light.factorAt(run, run.at(number), worth), factor);
+            colour = {light.lit(colour.red, factor, 0), light.lit(colour.green, factor, 1),
+                      light.lit(colour.blue, factor, 2)};
         }
         if (m_job.depthTint != nullptr) tint(number, colour);
         addSample(added, colour, number, blend);
@@ -304,26 +326,23 @@ private:
         hn::Store(blend.blue, floats, colour[2]);
         for (int channel = 0; channel < 3; ++channel)
             for (int i = 0; i < lanes; ++i)
-                m_gathered.colour[channel][i] +=
-                    m_gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
+                m_rays->gathered.colour[channel][i] +=
+                    m_rays->gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
         for (int i = 0; i < lanes; ++i)
-            m_gathered.transmittance[i] -= m_gathered.transmittance[i] * static_cast<double>(opacity[i]);
+            m_rays->gathered.transmittance[i] -= m_rays->gathered.transmittance[i] * static_cast<double>(opacity[i]);
         if (!m_rich && m_job.preIntegration == nullptr) return;
         hn::Store(blend.half, floats, half);
-        const RayBundle<lanes>& rays = m_packet.rays();
+        const RayBundle<lanes>& rays = m_rays->packet.rays();
         for (int i = 0; i < lanes; ++i)
             if (half[i] >= 0.0f)
-                m_gathered.depthMm[i] = static_cast<float>(
+                m_rays->gathered.depthMm[i] = static_cast<float>(
                     rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + static_cast<double>(half[i]) + 0.5));
     }
 
     const KernelJob<Voxel>& m_job;
-    Packet<Voxel>& m_packet;
     Colours m_colours;
-    std::optional<Light<Voxel>> m_light;
-    KeptSamples::Packet* m_kept;
     bool m_rich = false;
-    Gathered m_gathered;
+    DirectRays<Voxel>* m_rays = nullptr;
     alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];
 };
 

@@ -5,6 +5,7 @@
 
 #include "processing/opacity_curve.h"
 #include "processing/ray_caster.h"
+#include "processing/ray_caster/transfer_table.h"
 
 namespace echolucent::ray_casting {
 
@@ -15,7 +16,7 @@ namespace echolucent::ray_casting {
 class PreIntegration {
 public:
     /// Entries are intensities i / intervals; between them the integrals are linear.
-    static constexpr int intervals = 255 * 8;
+    static constexpr int intervals = TransferTable::intervals;
     /// Closer ends are taken as one point.
     static constexpr float closest = 0.5f;
     /// Opacity 1 has no finite extinction: more than that per reference step is as opaque in float.

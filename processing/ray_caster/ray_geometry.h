@@ -50,6 +50,12 @@ public:
     template <int lanes>
     __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 
+    /// Pixels outside cast no ray through what is rendered: [firstColumn, lastColumn) x [firstRow, lastRow).
+    struct PixelBox {
+        int firstColumn, lastColumn, firstRow, lastRow;
+    };
+    [[nodiscard]] PixelBox visiblePixels() const;
+
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
     /// Depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost corner.
@@ -77,6 +83,7 @@ private:
     double m_farDepth;
     Vec3 m_first, m_perColumn, m_perRow;  ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
     Vec3 m_eye, m_forward;                ///< grid mm
+    Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
     Vec3 m_low, m_high;  ///< voxels; what is rendered of the volume's box
     bool m_jittered;

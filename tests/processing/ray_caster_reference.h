@@ -21,7 +21,12 @@ public:
     ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
         : m_volume(volume), m_geometry(volume.geometry()), m_curve(curve), m_settings(settings) {}
 
+    /// Of the pixel before: whether a sample with data at half its weight, to the precision of the kernel's positions,
+    /// may be in the picture or not.
+    [[nodiscard]] bool undecided() const { return m_closestToHalf < 5e-5; }
+
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
+        m_closestToHalf = 1.0;
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -125,6 +130,7 @@ private:
                 *complete = false;
             }
         }
+        m_closestToHalf = std::min(m_closestToHalf, std::abs(weights - 0.5));
         if (weights < 0.5) return std::nullopt;
         return sum / weights;
     }
@@ -173,6 +179,7 @@ private:
     const VolumeGeometry& m_geometry;
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
+    mutable double m_closestToHalf = 1.0;
 };
 
 /// The largest difference of any channel of any pixel.
@@ -180,9 +187,11 @@ inline double largestDifference(const Volume& volume, const OpacityCurve& curve,
     const auto picture = castRays(volume, curve, settings);
     const ReferenceCaster reference(volume, curve, settings);
     double largest = 0.0;
+    int undecided = 0;
     for (int row = 0; row < settings.height; ++row)
         for (int column = 0; column < settings.width; ++column) {
             const ReferencePixel expected = reference.pixel(column, row);
+            if (reference.undecided() && ++undecided < settings.width * settings.height / 100) continue;
             const float* actual = &picture->rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
             for (std::size_t channel = 0; channel < 4; ++channel) {
                 const double difference = std::abs(expected[channel] - static_cast<double>(actual[channel]));
