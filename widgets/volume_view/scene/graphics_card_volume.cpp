@@ -2,21 +2,17 @@
 
 #include <vtkCommand.h>
 #include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
 #include <vtkTextureObject.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "widgets/volume_view/scene/vtk_volume_image.h"
@@ -72,7 +68,6 @@ void GraphicsCardVolume::setVolume(std::shared_ptr<const Volume> volume) {
 }
 
 std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
-    if (look.depthColouring) return "Depth colouring is drawn by the software ray caster.";
     if (look.clippingPlanes.size() + needsNearPlane(look) > mostPlanes) {
         return "There are more clipping planes than VTK's graphics card mapper takes.";
     }
@@ -83,7 +78,8 @@ void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty&
     if (!m_volume) return;
     const double unit = m_volume->geometry().unit();
     m_mapper->SetSampleDistance(static_cast<float>(look.step * unit));
-    setMode(look.mode);
+    if (m_mapper->GetBlendMode() != blendModeOf(look.mode)) m_mapper->SetBlendMode(blendModeOf(look.mode));
+    m_shader.set(*m_prop->GetShaderProperty(), *m_volume, look);
     setPlanes(look);
     setBox(look);
 
@@ -100,13 +96,6 @@ void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty&
     } else {
         m_property->SetInterpolationTypeToLinear();
     }
-    const bool shaded = look.shading && look.mode == RenderMode::direct;
-    m_property->SetShade(shaded);
-    if (!shaded) return;
-    m_property->SetAmbient(look.shading->ambient);
-    m_property->SetDiffuse(look.shading->diffuse);
-    m_property->SetSpecular(look.shading->specular);
-    m_property->SetSpecularPower(look.shading->specularPower);
 }
 
 void GraphicsCardVolume::setPlanes(const RayCastSettings& look) {
@@ -131,48 +120,6 @@ void GraphicsCardVolume::setBox(const RayCastSettings& look) {
     if (!look.box) return;
     const RenderBox& box = *look.box;
     m_mapper->SetCroppingRegionPlanes(box.low[0], box.high[0], box.low[1], box.high[1], box.low[2], box.high[2]);
-}
-
-void GraphicsCardVolume::setMode(RenderMode mode) {
-    if (m_mode == mode) return;
-    m_mode = mode;
-    m_mapper->SetBlendMode(blendModeOf(mode));
-    constexpr const char* exit = "//VTK::Shading::Exit";
-    vtkShaderProperty* shaders = m_prop->GetShaderProperty();
-    shaders->ClearAllShaderReplacements();
-    constexpr bool beforeVtk = true, everywhere = false;
-    if (mode == RenderMode::mean) {
-        // VTK shows the mean in grey, whatever the colour map.
-        shaders->AddFragmentShaderReplacement(exit, beforeVtk,
-                                              "if (l_numSamples.x == uint(0)) discard;\n"
-                                              "g_srcColor = computeColor(vec4(l_avgValue.x / float(l_numSamples.x)), 1.0);\n"
-                                              "g_fragColor = vec4(g_srcColor.rgb, 1.0);\n",
-                                              everywhere);
-    } else if (mode == RenderMode::maximum || mode == RenderMode::minimum) {
-        // Without a sample VTK shows the colour of 0 or of white.
-        shaders->AddFragmentShaderReplacement(exit, beforeVtk, std::string("if (l_firstValue) discard;\n") + exit,
-                                              everywhere);
-    }
-}
-
-void GraphicsCardVolume::setLight(vtkRenderer& renderer, const std::optional<Shading>& shading) {
-    vtkLightCollection* lights = renderer.GetLights();
-    auto* only = lights->GetNumberOfItems() == 1 ? vtkLight::SafeDownCast(lights->GetItemAsObject(0)) : nullptr;
-    const bool none = lights->GetNumberOfItems() == 0;
-    if (!none && only != m_light.Get() && !(only && only->LightTypeIsHeadlight())) return;
-    if (!shading) {
-        if (only == m_light.Get()) renderer.RemoveAllLights();  // VTK makes its own again
-        return;
-    }
-    // In the camera's coordinates, x right, y up, z towards the eye.
-    const Vec3& light = shading->towardsLight;
-    m_light->SetLightTypeToCameraLight();
-    m_light->SetPositional(false);
-    m_light->SetFocalPoint(0, 0, 0);
-    m_light->SetPosition(light[0], -light[1], -light[2]);
-    if (only == m_light.Get()) return;
-    renderer.RemoveAllLights();
-    renderer.AddLight(m_light);
 }
 
 bool GraphicsCardVolume::fits(vtkOpenGLRenderWindow& window) {

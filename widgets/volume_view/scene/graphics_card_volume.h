@@ -6,12 +6,11 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "processing/ray_caster.h"
+#include "widgets/volume_view/scene/graphics_card_shader.h"
 
-class vtkLight;
 class vtkOpenGLGPUVolumeRayCastMapper;
 class vtkObject;
 class vtkOpenGLRenderWindow;
@@ -24,10 +23,9 @@ class vtkWindow;
 namespace echolucent {
 
 /// Draws one volume through OpenGL with the camera of the renderer. Same box (half a voxel beyond the outermost voxel
-/// centres), step, interpolation, near cut, box, clipping planes, modes and curve as castRays(). Different: samples are
-/// counted from where each ray enters the box; light follows VTK's Phong model (gradients over one voxel, no share of
-/// surface, white highlights); rays end at an opacity of 254/255; a sample is transparent where its nearest voxel has no
-/// data; no pre-integration, no depth colouring, nothing is written into the depth buffer.
+/// centres), step, interpolation, near cut, box, clipping planes, modes, curve, light and depth colouring as castRays().
+/// Different: samples are counted from where each ray enters the box; rays end at an opacity of 254/255; a sample is
+/// transparent where its nearest voxel has no data; no pre-integration; nothing is written into the depth buffer.
 class GraphicsCardVolume {
 public:
     GraphicsCardVolume();
@@ -39,8 +37,6 @@ public:
     void setVolume(std::shared_ptr<const Volume> volume);
     /// Curve and colours come from the property of the scene's volume, which pickers read too.
     void setLook(const RayCastSettings& look, vtkVolumeProperty& transfer);
-    /// The light of shaded looks for a renderer that has none but the one VTK makes; lights of others stay.
-    void setLight(vtkRenderer& renderer, const std::optional<Shading>& shading);
 
     void draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window);
     void releaseGraphicsResources(vtkWindow* window);
@@ -56,7 +52,6 @@ public:
 private:
     void setPlanes(const RayCastSettings& look);
     void setBox(const RayCastSettings& look);
-    void setMode(RenderMode mode);
     void noteError(vtkObject* caller, unsigned long event, void* text);
     bool fits(vtkOpenGLRenderWindow& window);
 
@@ -68,8 +63,7 @@ private:
     vtkNew<vtkVolumeProperty> m_property;
     vtkNew<vtkPiecewiseFunction> m_opaque;
     vtkSmartPointer<vtkPlaneCollection> m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
-    vtkNew<vtkLight> m_light;
-    std::optional<RenderMode> m_mode;
+    GraphicsCardShader m_shader;
 };
 
 }  // namespace echolucent

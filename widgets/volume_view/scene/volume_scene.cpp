@@ -70,7 +70,6 @@ void VolumeScene::setTransfer(const OpacityCurve& curve, ColourMap colourMap) {
 void VolumeScene::show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera) {
     m_mapper->setGraphicsCardVolume(nullptr);
     m_mapper->setPicture(std::move(picture));
-    m_cardVolume.setLight(*m_renderer, std::nullopt);
     lookThrough(camera);
 }
 
@@ -79,7 +78,6 @@ void VolumeScene::showLive(const Camera& camera, const RayCastSettings& look) {
     RayCastSettings seen = look;
     seen.camera = camera;
     m_cardVolume.setLook(seen, *m_property);
-    m_cardVolume.setLight(*m_renderer, seen.shading);
     m_mapper->setPicture(nullptr);
     m_mapper->setGraphicsCardVolume(&m_cardVolume);
     lookThrough(camera);
