@@ -1,4 +1,6 @@
 // VTK's own actors inside, before and behind the volume: what is seen, what is picked, and what that costs.
+#include <QDir>
+#include <QImage>
 #include <QTest>
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -146,6 +148,16 @@ bool castRaysEndsAtDepths(const HalfInside& scene, RayCastSettings settings) {
 
 RayCastMapper* mapperOf(VolumeScene& scene) { return RayCastMapper::SafeDownCast(scene.volumeProp()->GetMapper()); }
 
+/// Into the folder that ECHOLUCENT_TEST_PICTURES names, where it is set.
+void keepPicture(DrawnScene& drawn) {
+    const QString folder = qEnvironmentVariable("ECHOLUCENT_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    const QString name = QString(QTest::currentTestFunction()) + " " + QTest::currentDataTag();
+    const QImage fromBelow(drawn.pixels->GetPointer(0), drawn.width(), drawn.height(), 3 * drawn.width(),
+                           QImage::Format_RGB888);
+    QVERIFY(fromBelow.mirrored().save(QDir(folder).filePath(QString(name).replace(' ', '_') + ".png")));
+}
+
 /// A picture with a tilted surface in its left half: depth by column, none in the right half.
 ScreenPicture tiltedSurface(int size, double nearest, double mmPerColumn) {
     ScreenPicture picture = plainPicture(size, size, {200, 0, 0, 255});
@@ -195,8 +207,8 @@ private slots:
         RayCastSettings settings;
         settings.width = settings.height = pixels;
         settings.camera = cameraOn(*half.volume, view, projection);
-        settings.camera.heightMm *= 1.2;  // the whole ball too
-        settings.camera.distanceMm *= 1.2;
+        settings.camera.heightMm *= 1.5;  // the whole ball too
+        settings.camera.distanceMm *= 1.5;
         settings.step = 0.1;
         settings.terminationTransmittance = 1e-6;
         settings.opaqueDepth = drawn.scene.opaqueDepth(settings.camera, pixels, pixels);
@@ -206,6 +218,7 @@ private slots:
         drawn.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture, settings)), settings.camera);
         drawn.draw();
 
+        keepPicture(drawn);
         // 8 bits twice, facets, and half a step of 0.1 units at each end of a ray: each below a level.
         constexpr double tolerance = 3.0;
         int compared = 0, onBall = 0;

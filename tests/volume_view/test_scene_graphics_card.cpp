@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QTest>
 #include <vtkActor.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPropPicker.h>
 #include <vtkVolume.h>
@@ -16,6 +17,7 @@
 
 #include "processing/phantom.h"
 #include "tests/volume_view/drawn_scene.h"
+#include "widgets/volume_view/scene/vtk_volume_image.h"
 
 using namespace echolucent;
 using echolucent::testing::ballInTheCorner;
@@ -457,6 +459,23 @@ private slots:
         QCOMPARE(drawn.at(20, 20), (Level{50, 0, 0}));
         drawn.scene.setVolume(ballInTheCorner());
         QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::graphicsCard);  // the next volume fits
+    }
+
+    void aDrawingThatFailsSaysWhyAndDrawsNothing() {
+        // Past the scene's own check: what it cannot know is found out when the volume is handed over.
+        const auto volume = volumeOf(geometryOf(40000, 1, 1), [](double, double, double) { return 100; });
+        DrawnScene drawn(40, 40);
+        drawn.draw();
+        GraphicsCardVolume card;
+        card.setVolume(volume);
+        vtkNew<vtkVolumeProperty> property;
+        RayCastSettings settings = settingsFor(*volume, {}, Projection::parallel, 1.0);
+        setTransfer(*property, *volume, PowerCurve{2, 1.0}, ColourMap::sepia);
+        card.setLook(settings, *property);
+        card.draw(*drawn.scene.renderer(), *vtkOpenGLRenderWindow::SafeDownCast(drawn.window));
+        QVERIFY(!card.failure().empty());
+        card.setVolume(ballInTheCorner());
+        QVERIFY(card.failure().empty());
     }
 
     void pickersFindTheVolumeOnTheCardToo() {
