@@ -322,7 +322,7 @@ private:
         const QImage theirs = throughTheCard(card, volume, curve, settings);
         QVERIFY2(!theirs.isNull(), card.scene.whySoftware().c_str());
         const QString name = QString(QTest::currentTestFunction()) + " " + QTest::currentDataTag();
-        keepPictures(name, ours, theirs);
+        keepPictures(name + (volume->dataMask().empty() ? "" : " masked"), ours, theirs);
         const Difference difference = differenceOf(ours, theirs);
         qInfo("%s: %.2f levels of root mean square, %.2f of mean", qPrintable(name), difference.rootMeanSquare, difference.mean);
         QVERIFY2(difference.rootMeanSquare < tolerance, qPrintable(QString::number(difference.rootMeanSquare)));

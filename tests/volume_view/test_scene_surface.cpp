@@ -120,7 +120,9 @@ private slots:
         // The ball's front is at 9.5 mm, the surface in the left half before it, then behind it; seen a little left of
         // the middle and a little right of it, where there is no surface.
         for (const auto& [surface, seenLeft] : {std::pair{5.0, Level{200, 0, 0}}, std::pair{12.0, Level{100, 128, 0}}}) {
-            drawn.scene.show(std::make_shared<const ScreenPicture>(tiltedSurface(64, surface, 0.0)), cameraOn(*volume, {}));
+            ScreenPicture picture = tiltedSurface(64, surface, 0.0);
+            picture.endsAtOpaqueProps = true;  // so that no depth test would hide that it is drawn twice
+            drawn.scene.show(std::make_shared<const ScreenPicture>(std::move(picture)), cameraOn(*volume, {}));
             drawn.draw();
             const Level left = drawn.at(30, 32), right = drawn.at(33, 32);
             for (std::size_t channel = 0; channel < 3; ++channel) {
