@@ -1,7 +1,7 @@
 // Who renders: the choice, what OpenGL says about itself, and volumes that the graphics card cannot take.
-#include <QTest>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkVolumeProperty.h>
+#include <QTest>
 
 #include "tests/volume_view/drawn_scene.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
@@ -46,7 +46,8 @@ private slots:
         QTest::newRow("llvmpipe") << "llvmpipe (LLVM 15.0.6, 256 bits)" << true;
         QTest::newRow("softpipe") << "softpipe" << true;
         QTest::newRow("SWR") << "SWR (LLVM 11.0.1, 256 bits)" << true;
-        QTest::newRow("SwiftShader") << "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)" << true;
+        QTest::newRow("SwiftShader")
+            << "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)" << true;
         QTest::newRow("Software Rasterizer") << "Software Rasterizer" << true;
         QTest::newRow("Intel") << "Mesa Intel(R) UHD Graphics 620 (KBL GT2)" << false;
         QTest::newRow("AMD") << "AMD Radeon RX 6700 XT (radeonsi, navi22, LLVM 15.0.6, DRM 3.49)" << false;

@@ -1,9 +1,9 @@
 // VTK's own opaque actors inside, before and behind the volume: what is seen, and what finding their depths costs.
+#include <vtkActor.h>
+#include <vtkTextActor.h>
 #include <QDir>
 #include <QImage>
 #include <QTest>
-#include <vtkActor.h>
-#include <vtkTextActor.h>
 
 #include <array>
 #include <cmath>
@@ -34,8 +34,8 @@ struct Ray {
 
 Ray rayThrough(const Camera& camera, int x, int y, int size) {
     const bool parallel = camera.projection == Projection::parallel;
-    const double height = parallel ? camera.heightMm
-                                   : 2 * camera.distanceMm * std::tan(camera.viewAngleDegrees * std::numbers::pi / 360);
+    const double height =
+        parallel ? camera.heightMm : 2 * camera.distanceMm * std::tan(camera.viewAngleDegrees * std::numbers::pi / 360);
     const Vec3 inPlane = camera.frame.right * ((x + 0.5 - size / 2.0) * height / size) +
                          camera.frame.down * ((y + 0.5 - size / 2.0) * height / size);
     if (parallel) return {camera.focalPoint + inPlane - camera.frame.forward * 1000, camera.frame.forward};
@@ -121,9 +121,12 @@ private slots:
     void aBallHalfInsideIsRightFromAllSides_data() {
         QTest::addColumn<View>("view");
         QTest::addColumn<Projection>("projection");
-        const std::array<std::pair<const char*, BeamAxis>, 6> sides{
-            {{"+x", BeamAxis::plusX}, {"-x", BeamAxis::minusX}, {"+y", BeamAxis::plusY},
-             {"-y", BeamAxis::minusY}, {"+z", BeamAxis::plusZ}, {"-z", BeamAxis::minusZ}}};
+        const std::array<std::pair<const char*, BeamAxis>, 6> sides{{{"+x", BeamAxis::plusX},
+                                                                     {"-x", BeamAxis::minusX},
+                                                                     {"+y", BeamAxis::plusY},
+                                                                     {"-y", BeamAxis::minusY},
+                                                                     {"+z", BeamAxis::plusZ},
+                                                                     {"-z", BeamAxis::minusZ}}};
         for (const auto& [name, axis] : sides) QTest::newRow(name) << View{axis, 0, 0, 0, 0} << Projection::parallel;
         QTest::newRow("turned") << View{BeamAxis::plusY, 35, -20, 30, 0} << Projection::parallel;
         QTest::newRow("perspective") << View{BeamAxis::minusX, 30, 25, 0, 0} << Projection::perspective;
@@ -134,7 +137,8 @@ private slots:
         const HalfInside half;
         DrawnScene drawn(pixels, pixels);
         drawn.scene.setVolume(half.volume);
-        vtkNew<vtkActor> ball = sphereAt(half.centre, half.radius, {half.ballColour[0], half.ballColour[1], half.ballColour[2]}, 256);
+        vtkNew<vtkActor> ball =
+            sphereAt(half.centre, half.radius, {half.ballColour[0], half.ballColour[1], half.ballColour[2]}, 256);
         drawn.scene.renderer()->AddActor(ball);
         drawn.draw();
 
@@ -166,8 +170,12 @@ private slots:
                 onBall += half.ballAt(ray) < infinite;
                 for (int channel = 0; channel < 3; ++channel) {
                     QVERIFY2(std::abs(seen[static_cast<std::size_t>(channel)] - expected[channel]) <= tolerance,
-                             qPrintable(QString("pixel %1, %2 channel %3: %4 instead of %5").arg(x).arg(y).arg(channel)
-                                            .arg(seen[static_cast<std::size_t>(channel)]).arg(expected[channel])));
+                             qPrintable(QString("pixel %1, %2 channel %3: %4 instead of %5")
+                                            .arg(x)
+                                            .arg(y)
+                                            .arg(channel)
+                                            .arg(seen[static_cast<std::size_t>(channel)])
+                                            .arg(expected[channel])));
                 }
             }
         }
@@ -203,7 +211,8 @@ private slots:
                 ++onBall;
                 const double expected = camera.frame.forward.dot(ray.origin + ray.direction * along);
                 // A facet lies up to 0.0008 mm below the ball, seen aslant up to a few times that.
-                QVERIFY2(std::abs(found - expected) < 0.01, qPrintable(QString("%1 instead of %2").arg(found).arg(expected)));
+                QVERIFY2(std::abs(found - expected) < 0.01,
+                         qPrintable(QString("%1 instead of %2").arg(found).arg(expected)));
             }
         }
         QVERIFY(onBall > 400);

@@ -1,13 +1,13 @@
 // The volume through VTK's GPU mapper, here on whatever OpenGL there is, against the software ray caster. Pictures of
 // both and of their difference go into the folder that ECHOLUCENT_TEST_PICTURES names, where it is set.
-#include <QDir>
-#include <QImage>
-#include <QTest>
 #include <vtkActor.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPropPicker.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
+#include <QDir>
+#include <QImage>
+#include <QTest>
 
 #include <array>
 #include <cmath>
@@ -144,8 +144,8 @@ private slots:
         QTest::addColumn<double>("tolerance");  // levels of root mean square
         const auto bytes = smallFetus();
         // With small steps what is left is where a ray's first sample lies, the last 1/255 of opacity and 8 bits; with
-        // steps of a unit the samples of the two lie up to a unit apart, which in speckle is another value. At the rim of
-        // the data the card knows the nearest voxel only.
+        // steps of a unit the samples of the two lie up to a unit apart, which in speckle is another value. At the rim
+        // of the data the card knows the nearest voxel only.
         QTest::newRow("8 bit") << bytes << Projection::parallel << 0.2 << 1.0;
         QTest::newRow("12 bit") << smallFetus(12) << Projection::parallel << 0.2 << 1.0;
         QTest::newRow("float") << asFloat(*bytes) << Projection::parallel << 0.2 << 1.0;
@@ -254,17 +254,20 @@ private slots:
         QVERIFY(!throughTheCard(card, volume, haze, settings).isNull());
         // 19.5 mm of haze before the ball's front at z 19.
         const double transmittance = std::pow(0.97, 19.5);
-        const Vec3 expected = (colourOf(settings.colourMap, 200 / 255.0) * (1 - transmittance) + Vec3{0, 0, transmittance}) * 255.0;
+        const Vec3 expected =
+            (colourOf(settings.colourMap, 200 / 255.0) * (1 - transmittance) + Vec3{0, 0, transmittance}) * 255.0;
         const Level seen = card.at(size / 2, size / 2);
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            QVERIFY2(std::abs(seen[channel] - expected[static_cast<int>(channel)]) < 3,
-                     qPrintable(QString("%1 instead of %2").arg(seen[channel]).arg(expected[static_cast<int>(channel)])));
+            QVERIFY2(
+                std::abs(seen[channel] - expected[static_cast<int>(channel)]) < 3,
+                qPrintable(QString("%1 instead of %2").arg(seen[channel]).arg(expected[static_cast<int>(channel)])));
         }
     }
 
     void aZoomedCameraInsideTheVolumeSeesAllOfIt() {
         const auto volume = smallFetus();
-        CameraPose pose = fittedPose(volume->geometry(), View{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 1.0);
+        CameraPose pose =
+            fittedPose(volume->geometry(), View{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 1.0);
         pose.heightMm /= 6;  // parallel: VTK's camera stands inside the volume now
         RayCastSettings settings = settingsFor(*volume, pose.view, Projection::parallel, 0.2);
         settings.camera = cameraFor(pose);
@@ -280,8 +283,10 @@ private slots:
     void thinVolumesAreDrawn() {
         using Voxels = std::array<std::int64_t, 3>;
         QFETCH(Voxels, voxels);
-        const auto volume = volumeOf(geometryOf(voxels[0], voxels[1], voxels[2]), [](double, double, double) { return 180; });
-        const RayCastSettings settings = settingsFor(*volume, View{BeamAxis::plusZ, 30, 20, 0, 0}, Projection::parallel, 0.02);
+        const auto volume =
+            volumeOf(geometryOf(voxels[0], voxels[1], voxels[2]), [](double, double, double) { return 180; });
+        const RayCastSettings settings =
+            settingsFor(*volume, View{BeamAxis::plusZ, 30, 20, 0, 0}, Projection::parallel, 0.02);
         compare(volume, ManualCurve{{{0.0, 0.5}, {1.0, 0.5}}}, settings, 2.0);
     }
 
@@ -291,7 +296,8 @@ private slots:
         const RayCastSettings settings = settingsFor(*volume, {}, Projection::parallel, 0.5);
         DrawnScene drawn(size, size);
         const QImage card = throughTheCard(drawn, volume, curve, settings);
-        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(size, size, {0, 90, 0, 255})), settings.camera);
+        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(size, size, {0, 90, 0, 255})),
+                         settings.camera);
         drawn.draw();
         QCOMPARE(drawn.at(50, 50), (Level{0, 90, 0}));
         drawn.scene.showLive(settings.camera, settings);
@@ -324,7 +330,8 @@ private:
         const QString name = QString(QTest::currentTestFunction()) + " " + QTest::currentDataTag();
         keepPictures(name + (volume->dataMask().empty() ? "" : " masked"), ours, theirs);
         const Difference difference = differenceOf(ours, theirs);
-        qInfo("%s: %.2f levels of root mean square, %.2f of mean", qPrintable(name), difference.rootMeanSquare, difference.mean);
+        qInfo("%s: %.2f levels of root mean square, %.2f of mean", qPrintable(name), difference.rootMeanSquare,
+              difference.mean);
         QVERIFY2(difference.rootMeanSquare < tolerance, qPrintable(QString::number(difference.rootMeanSquare)));
         QImage black(size, size, QImage::Format_RGB888);
         black.fill(Qt::black);

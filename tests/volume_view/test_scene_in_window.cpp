@@ -1,9 +1,9 @@
 // The scene in a window as the program shows it: OpenGL belongs to Qt there, and depths are read between drawings.
-#include <QTest>
 #include <QVTKOpenGLWindow.h>
 #include <vtkActor.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <QTest>
 
 #include <QApplication>
 #include <cmath>

@@ -1,5 +1,4 @@
 // The volume's surface in VTK's depth buffer: what it hides, who finds it; and VTK's limits of the volume.
-#include <QTest>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkHardwareSelector.h>
@@ -8,6 +7,7 @@
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkWorldPointPicker.h>
+#include <QTest>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,8 @@ ScreenPicture tiltedSurface(int size, double nearest, double mmPerColumn) {
         for (int x = 0; x < size; ++x) {
             picture.depthMm.push_back(x < size / 2 ? static_cast<float>(nearest + mmPerColumn * x)
                                                    : std::numeric_limits<float>::infinity());
-            if (x >= size / 2) std::fill_n(&picture.rgba[4 * static_cast<std::size_t>(y * size + x)], 4, std::uint8_t{0});
+            if (x >= size / 2)
+                std::fill_n(&picture.rgba[4 * static_cast<std::size_t>(y * size + x)], 4, std::uint8_t{0});
         }
     }
     return picture;
@@ -103,7 +104,8 @@ private slots:
         const auto volume = ballInTheCorner();
         DrawnScene drawn(40, 40);
         drawn.scene.setVolume(volume);
-        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(40, 40, {90, 90, 90, 255})), cameraOn(*volume, {}));
+        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(40, 40, {90, 90, 90, 255})),
+                         cameraOn(*volume, {}));
         drawn.draw();
         QCOMPARE(drawn.windowDepthAt(20, 20), 1.0);
     }
@@ -119,7 +121,8 @@ private slots:
         drawn.scene.renderer()->AddActor(glass);
         // The ball's front is at 9.5 mm, the surface in the left half before it, then behind it; seen a little left of
         // the middle and a little right of it, where there is no surface.
-        for (const auto& [surface, seenLeft] : {std::pair{5.0, Level{200, 0, 0}}, std::pair{12.0, Level{100, 128, 0}}}) {
+        for (const auto& [surface, seenLeft] :
+             {std::pair{5.0, Level{200, 0, 0}}, std::pair{12.0, Level{100, 128, 0}}}) {
             ScreenPicture picture = tiltedSurface(64, surface, 0.0);
             picture.endsAtOpaqueProps = true;  // so that no depth test would hide that it is drawn twice
             drawn.scene.show(std::make_shared<const ScreenPicture>(std::move(picture)), cameraOn(*volume, {}));

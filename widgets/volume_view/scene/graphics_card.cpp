@@ -51,7 +51,7 @@ bool isSoftwareOpenGl(std::string_view renderer) {
     std::string lower(renderer);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    constexpr std::array names{"llvmpipe",    "softpipe",    "swr",    "software rasterizer",
+    constexpr std::array names{"llvmpipe",    "softpipe",    "swr",      "software rasterizer",
                                "swiftshader", "gdi generic", "mesa x11", "microsoft basic render"};
     return std::any_of(names.begin(), names.end(),
                        [&](const char* name) { return lower.find(name) != std::string::npos; });

@@ -118,9 +118,9 @@ void setLight(vtkUniforms& uniforms, const Volume& volume, const RayCastSettings
               normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]));
     setVector(uniforms, "ecShadowTint", shadowTintOf(look.colourMap));
     setVector(uniforms, "ecUnitsPerVoxel", unitsPerVoxel);
-    setVector(uniforms, "ecReachVoxels", {shading.gradientReach / unitsPerVoxel[0],
-                                          shading.gradientReach / unitsPerVoxel[1],
-                                          shading.gradientReach / unitsPerVoxel[2]});
+    setVector(uniforms, "ecReachVoxels",
+              {shading.gradientReach / unitsPerVoxel[0], shading.gradientReach / unitsPerVoxel[1],
+               shading.gradientReach / unitsPerVoxel[2]});
     setNumber(uniforms, "ecWhite", volume.whiteLevel());
     setNumber(uniforms, "ecAmbient", shading.ambient);
     setNumber(uniforms, "ecDiffuse", shading.diffuse);

@@ -9,12 +9,12 @@ class vtkShaderProperty;
 
 namespace echolucent {
 
-/// Light, depth colouring and what a ray without samples shows. VTK's own shading stays off: its light knows no share of
-/// surface, no shadow tint and no reach of the gradient, and speckle becomes snow under it.
+/// Light, depth colouring and what a ray without samples shows. VTK's own shading stays off: its light knows no share
+/// of surface, no shadow tint and no reach of the gradient, and speckle becomes snow under it.
 class GraphicsCardShader {
 public:
-    /// Sets the parts of a shader that a look needs. Only another kind of look makes VTK compose its shader anew; light,
-    /// tints and camera are plain parameters.
+    /// Sets the parts of a shader that a look needs. Only another kind of look makes VTK compose its shader anew;
+    /// light, tints and camera are plain parameters.
     void set(vtkShaderProperty& shader, const Volume& volume, const RayCastSettings& look);
 
 private:

@@ -127,9 +127,9 @@ bool GraphicsCardVolume::fits(vtkOpenGLRenderWindow& window) {
     const auto& size = m_volume->geometry().size;
     vtkNew<vtkTextureObject> probe;
     probe->SetContext(&window);
-    const int type = std::visit([](const auto& voxels) {
-        return vtkTypeOf<typename std::decay_t<decltype(voxels)>::value_type>();
-    }, m_volume->voxels());
+    const int type =
+        std::visit([](const auto& voxels) { return vtkTypeOf<typename std::decay_t<decltype(voxels)>::value_type>(); },
+                   m_volume->voxels());
     m_checked = probe->AllocateProxyTexture3D(static_cast<unsigned>(size[0]), static_cast<unsigned>(size[1]),
                                               static_cast<unsigned>(size[2]), 1, type);
     if (!m_checked) m_failure = "The graphics card cannot hold the volume.";

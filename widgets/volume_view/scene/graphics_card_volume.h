@@ -23,9 +23,10 @@ class vtkWindow;
 namespace echolucent {
 
 /// Draws one volume through OpenGL with the camera of the renderer. Same box (half a voxel beyond the outermost voxel
-/// centres), step, interpolation, near cut, box, clipping planes, modes, curve, light and depth colouring as castRays().
-/// Different: samples are counted from where each ray enters the box; rays end at an opacity of 254/255; a sample is
-/// transparent where its nearest voxel has no data; no pre-integration; nothing is written into the depth buffer.
+/// centres), step, interpolation, near cut, box, clipping planes, modes, curve, light and depth colouring as
+/// castRays(). Different: samples are counted from where each ray enters the box; rays end at an opacity of 254/255; a
+/// sample is transparent where its nearest voxel has no data; no pre-integration; nothing is written into the depth
+/// buffer.
 class GraphicsCardVolume {
 public:
     GraphicsCardVolume();

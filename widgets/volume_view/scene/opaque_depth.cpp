@@ -127,15 +127,16 @@ std::shared_ptr<const DepthMap> OpaqueDepth::read(vtkRenderer& renderer, const C
         return nullptr;
     }
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer.GetRenderWindow());
-    const auto* foreign = vtkGenericOpenGLRenderWindow::SafeDownCast(window);
-    if (!window || (foreign && !const_cast<vtkGenericOpenGLRenderWindow*>(foreign)->GetReadyForRendering())) return nullptr;
+    auto* foreign = vtkGenericOpenGLRenderWindow::SafeDownCast(window);
+    if (!window || (foreign && !foreign->GetReadyForRendering())) return nullptr;
     made.propsChanged = lastChange(made.props);
     if (m_map && made == m_made) return m_map;
     DepthMap map = draw(renderer, *window, made);
     // Props that fit themselves to the camera while they are drawn are as new as this map.
     made.propsChanged = lastChange(made.props);
     m_made = std::move(made);
-    const bool same = m_map && m_map->width == map.width && m_map->height == map.height && m_map->depthMm == map.depthMm;
+    const bool same =
+        m_map && m_map->width == map.width && m_map->height == map.height && m_map->depthMm == map.depthMm;
     if (!same) m_map = std::make_shared<const DepthMap>(std::move(map));
     return m_map;
 }

@@ -30,8 +30,8 @@ public:
     static RayCastMapper* New();
     vtkTypeMacro(RayCastMapper, vtkVolumeMapper)
 
-    /// The picture drawn from now on; none: nothing is drawn.
-    void setPicture(std::shared_ptr<const ScreenPicture> picture);
+        /// The picture drawn from now on; none: nothing is drawn.
+        void setPicture(std::shared_ptr<const ScreenPicture> picture);
     /// What is drawn instead of the picture; null: the picture. It must outlive this mapper's next drawing.
     void setGraphicsCardVolume(GraphicsCardVolume* volume);
 

@@ -16,8 +16,10 @@ public:
     static SceneRenderer* New();
     vtkTypeMacro(SceneRenderer, vtkOpenGLRenderer)
 
-    /// The prop whose mapper is a RayCastMapper; must outlive this renderer's drawing.
-    void setPictureProp(vtkVolume* prop) { m_pictureProp = prop; }
+        /// The prop whose mapper is a RayCastMapper; must outlive this renderer's drawing.
+        void setPictureProp(vtkVolume* prop) {
+        m_pictureProp = prop;
+    }
 
     void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* buffers = nullptr) override;
 

@@ -1,9 +1,9 @@
 #include "widgets/volume_view/scene/volume_scene.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
-#include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
@@ -91,10 +91,7 @@ void VolumeScene::lookThrough(const Camera& camera) {
     vtkBoundingBox box(m_renderer->ComputeVisiblePropBounds());
     if (m_volume) {
         // VTK's bounds end at voxel centres.
-        box.AddPoint(m_volume->geometry().boxMinMm().val[0], m_volume->geometry().boxMinMm().val[1],
-                     m_volume->geometry().boxMinMm().val[2]);
-        box.AddPoint(m_volume->geometry().boxMaxMm().val[0], m_volume->geometry().boxMaxMm().val[1],
-                     m_volume->geometry().boxMaxMm().val[2]);
+        for (Vec3 corner : {m_volume->geometry().boxMinMm(), m_volume->geometry().boxMaxMm()}) box.AddPoint(corner.val);
     }
     if (!box.IsValid()) return;
     std::array<double, 6> bounds{};

@@ -33,8 +33,8 @@ public:
 
     /// For a render window; further actors may be added to it, in grid mm.
     [[nodiscard]] vtkRenderer* renderer();
-    /// The volume's prop, for pickers and widgets: its property carries the curve and the colours in use, its mapper the
-    /// clipping planes and the cropping that withSceneLimits() reads.
+    /// The volume's prop, for pickers and widgets: its property carries the curve and the colours in use, its mapper
+    /// the clipping planes and the cropping that withSceneLimits() reads.
     [[nodiscard]] vtkVolume* volumeProp() { return m_volumeProp; }
     [[nodiscard]] const ScaleBar& scaleBar() const { return m_scaleBar; }
 
@@ -43,9 +43,9 @@ public:
     void setTransfer(const OpacityCurve& curve, ColourMap colourMap);
     /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
-    /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing of
-    /// the window. Only where rendererFor(look) says graphicsCard; the curve is that of setTransfer(). Of the look, size
-    /// and opaqueDepth play no part.
+    /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing
+    /// of the window. Only where rendererFor(look) says graphicsCard; the curve is that of setTransfer(). Of the look,
+    /// size and opaqueDepth play no part.
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
@@ -72,7 +72,8 @@ public:
     void setRenderer(RendererChoice choice) { m_choice = choice; }
     [[nodiscard]] RendererChoice rendererChoice() const { return m_choice; }
     /// software or graphicsCard, for the volume in the scene. The graphics card is known once the window was drawn, and
-    /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after each.
+    /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after
+    /// each.
     [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
     /// The same for a look: some only the software ray caster has.
     [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look) const;

@@ -1,4 +1,5 @@
-// VTK's camera and ours. VTK's y is up and its camera looks from a position; ours has a frame whose second axis is down.
+// VTK's camera and ours. VTK's y is up and its camera looks from a position; ours has a frame whose second axis is
+// down.
 #pragma once
 
 #include <array>

@@ -23,9 +23,9 @@ namespace {
 constexpr int transferSamples = 1021;  // the 256 values of 8 bits and three between each two
 
 template <typename Stored>
-using ArrayOf = std::conditional_t<std::is_same_v<Stored, std::uint8_t>, vtkUnsignedCharArray,
-                                   std::conditional_t<std::is_same_v<Stored, std::uint16_t>, vtkUnsignedShortArray,
-                                                      vtkFloatArray>>;
+using ArrayOf =
+    std::conditional_t<std::is_same_v<Stored, std::uint8_t>, vtkUnsignedCharArray,
+                       std::conditional_t<std::is_same_v<Stored, std::uint16_t>, vtkUnsignedShortArray, vtkFloatArray>>;
 
 /// Points at voxel centres, or cells around them.
 vtkSmartPointer<vtkImageData> gridOf(const VolumeGeometry& geometry, bool cells) {
