@@ -17,8 +17,8 @@ namespace echolucent::ray_casting {
 /// One directional light as Shading says it, and the gradient's reach.
 struct LightSource {
     static constexpr int highlightIntervals = 1024;
-    /// A sample is lit as a surface where it adds at least that much to its pixel's opacity.
-    static constexpr float worthGradient = 1.0f / 128;
+    /// A reference step is lit as a surface where it adds at least that much to its pixel's opacity.
+    static constexpr double worthGradient = 1.0 / 128;
 
     std::array<float, 3> towardsLight{};  ///< unit, grid mm
     std::array<double, 3> reach{};        ///< voxels
@@ -57,6 +57,7 @@ struct KernelJob {
     const TransferTable* table = nullptr;
     const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed
+    float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null: nothing may be jumped over
     const std::uint8_t* missing = nullptr;    ///< BrickRanges; null: all voxels carry data

@@ -63,6 +63,7 @@ public:
         m_rays = &rays;
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
+        castCut(packet.rays().head);
         for (std::int64_t next = packet.first(); next < packet.last();) {
             const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
@@ -76,14 +77,45 @@ public:
             }
             if (!anyAlive()) return;
         }
+        castCut(packet.rays().tail);
     }
 
 private:
     [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_rays->kept == nullptr; }
 
+    /// The part of a step at the begin or the end of each ray.
+    void castCut(const CutSteps<lanes>& cut) {
+        bool any = false;
+        for (int i = 0; i < lanes; ++i) any = any || cut.length[i] > 0.0;
+        if (!any) return;
+        if (m_rays->packet.longestCommonRun() > 0) {
+            blendCut(m_rays->packet.run(cut, -1), cut);
+            return;
+        }
+        for (int lane = 0; lane < lanes; ++lane)
+            if (cut.length[lane] > 0.0) blendCut(m_rays->packet.run(cut, lane), cut);
+    }
+
+    HWY_NOINLINE void blendCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) {
+        prepareLanes(cut.at, 0.0);
+        const Floats floats;
+        alignas(64) float length[lanes];
+        for (int i = 0; i < lanes; ++i) length[i] = static_cast<float>(cut.length[i]);
+        Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
+        const auto number = set(0.0f);
+        const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
+        const auto position = sampled(run, run.at(number), run.inRange(number));
+        const auto whole = opacityAt(hn::Max(position, number));
+        // 1 - (1 - opacity)^length.
+        const auto part = hn::Neg(hn::Expm1(floats, hn::Mul(hn::Load(floats, length), hn::Log1p(floats, hn::Neg(whole)))));
+        blendRich(run, number, position, hn::IfThenElse(hn::Ge(whole, set(1.0f)), whole, part), alive, blend);
+        add(blend);
+    }
+
     /// The number of samples done: all of the run, or up to where nothing more of it shows.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
-        prepareLanes(run);
+        for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
+        prepareLanes(m_middle, 1.0);
         const Floats floats;
         const bool stored = prepareKept(run);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
@@ -102,45 +134,51 @@ private:
             if (m_job.preIntegration != nullptr)
                 for (std::int64_t i = block; i < last; ++i) blendSegment(run, i, alive, before, blend);
             else if (m_rich)
-                for (std::int64_t i = block; i < last; ++i) blendRich(run, i, alive, stored, blend);
+                for (std::int64_t i = block; i < last; ++i) {
+                    const auto number = set(static_cast<float>(i));
+                    const auto position = positionOf(run, i, number, stored);
+                    blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
+                }
             else if (full)
                 for (std::int64_t i = block; i < last; ++i) blendSample<true>(run, i, alive, stored, blend);
             else
                 for (std::int64_t i = block; i < last; ++i) blendSample<false>(run, i, alive, stored, blend);
         }
-        add(run, blend);
+        add(blend);
         const std::int64_t done = std::min(block, run.count);
         if (m_rays->kept != nullptr && !stored)
             m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
         return block == 0 ? run.count : done;
     }
 
-    /// A run's opacity above which a ray ends, and at which the pixel's opacity is one half.
-    void prepareLanes(const Run<Voxel>& run) {
+    /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's opacity is
+    /// one half; depths.
+    void prepareLanes(const double (&at)[lanes], double perSample) {
         const double (&transmittance)[lanes] = m_rays->gathered.transmittance;
         for (int i = 0; i < lanes; ++i) {
             const bool ended = transmittance[i] <= 0.0 || transmittance[i] < m_job.endTransmittance;
             const double limit = 1.0 - m_job.endTransmittance / (ended ? 1.0 : transmittance[i]);
             m_limit[i] = static_cast<float>(ended ? -1.0 : limit);
         }
-        if (m_rich || m_job.preIntegration != nullptr)
-            for (int i = 0; i < lanes; ++i) {
-                m_half[i] = transmittance[i] > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance[i]) : 2.0f;
-                m_before[i] = static_cast<float>(transmittance[i]);
-            }
-        if (m_job.depthTint == nullptr) return;
-        const DepthTint& depth = *m_job.depthTint;
+        if (!m_rich && m_job.preIntegration == nullptr) return;
         const RayBundle<lanes>& rays = m_rays->packet.rays();
         for (int i = 0; i < lanes; ++i) {
-            const double from = rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + 0.5);
-            m_tintStart[i] = static_cast<float>((from - depth.nearDepthMm) * depth.perMm);
-            m_tintStep[i] = static_cast<float>(rays.depthStepMm[i] * depth.perMm);
+            m_half[i] = transmittance[i] > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance[i]) : 2.0f;
+            m_before[i] = static_cast<float>(transmittance[i]);
+            m_depthMm[i] = rays.depthMm[i] + rays.depthStepMm[i] * at[i];
+            m_depthStepMm[i] = rays.depthStepMm[i] * perSample;
+        }
+        if (m_job.depthTint == nullptr) return;
+        const DepthTint& depth = *m_job.depthTint;
+        for (int i = 0; i < lanes; ++i) {
+            m_tintStart[i] = static_cast<float>((m_depthMm[i] - depth.nearDepthMm) * depth.perMm);
+            m_tintStep[i] = static_cast<float>(m_depthStepMm[i] * depth.perMm);
         }
     }
     [[nodiscard]] bool anyAlive() const {
         double most = 0.0;
         for (int i = 0; i < lanes; ++i) {
-            const bool isRay = m_rays->packet.rays().first[i] < m_rays->packet.rays().last[i];
+            const bool isRay = m_rays->packet.rays().enter[i] < m_rays->packet.rays().leave[i];
             most = std::max(most, isRay ? m_rays->gathered.transmittance[i] : 0.0);
         }
         return most > 0.0 && most >= m_job.endTransmittance;
@@ -209,19 +247,18 @@ private:
     }
 
     /// The same with light, tint and depth.
-    HWY_INLINE void blendRich(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
+    HWY_INLINE void blendRich(const Run<Voxel>& run, FloatVector number, FloatVector position, FloatVector stepOpacity,
+                              LaneMask alive, Blend& blend) {
         const Floats floats;
-        const auto number = set(static_cast<float>(i));
-        auto position = positionOf(run, i, number, stored);
         const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Ge(position, set(0.0f)));
         position = hn::Max(position, set(0.0f));
-        const auto opacity = hn::IfThenElseZero(active, opacityAt(position));
+        const auto opacity = hn::IfThenElseZero(active, stepOpacity);
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         Colour colour = m_colours.at(position);
         if (m_rays->light) {
             const Light<Voxel>& light = *m_rays->light;
             const auto seen = hn::Mul(added, hn::Load(floats, m_before));
-            const auto worth = hn::Ge(seen, set(LightSource::worthGradient));
+            const auto worth = hn::Ge(seen, set(m_job.worthGradient));
             auto factor = set(light.even());
             if (!hn::AllFalse(floats, worth))
                 factor = hn::IfThenElse(worth, light.factorAt(run, run.at(number), worth), factor);
@@ -298,26 +335,23 @@ private:
         const auto mean = [&](int component) {
             return hn::Mul(hn::Sub(integralAt(b, component), integralAt(a, component)), perInterval);
         };
-        const auto extinction = hn::Max(mean(3), set(0.0f));
+        const auto extinction = hn::Max(mean(0), set(0.0f));
         const auto visible = hn::And(far, hn::Gt(extinction, set(1e-12f)));
-        const auto perExtinction = hn::Div(set(1.0f), hn::IfThenElse(visible, extinction, set(1.0f)));
-        const auto channel = [&](int c, FloatVector otherwise) {
-            return hn::IfThenElse(visible, hn::Min(hn::Max(hn::Mul(mean(c), perExtinction), set(0.0f)), set(1.0f)), otherwise);
-        };
-        colour = {channel(0, colour.red), channel(1, colour.green), channel(2, colour.blue)};
+        const auto seen = hn::Div(mean(1), hn::IfThenElse(visible, extinction, set(1.0f)));
+        const auto inside = hn::Min(hn::Max(hn::Mul(seen, set(1.0f / scale)), hn::Min(front, back)), hn::Max(front, back));
+        colour = m_colours.at(hn::IfThenElse(visible, inside, middle));
         return hn::IfThenElse(far, hn::Neg(hn::Expm1(floats, hn::Neg(extinction))), point);
     }
     HWY_INLINE FloatVector integralAt(FloatVector position, int component) const {
         const Floats floats;
         const auto left = hn::ConvertTo(Ints(), position);
-        const auto index = hn::Add(hn::ShiftLeft<2>(left), set(std::int32_t{component}));
-        const float* integrals = m_job.preIntegration->integrals();
-        return between(hn::GatherIndex(floats, integrals, index), hn::GatherIndex(floats, integrals + 4, index),
+        const float* integrals = m_job.preIntegration->integrals(component);
+        return between(hn::GatherIndex(floats, integrals, left), hn::GatherIndex(floats, integrals + 1, left),
                        hn::Sub(position, hn::ConvertTo(floats, left)));
     }
 
     /// Puts a run behind what the rays have gathered.
-    void add(const Run<Voxel>& run, const Blend& blend) {
+    void add(const Blend& blend) {
         const Floats floats;
         alignas(64) float opacity[lanes], colour[3][lanes], half[lanes];
         hn::Store(blend.opacity, floats, opacity);
@@ -332,11 +366,10 @@ private:
             m_rays->gathered.transmittance[i] -= m_rays->gathered.transmittance[i] * static_cast<double>(opacity[i]);
         if (!m_rich && m_job.preIntegration == nullptr) return;
         hn::Store(blend.half, floats, half);
-        const RayBundle<lanes>& rays = m_rays->packet.rays();
         for (int i = 0; i < lanes; ++i)
             if (half[i] >= 0.0f)
-                m_rays->gathered.depthMm[i] = static_cast<float>(
-                    rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + static_cast<double>(half[i]) + 0.5));
+                m_rays->gathered.depthMm[i] =
+                    static_cast<float>(m_depthMm[i] + m_depthStepMm[i] * static_cast<double>(half[i]));
     }
 
     const KernelJob<Voxel>& m_job;
@@ -344,6 +377,7 @@ private:
     bool m_rich = false;
     DirectRays<Voxel>* m_rays = nullptr;
     alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];
+    alignas(64) double m_middle[lanes], m_depthMm[lanes], m_depthStepMm[lanes];
 };
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

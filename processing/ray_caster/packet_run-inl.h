@@ -49,14 +49,6 @@ struct Extent {
             highOrigin[axis] = highStep[axis] = -1e300;
         }
     }
-    void add(const Extent& other) {
-        for (int axis = 0; axis < 3; ++axis) {
-            lowOrigin[axis] = std::min(lowOrigin[axis], other.lowOrigin[axis]);
-            highOrigin[axis] = std::max(highOrigin[axis], other.highOrigin[axis]);
-            lowStep[axis] = std::min(lowStep[axis], other.lowStep[axis]);
-            highStep[axis] = std::max(highStep[axis], other.highStep[axis]);
-        }
-    }
     /// A box that holds all samples from `first` to before `last`.
     void findBox(double first, double last, double (&low)[3], double (&high)[3]) const {
         for (int axis = 0; axis < 3; ++axis) {
@@ -75,16 +67,14 @@ public:
         // Pixels beyond the picture's edge cast nothing.
         for (int i = 0; i < lanes; ++i)
             if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
-                m_rays.first[i] = m_rays.last[i] = 0.0;
+                m_rays.remove(i);
         findExtent();
     }
 
-    [[nodiscard]] bool empty() const { return m_first >= m_last; }
+    [[nodiscard]] bool empty() const { return !m_any; }
     [[nodiscard]] std::int64_t first() const { return m_first; }
     [[nodiscard]] std::int64_t last() const { return m_last; }
     [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
-
-    [[nodiscard]] const Extent& extent() const { return m_extent; }
 
     /// Samples from `sample` on, a multiple of blockSize, that show nothing on any ray; a multiple of blockSize too.
     [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
@@ -121,14 +111,44 @@ public:
         run.count = std::min(count, m_last - first);
         double low[3], high[3];
         findBox(first, lane, run.count, low, high);
-        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        locate(run, low, high);
         setLanes(run, lane);
-        const PackedVoxels<Voxel>& voxels = *m_job.voxels;
-        const std::int64_t offset =
-            run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
-        run.volume = {voxels.cells() + offset * voxelsPerCell, nullptr, voxels.rowStride(), voxels.sliceStride()};
-        if (m_job.missing != nullptr && touchesMissing(low, high))
-            run.volume.mask = voxels.mask() + offset * voxelsPerCell;
+        return run;
+    }
+
+    /// Cut steps as a run of one sample. lane: of that ray alone; -1: of all.
+    [[nodiscard]] Run<Voxel> run(const CutSteps<lanes>& cut, int lane) const {
+        Run<Voxel> run{};
+        run.count = 1;
+        double low[3], high[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = 1e300;
+            high[axis] = 0.0;
+            for (int i = 0; i < lanes; ++i) {
+                if (cut.length[i] <= 0.0 || (lane >= 0 && i != lane)) continue;
+                const double at = m_rays.origin[axis][i] + m_rays.step[axis][i] * cut.at[i] + cellShift;
+                low[axis] = std::max(0.0, std::min(low[axis], at));
+                high[axis] = std::max(high[axis], at);
+            }
+        }
+        locate(run, low, high);
+        const Floats floats;
+        const auto along = [&](int axis) {
+            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            return inFloats([&](auto doubles, int i) {
+                const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
+                const auto steps = hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Load(doubles, cut.at + i));
+                return hn::Mul(hn::Add(hn::Add(origin, steps), hn::Set(doubles, shift)), hn::Set(doubles, double{oneCell}));
+            });
+        };
+        run.startX = along(0);
+        run.startY = along(1);
+        run.startZ = along(2);
+        run.stepX = run.stepY = run.stepZ = run.begin = set(0.0f);
+        const auto length = inFloats([&](auto doubles, int i) { return hn::Load(doubles, cut.length + i); });
+        run.end = hn::IfThenElseZero(hn::Gt(length, set(0.0f)), set(1.0f));
+        if (lane >= 0)
+            run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
         return run;
     }
 
@@ -139,13 +159,17 @@ public:
 
 private:
     void findExtent() {
-        double first = 1e18, last = -1.0;
+        double first = 1e18, last = 0.0, farthest = 0.0;
         for (int i = 0; i < lanes; ++i) {
-            if (m_rays.first[i] >= m_rays.last[i]) continue;
-            first = std::min(first, m_rays.first[i]);
-            last = std::max(last, m_rays.last[i]);
+            if (m_rays.enter[i] >= m_rays.leave[i]) continue;
+            m_any = true;
+            farthest = std::max(farthest, m_rays.leave[i]);
+            if (m_rays.first[i] < m_rays.last[i]) {
+                first = std::min(first, m_rays.first[i]);
+                last = std::max(last, m_rays.last[i]);
+            }
             for (int axis = 0; axis < 3; ++axis) {
-                // In cells, at sample -0.5.
+                // In cells, at the begin of step 0.
                 const double origin = m_rays.origin[axis][i] + cellShift, step = m_rays.step[axis][i];
                 m_extent.lowOrigin[axis] = std::min(m_extent.lowOrigin[axis], origin);
                 m_extent.highOrigin[axis] = std::max(m_extent.highOrigin[axis], origin);
@@ -153,13 +177,15 @@ private:
                 m_extent.highStep[axis] = std::max(m_extent.highStep[axis], step);
             }
         }
-        if (last < 0.0) return;
-        m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
-        m_last = static_cast<std::int64_t>(last);
+        if (!m_any) return;
+        if (last > 0.0) {
+            m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
+            m_last = static_cast<std::int64_t>(last);
+        }
         double widest = 0.0;
         for (int axis = 0; axis < 3; ++axis)
             widest = std::max(widest, m_extent.highOrigin[axis] - m_extent.lowOrigin[axis] +
-                                          (m_extent.highStep[axis] - m_extent.lowStep[axis]) * static_cast<double>(m_last));
+                                          (m_extent.highStep[axis] - m_extent.lowStep[axis]) * farthest);
         m_longestRun = runWithin(widest);
     }
 
@@ -191,6 +217,16 @@ private:
             low[axis] = std::clamp(low[axis], 0.0, cells);
             high[axis] = std::clamp(high[axis], 0.0, cells);
         }
+    }
+
+    /// The corner from which a run in a box, in cells, is counted.
+    void locate(Run<Voxel>& run, const double (&low)[3], const double (&high)[3]) const {
+        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        const PackedVoxels<Voxel>& voxels = *m_job.voxels;
+        const std::int64_t offset =
+            run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
+        run.volume = {voxels.cells() + offset * voxelsPerCell, nullptr, voxels.rowStride(), voxels.sliceStride()};
+        if (m_job.missing != nullptr && touchesMissing(low, high)) run.volume.mask = voxels.mask() + offset * voxelsPerCell;
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {
@@ -259,6 +295,7 @@ private:
 
     const KernelJob<Voxel>& m_job;
     RayBundle<lanes> m_rays;
+    bool m_any = false;
     std::int64_t m_first = 0, m_last = 0;
     std::int64_t m_longestRun = longestRun;
     Extent m_extent;

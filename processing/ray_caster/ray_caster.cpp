@@ -124,6 +124,7 @@ private:
         job.rays = &rays;
         job.toTable = static_cast<float>(TransferTable::intervals / volume->whiteLevel());
         job.table = &table;
+        job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
         job.missing = m_ranges.missing().empty() ? nullptr : m_ranges.missing().data();
         job.mode = settings.mode;
@@ -141,7 +142,7 @@ private:
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
             if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
             if (settings.preIntegrated)
-                job.preIntegration = &preIntegration.emplace(curve, settings.colourMap, settings.step);
+                job.preIntegration = &preIntegration.emplace(curve, settings.step);
         }
         if (direct && settings.skipEmptySpace) {
             m_empty.update(m_ranges, table);

@@ -133,6 +133,8 @@ Ray RayGeometry::rayThrough(int column, int row) const {
         ray.step[axis] = bundle.step[axis][0];
         ray.direction[axis] = ray.step[axis] / (m_inverseSpacing[axis] * m_stepMm);
     }
+    ray.enter = bundle.enter[0];
+    ray.leave = bundle.leave[0];
     ray.first = static_cast<std::int64_t>(bundle.first[0]);
     ray.last = static_cast<std::int64_t>(bundle.last[0]);
     ray.depthMm = bundle.depthMm[0];
