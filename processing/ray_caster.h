@@ -139,7 +139,7 @@ struct Picture {
     /// Where findDepth was asked for: depth along camera.frame.forward from the grid origin, mm, of the sample at which
     /// the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the first);
     /// infinity where none does. Else empty.
-    std::vector<float> depthMm;
+    std::vector<float> depthMm{};
 };
 
 /// Renders the volume. Steps of parallel rays lie between planes across the view, counted from the near plane or the box's
