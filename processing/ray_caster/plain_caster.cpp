@@ -124,15 +124,66 @@ private:
         return depthOf(voxel) < opaqueDepth;
     }
 
+    /// A part of a ray, in steps from its origin.
+    struct Stretch {
+        double begin = 0.0, end = nowhere;
+        /// Keeps where value + slope * t >= 0.
+        void keep(double value, double slope) {
+            if (slope > 0.0) begin = std::max(begin, -value / slope);
+            if (slope < 0.0) end = std::min(end, -value / slope);
+            if (slope == 0.0 && value < 0.0) end = begin;
+        }
+    };
+
+    [[nodiscard]] Stretch renderedStretch(const ray_casting::Ray& ray, double opaqueDepth) const {
+        Stretch stretch;
+        const Vec3 origin = m_geometry.gridMmFromVoxel(ray.origin), step = m_geometry.gridMmFromVoxel(ray.step);
+        const auto keepInside = [&](const Vec3& low, const Vec3& high) {
+            for (int axis = 0; axis < 3; ++axis) {
+                stretch.keep(origin[axis] - low[axis], step[axis]);
+                stretch.keep(high[axis] - origin[axis], -step[axis]);
+            }
+        };
+        keepInside(m_geometry.boxMinMm(), m_geometry.boxMaxMm());
+        if (m_settings.box) keepInside(m_settings.box->low, m_settings.box->high);
+        for (const ClippingPlane& plane : m_settings.clippingPlanes)
+            stretch.keep((origin - plane.point).dot(plane.normal), step.dot(plane.normal));
+        const double depth = depthOf(ray.origin), depthStep = depthOf(ray.step);
+        if (std::isfinite(m_settings.nearPlaneDepthMm)) stretch.keep(depth - m_settings.nearPlaneDepthMm, depthStep);
+        if (opaqueDepth < nowhere) stretch.keep(opaqueDepth - depth, -depthStep);
+        return stretch;
+    }
+
+    /// Calls visit(stretch) for every step of a ray, or what is left of it, until it returns false.
+    template <typename Visit>
+    void walk(const ray_casting::Ray& ray, double opaqueDepth, const Visit& visit) const {
+        if (!m_casting.cutsSteps) {
+            for (std::int64_t k = ray.first; k < ray.last; ++k)
+                if (isRendered(ray.position(k), opaqueDepth) &&
+                    !visit({static_cast<double>(k), static_cast<double>(k + 1)}))
+                    return;
+            return;
+        }
+        const Stretch whole = renderedStretch(ray, opaqueDepth);
+        for (double k = std::floor(whole.begin); k < whole.end; ++k) {
+            const Stretch left{std::max(k, whole.begin), std::min(k + 1.0, whole.end)};
+            if (left.begin < left.end && !visit(left)) return;
+        }
+    }
+
+    static Vec3 placeOf(const ray_casting::Ray& ray, double steps) { return ray.origin + ray.step * steps; }
+    static Vec3 middleOf(const ray_casting::Ray& ray, const Stretch& stretch) {
+        return placeOf(ray, 0.5 * (stretch.begin + stretch.end));
+    }
+
     /// Eqs. 2 and 3.
     [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray, double opaqueDepth) const {
         PlainPixel pixel;
         double transmittance = 1.0;
-        for (std::int64_t k = ray.first; k < ray.last; ++k) {
-            const Vec3 voxel = ray.position(k);
-            if (!isRendered(voxel, opaqueDepth)) continue;
-            const Step step = m_preIntegrates ? segmentAround(voxel, ray.step) : sampleAt(voxel);
-            if (!(step.alpha > 0.0)) continue;
+        walk(ray, opaqueDepth, [&](const Stretch& stretch) {
+            const Vec3 voxel = middleOf(ray, stretch);
+            const Step step = m_preIntegrates ? segmentOf(ray, stretch) : sampleAt(voxel, stretch);
+            if (!(step.alpha > 0.0)) return true;
             const double seen = transmittance * step.alpha;
             Vec3 colour = step.colour;
             if (m_settings.shading) colour = lit(colour, voxel, ray.direction, seen);
@@ -141,8 +192,8 @@ private:
                 pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
             transmittance = stored(transmittance * (1.0 - step.alpha), m_casting.precision);
             if (pixel.depthMm == nowhere && transmittance <= 0.5) pixel.depthMm = depthOf(voxel);
-            if (transmittance < m_settings.terminationTransmittance) break;
-        }
+            return transmittance >= m_settings.terminationTransmittance;
+        });
         pixel.alpha = 1.0 - transmittance;
         return pixel;
     }
@@ -150,41 +201,40 @@ private:
     /// Maximum, minimum, mean.
     [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray, double opaqueDepth) const {
         PlainPixel pixel;
-        double shown = 0.0, sum = 0.0;
-        std::int64_t count = 0;
-        for (std::int64_t k = ray.first; k < ray.last; ++k) {
-            const Vec3 voxel = ray.position(k);
-            if (!isRendered(voxel, opaqueDepth)) continue;
+        double shown = 0.0, sum = 0.0, steps = 0.0;
+        walk(ray, opaqueDepth, [&](const Stretch& stretch) {
+            const Vec3 voxel = middleOf(ray, stretch);
             const auto intensity = m_sampler.intensityAt(voxel);
-            if (!intensity) continue;
-            const bool isShown = count == 0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
+            if (!intensity) return true;
+            const bool isShown = steps == 0.0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
                                  (m_settings.mode == RenderMode::minimum && *intensity < shown);
             if (isShown) {
                 shown = *intensity;
                 pixel.depthMm = depthOf(voxel);
             }
-            sum += *intensity;
-            ++count;
-        }
-        if (count == 0) return pixel;
-        if (m_settings.mode == RenderMode::mean) shown = sum / static_cast<double>(count);
+            sum += *intensity * (stretch.end - stretch.begin);
+            steps += stretch.end - stretch.begin;
+            return true;
+        });
+        if (steps == 0.0) return pixel;
+        if (m_settings.mode == RenderMode::mean) shown = sum / steps;
         pixel.colour = colourOf(m_settings.colourMap, shown);
         pixel.alpha = 1.0;
         return pixel;
     }
 
-    [[nodiscard]] Step sampleAt(const Vec3& voxel) const {
+    [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const {
         const auto intensity = m_sampler.intensityAt(voxel);
         if (!intensity) return {};
-        return {opacityForStep(opacityAt(m_curve, *intensity), m_settings.step),
-                colourOf(m_settings.colourMap, *intensity)};
+        const double length = m_settings.step * (stretch.end - stretch.begin);
+        return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
     }
 
-    [[nodiscard]] Step segmentAround(const Vec3& voxel, const Vec3& wholeStep) const {
-        const auto before = m_sampler.intensityAt(voxel - wholeStep * 0.5);
-        const auto behind = m_sampler.intensityAt(voxel + wholeStep * 0.5);
+    [[nodiscard]] Step segmentOf(const ray_casting::Ray& ray, const Stretch& stretch) const {
+        const auto before = m_sampler.intensityAt(placeOf(ray, stretch.begin));
+        const auto behind = m_sampler.intensityAt(placeOf(ray, stretch.end));
         if (!before && !behind) return {};
-        const double length = m_settings.step * (before && behind ? 1.0 : 0.5);
+        const double length = m_settings.step * (stretch.end - stretch.begin) * (before && behind ? 1.0 : 0.5);
         const Extinction extinction = m_segments->between(before ? *before : *behind, behind ? *behind : *before);
         return {-std::expm1(-length * extinction.mean), extinction.colour};
     }

@@ -24,15 +24,20 @@ struct PlainCasting {
     /// A sample that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
     /// 0: every sample is lit by its gradient, so that small steps converge; castRays() uses 1/128.
     double leastLitOpacity = 0.0;
+    /// Steps are cut where what is rendered begins and ends (volume and render box, near plane, clipping planes, opaque
+    /// depth): what is left counts with its length, sampled in its middle. Else each sample counts with a whole step or
+    /// not at all, as castRays() documents, and a ray errs by up to half a step at either end: on opaque faces of the
+    /// box by many levels, still at steps of 0.1. Converged references cut.
+    bool cutsSteps = false;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };
 
 /// The picture that castRays() documents, sample by sample in double: the same rays, pixel centres and sample places;
 /// opacity and colour straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends
-/// early only where terminationTransmittance is above 0. A sample counts where its place, the middle of its step, lies
-/// in the volume's box and in the render box (low corner included, high corner not), on each clipping plane or on the
-/// side that its normal points to, and nearer than the opaque depth of its pixel. Places in the outermost half voxel
-/// are read at the outermost voxel centres.
+/// early only where terminationTransmittance is above 0. Unless steps are cut, a sample counts where its place, the
+/// middle of its step, lies in the volume's box and in the render box (low corner included, high corner not), on each
+/// clipping plane or on the side that its normal points to, and nearer than the opaque depth of its pixel. Places in
+/// the outermost half voxel are read at the outermost voxel centres.
 ///
 /// Pre-integration (direct mode, unshaded): sample k stands for the segment of one step around it. With s0 and s1 the
 /// intensities at the segment's ends, half a step before and behind the sample (clamped to the outermost voxel centres

@@ -226,6 +226,57 @@ TEST(PlainCaster, RendersOnlyWhatBoxPlanesAndOpaqueDepthLeave) {
     EXPECT_NEAR(samplesSeen(opaqueAt(INFINITY, 1)), 20, few);
 }
 
+TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
+    const Volume volume = slab(20, 100);
+    const auto unitsSeen = [&](double step, auto change) {
+        RayCastSettings settings = greySettings(volume);
+        settings.step = step;
+        change(settings);
+        double units = 0.0;
+        for (const bool preIntegrated : {false, true}) {
+            settings.preIntegrated = preIntegrated;
+            const Picture picture = cast(volume, everywhere(0.1), settings, {.cutsSteps = true});
+            const double before = units;
+            units = std::log1p(-static_cast<double>(centreOf(picture)[3])) / std::log(0.9);
+            if (preIntegrated) {
+                EXPECT_NEAR(units, before, 1e-5);
+            }
+        }
+        return units;
+    };
+    for (const double step : {0.3, 1.0, 2.7, 50.0}) {
+        EXPECT_NEAR(unitsSeen(step, [](RayCastSettings&) {}), 20, 1e-5) << step;
+        EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.nearPlaneDepthMm = 4.2; }), 15.3, 1e-5) << step;
+        EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.box = RenderBox{{-9, -9, 3.1}, {99, 99, 7.4}}; }), 4.3, 1e-5);
+        EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, 2}}}; }), 13.3, 1e-5);
+        EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, -1}}}; }), 6.7, 1e-5);
+        EXPECT_NEAR(unitsSeen(step,
+                              [](auto& s) {
+                                  s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 1, {12.25f}});
+                              }),
+                    12.75, 1e-5);
+    }
+    // Obliquely: the length of every ray within the box, by its own arithmetic.
+    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
+    settings.step = 3.3;
+    const Picture picture = cast(volume, everywhere(0.1), settings, {.cutsSteps = true});
+    const Camera& camera = settings.camera;
+    for (int row = 0; row < 31; ++row)
+        for (int column = 0; column < 31; ++column) {
+            const double pixel = camera.heightMm / 31;
+            const Vec3 point = camera.focalPoint + camera.frame.right * ((column - 15) * pixel) +
+                               camera.frame.down * ((row - 15) * pixel);
+            double enter = -1e9, leave = 1e9;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double low = (-0.5 - point[axis]) / camera.frame.forward[axis];
+                const double high = ((axis == 2 ? 19.5 : 11.5) - point[axis]) / camera.frame.forward[axis];
+                enter = std::max(enter, std::min(low, high));
+                leave = std::min(leave, std::max(low, high));
+            }
+            EXPECT_NEAR(pixelAt(picture, column, row)[3], 1 - std::pow(0.9, std::max(0.0, leave - enter)), 1e-6);
+        }
+}
+
 TEST(PlainCaster, DepthColouringGoesFromTheNearTintToTheFarOne) {
     const Volume volume = slab(20, 255);
     RayCastSettings settings = greySettings(volume);
