@@ -28,7 +28,7 @@ struct RenderVariant {
 /// parameter at a time, then combinations; no setting twice. Shaded pictures have no pre-integration.
 [[nodiscard]] std::vector<RenderVariant> renderVariants(const RayCastSettings& reference);
 
-/// The plain route at the kernel's own rules, as castRays() documents them.
+/// The plain route by the rules that castRays() documents; the one place here that says whether the kernel cuts steps.
 [[nodiscard]] PlainCasting asTheKernel(CompositingPrecision precision = CompositingPrecision::twofold);
 
 /// Width and height divided and rounded, one pixel at least.

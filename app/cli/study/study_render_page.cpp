@@ -9,7 +9,7 @@ namespace echolucent::cli {
 
 namespace {
 
-constexpr int overviewEdge = 320, detailEdge = 144;  // pixels; the page stays below 1.5 MB
+constexpr int overviewEdge = 320, detailEdge = 160;  // pixels; the page stays below 1.5 MB
 constexpr double amplification = 8.0;
 
 /// Settings of one axis, by run time and RMSE.
@@ -105,6 +105,10 @@ void addPictures(HtmlPage& page, const RenderStudy& study, const RenderCase& one
     const Picture detail = middleOf(study.converged, detailEdge, detailEdge);
     page.picture(detail, "Its middle");
     RayCaster caster(one.volume);
+    page.picture(overviewOf(signedDifference(pictureOf(study.results.front().variant, one, caster), study.converged,
+                                             amplification),
+                            overviewEdge),
+                 "The reference setting's difference over the whole picture, reduced");
     for (const auto& [name, result] : shownResults(study)) {
         const Picture middle = middleOf(pictureOf(result->variant, one, caster), detailEdge, detailEdge);
         page.picture(middle, fmt::format("{}. {}: {}", result->letter, name, result->variant.name()));

@@ -9,9 +9,11 @@ namespace echolucent::cli {
 
 namespace {
 
-std::string milliseconds(const RenderResult& result) { return fmt::format("{:.3g}", result.milliseconds); }
-std::string ratio(const RenderResult& result) { return fmt::format("{:.3g}", result.timeRatio); }
 std::string levels(double value) { return fmt::format("{:.3g}", value); }
+std::string milliseconds(const RenderResult& result) {
+    return result.milliseconds < 100.0 ? levels(result.milliseconds) : fmt::format("{:.0f}", result.milliseconds);
+}
+std::string ratio(const RenderResult& result) { return fmt::format("{:.3g}", result.timeRatio); }
 std::string similarity(double value) { return fmt::format("{:.5f}", value); }
 
 std::vector<std::string> rowOf(const RenderResult& result) {

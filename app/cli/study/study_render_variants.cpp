@@ -72,16 +72,22 @@ void addPrecisions(VariantList& list) {
                 v.settings.step = step;
                 v.plain = asTheKernel(precision);
             });
+}
+
+/// What it costs to count whole steps only, or brings to cut them: whichever the kernel does not do.
+void addEnds(VariantList& list) {
+    const bool cuts = !asTheKernel().cutsSteps;
     for (const double step : {1.0, 2.0})
         for (const bool preIntegrated : {false, true}) {
             if (preIntegrated && list.shaded()) continue;
-            const std::string value = fmt::format("double, step {:g}{}, steps cut at the ends of rays", step,
-                                                  preIntegrated ? " pre-integrated" : "");
+            const std::string value =
+                fmt::format("double, step {:g}{}, {}", step, preIntegrated ? " pre-integrated" : "",
+                            cuts ? "steps cut at the ends of rays" : "whole steps only");
             list.add("ends", value, [&](RenderVariant& v) {
                 v.settings.step = step;
                 v.settings.preIntegrated = preIntegrated;
                 v.plain = asTheKernel();
-                v.plain->cutsSteps = true;
+                v.plain->cutsSteps = cuts;
             });
         }
 }
@@ -122,6 +128,7 @@ std::vector<RenderVariant> renderVariants(const RayCastSettings& reference) {
     addOmissions(list);
     addCombinations(list);
     addPrecisions(list);
+    addEnds(list);
     return list.take();
 }
 
