@@ -83,7 +83,7 @@ public:
           m_depths(depthsOf(volume.geometry(), settings.camera.frame.forward)),
           m_preIntegrates(settings.preIntegrated && !settings.shading) {
         m_depths.nearest = std::max(m_depths.nearest, settings.nearPlaneDepthMm);
-        if (m_preIntegrates) m_segments.emplace(curve, settings.colourMap);
+        if (m_preIntegrates) m_segments.emplace(curve);
         if (!settings.shading) return;
         if (!(settings.shading->gradientReach > 0.0))
             throw std::invalid_argument("castRays: the gradient's reach must be above 0");
@@ -94,80 +94,28 @@ public:
 
     [[nodiscard]] PlainPixel pixel(int column, int row) const {
         const ray_casting::Ray ray = m_rays.rayThrough(column, row);
-        const double opaqueDepth = opaqueDepthAt(column, row);
-        return m_settings.mode == RenderMode::direct ? composited(ray, opaqueDepth) : projected(ray, opaqueDepth);
+        return m_settings.mode == RenderMode::direct ? composited(ray) : projected(ray);
     }
 
 private:
-    [[nodiscard]] double opaqueDepthAt(int column, int row) const {
-        if (!m_settings.opaqueDepth) return nowhere;
-        const DepthMap& map = *m_settings.opaqueDepth;
-        const auto place = [](int pixel, int pixels, int size) {
-            return std::clamp(static_cast<int>((pixel + 0.5) * size / pixels), 0, size - 1);
-        };
-        const auto x = static_cast<std::size_t>(place(column, m_settings.width, map.width));
-        const auto y = static_cast<std::size_t>(place(row, m_settings.height, map.height));
-        return static_cast<double>(map.depthMm[y * static_cast<std::size_t>(map.width) + x]);
-    }
-
     [[nodiscard]] double depthOf(const Vec3& voxel) const {
         return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
     }
 
-    [[nodiscard]] bool isRendered(const Vec3& voxel, double opaqueDepth) const {
-        const Vec3 mm = m_geometry.gridMmFromVoxel(voxel);
-        if (m_settings.box)
-            for (int axis = 0; axis < 3; ++axis)
-                if (mm[axis] < m_settings.box->low[axis] || mm[axis] >= m_settings.box->high[axis]) return false;
-        for (const ClippingPlane& plane : m_settings.clippingPlanes)
-            if ((mm - plane.point).dot(plane.normal) < 0.0) return false;
-        return depthOf(voxel) < opaqueDepth;
-    }
-
-    /// A part of a ray, in steps from its origin.
+    /// A step of a ray or what is left of it, in steps from the ray's origin.
     struct Stretch {
-        double begin = 0.0, end = nowhere;
-        /// Keeps where value + slope * t >= 0.
-        void keep(double value, double slope) {
-            if (slope > 0.0) begin = std::max(begin, -value / slope);
-            if (slope < 0.0) end = std::min(end, -value / slope);
-            if (slope == 0.0 && value < 0.0) end = begin;
-        }
+        double begin, end;
+        [[nodiscard]] double length() const { return end - begin; }
     };
 
-    [[nodiscard]] Stretch renderedStretch(const ray_casting::Ray& ray, double opaqueDepth) const {
-        Stretch stretch;
-        const Vec3 origin = m_geometry.gridMmFromVoxel(ray.origin), step = m_geometry.gridMmFromVoxel(ray.step);
-        const auto keepInside = [&](const Vec3& low, const Vec3& high) {
-            for (int axis = 0; axis < 3; ++axis) {
-                stretch.keep(origin[axis] - low[axis], step[axis]);
-                stretch.keep(high[axis] - origin[axis], -step[axis]);
-            }
-        };
-        keepInside(m_geometry.boxMinMm(), m_geometry.boxMaxMm());
-        if (m_settings.box) keepInside(m_settings.box->low, m_settings.box->high);
-        for (const ClippingPlane& plane : m_settings.clippingPlanes)
-            stretch.keep((origin - plane.point).dot(plane.normal), step.dot(plane.normal));
-        const double depth = depthOf(ray.origin), depthStep = depthOf(ray.step);
-        if (std::isfinite(m_settings.nearPlaneDepthMm)) stretch.keep(depth - m_settings.nearPlaneDepthMm, depthStep);
-        if (opaqueDepth < nowhere) stretch.keep(opaqueDepth - depth, -depthStep);
-        return stretch;
-    }
-
-    /// Calls visit(stretch) for every step of a ray, or what is left of it, until it returns false.
+    /// Calls visit(stretch) from front to back until it returns false.
     template <typename Visit>
-    void walk(const ray_casting::Ray& ray, double opaqueDepth, const Visit& visit) const {
-        if (!m_casting.cutsSteps) {
-            for (std::int64_t k = ray.first; k < ray.last; ++k)
-                if (isRendered(ray.position(k), opaqueDepth) &&
-                    !visit({static_cast<double>(k), static_cast<double>(k + 1)}))
-                    return;
-            return;
-        }
-        const Stretch whole = renderedStretch(ray, opaqueDepth);
-        for (double k = std::floor(whole.begin); k < whole.end; ++k) {
-            const Stretch left{std::max(k, whole.begin), std::min(k + 1.0, whole.end)};
-            if (left.begin < left.end && !visit(left)) return;
+    void walk(const ray_casting::Ray& ray, const Visit& visit) const {
+        if (!(ray.enter < ray.leave)) return;
+        for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
+            const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
+            const bool seen = m_casting.wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
+            if (seen && !visit(m_casting.wholeSteps ? whole : left)) return;
         }
     }
 
@@ -177,12 +125,13 @@ private:
     }
 
     /// Eqs. 2 and 3.
-    [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray, double opaqueDepth) const {
+    [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray) const {
         PlainPixel pixel;
         double transmittance = 1.0;
-        walk(ray, opaqueDepth, [&](const Stretch& stretch) {
+        walk(ray, [&](const Stretch& stretch) {
             const Vec3 voxel = middleOf(ray, stretch);
-            const Step step = m_preIntegrates ? segmentOf(ray, stretch) : sampleAt(voxel, stretch);
+            const Step step =
+                m_preIntegrates && stretch.length() == 1.0 ? segmentOf(ray, stretch) : sampleAt(voxel, stretch);
             if (!(step.alpha > 0.0)) return true;
             const double seen = transmittance * step.alpha;
             Vec3 colour = step.colour;
@@ -199,10 +148,10 @@ private:
     }
 
     /// Maximum, minimum, mean.
-    [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray, double opaqueDepth) const {
+    [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const {
         PlainPixel pixel;
         double shown = 0.0, sum = 0.0, steps = 0.0;
-        walk(ray, opaqueDepth, [&](const Stretch& stretch) {
+        walk(ray, [&](const Stretch& stretch) {
             const Vec3 voxel = middleOf(ray, stretch);
             const auto intensity = m_sampler.intensityAt(voxel);
             if (!intensity) return true;
@@ -212,8 +161,8 @@ private:
                 shown = *intensity;
                 pixel.depthMm = depthOf(voxel);
             }
-            sum += *intensity * (stretch.end - stretch.begin);
-            steps += stretch.end - stretch.begin;
+            sum += *intensity * stretch.length();
+            steps += stretch.length();
             return true;
         });
         if (steps == 0.0) return pixel;
@@ -226,7 +175,7 @@ private:
     [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const {
         const auto intensity = m_sampler.intensityAt(voxel);
         if (!intensity) return {};
-        const double length = m_settings.step * (stretch.end - stretch.begin);
+        const double length = m_settings.step * stretch.length();
         return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
     }
 
@@ -234,9 +183,9 @@ private:
         const auto before = m_sampler.intensityAt(placeOf(ray, stretch.begin));
         const auto behind = m_sampler.intensityAt(placeOf(ray, stretch.end));
         if (!before && !behind) return {};
-        const double length = m_settings.step * (stretch.end - stretch.begin) * (before && behind ? 1.0 : 0.5);
+        const double length = m_settings.step * (before && behind ? 1.0 : 0.5);
         const Extinction extinction = m_segments->between(before ? *before : *behind, behind ? *behind : *before);
-        return {-std::expm1(-length * extinction.mean), extinction.colour};
+        return {-std::expm1(-length * extinction.mean), colourOf(m_settings.colourMap, extinction.intensity)};
     }
 
     /// Shading's formula; `seen` is what the sample adds to its pixel's opacity.
@@ -311,7 +260,6 @@ std::string_view nameOf(CompositingPrecision precision) {
 
 std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
                                        const PlainCasting& casting, const Progress& progress) {
-    if (settings.jittered) throw std::invalid_argument("castRaysPlainly: knows no jittered rays");
     const PlainCaster caster(volume, curve, settings, casting);
     Picture picture{settings.width, settings.height, {}, {}};
     const std::size_t pixels = static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);

@@ -21,36 +21,31 @@ enum class CompositingPrecision {
 
 struct PlainCasting {
     CompositingPrecision precision = CompositingPrecision::twofold;
-    /// A sample that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
-    /// 0: every sample is lit by its gradient, so that small steps converge; castRays() uses 1/128.
+    /// A step that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
+    /// 0: every step is lit by its gradient, so that pictures converge; castRays() uses min(1, step) / 128.
     double leastLitOpacity = 0.0;
-    /// Steps are cut where what is rendered begins and ends (volume and render box, near plane, clipping planes, opaque
-    /// depth): what is left counts with its length, sampled in its middle. Else each sample counts with a whole step or
-    /// not at all, as castRays() documents, and a ray errs by up to half a step at either end: on opaque faces of the
-    /// box by many levels, still at steps of 0.1. Converged references cut.
-    bool cutsSteps = false;
+    /// No step is cut: each counts whole where its middle is rendered, else not at all, as many volume renderers do. A
+    /// ray then errs by up to half a step at either end: on opaque faces of the box by many levels, still at steps of
+    /// 0.1.
+    bool wholeSteps = false;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };
 
-/// The picture that castRays() documents, sample by sample in double: the same rays, pixel centres and sample places;
-/// opacity and colour straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends
-/// early only where terminationTransmittance is above 0. Unless steps are cut, a sample counts where its place, the
-/// middle of its step, lies in the volume's box and in the render box (low corner included, high corner not), on each
-/// clipping plane or on the side that its normal points to, and nearer than the opaque depth of its pixel. Places in
-/// the outermost half voxel are read at the outermost voxel centres.
+/// The picture that castRays() documents, step by step in double: the same rays and places of samples; opacity and
+/// colour straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early only
+/// where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost half
+/// voxel are read at the outermost voxel centres.
 ///
-/// Pre-integration (direct mode, unshaded): sample k stands for the segment of one step around it. With s0 and s1 the
-/// intensities at the segment's ends, half a step before and behind the sample (clamped to the outermost voxel centres
-/// where they lie outside, and read also where the render box or a plane ends between), and
-/// tau(s) = min(-log(1 - opacity(s)), 40) the extinction per unit,
-///     alpha  = 1 - exp(-step * mean of tau over [s0, s1])
-///     colour = mean of colour(s) tau(s) over [s0, s1] / mean of tau over [s0, s1]
-/// and where s0 = s1 the values of that intensity. An end without data makes its half of the step transparent; the
-/// other half takes the intensity of the end that has data.
+/// Pre-integration (direct mode, unshaded; not of steps that are cut): with s0 and s1 the intensities at the step's
+/// ends and tau(s) = min(-log(1 - opacity(s)), 40) the extinction per unit,
+///     opacity   = 1 - exp(-step * mean of tau over [s0, s1])
+///     intensity = mean of s tau(s) over [s0, s1] / mean of tau over [s0, s1], whose colour is shown
+/// and where s0 = s1 those of that intensity. An end without data makes its half of the step transparent; the other
+/// half takes the intensity of the end that has data.
 ///
 /// Depth colouring is applied after the light. Empty only where progress.cancel was raised (polled once a row). Uses
 /// the calling thread's oneTBB arena; the same pixels for any number of threads. Throws std::invalid_argument where
-/// castRays() does, and for jittered rays, whose places castRays() keeps to itself.
+/// castRays() does.
 [[nodiscard]] std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve,
                                                      const RayCastSettings& settings, const PlainCasting& casting = {},
                                                      const Progress& progress = {});

@@ -8,7 +8,7 @@ namespace echolucent::plain_casting {
 namespace {
 
 constexpr double largestExtinction = 40.0;  // what opacity 1 counts as
-constexpr int evenIntervals = 4096;         // among their ends are the corners of the colour maps
+constexpr int evenIntervals = 4096;
 /// Closer ends are one point: a mean over them would lose its digits.
 constexpr double closest = 1e-9;
 
@@ -29,8 +29,7 @@ std::vector<double> cornersOf(const OpacityCurve& curve) {
 
 }  // namespace
 
-SegmentIntegral::SegmentIntegral(const OpacityCurve& curve, ColourMap colourMap)
-    : m_curve(curve), m_colourMap(colourMap) {
+SegmentIntegral::SegmentIntegral(const OpacityCurve& curve) : m_curve(curve) {
     for (int i = 0; i <= evenIntervals; ++i) m_ends.push_back(static_cast<double>(i) / evenIntervals);
     for (const double corner : cornersOf(curve))
         if (corner > 0.0 && corner < 1.0) m_ends.push_back(corner);
@@ -39,14 +38,13 @@ SegmentIntegral::SegmentIntegral(const OpacityCurve& curve, ColourMap colourMap)
     m_before.assign(m_ends.size(), Sums{});
     for (std::size_t i = 1; i < m_ends.size(); ++i) {
         const Sums part = integrated(m_ends[i - 1], m_ends[i]);
-        for (std::size_t c = 0; c < 4; ++c) m_before[i][c] = m_before[i - 1][c] + part[c];
+        for (std::size_t c = 0; c < part.size(); ++c) m_before[i][c] = m_before[i - 1][c] + part[c];
     }
 }
 
 SegmentIntegral::Sums SegmentIntegral::at(double intensity) const {
     const double tau = std::min(-std::log1p(-opacityAt(m_curve, intensity)), largestExtinction);
-    const Vec3 colour = colourOf(m_colourMap, intensity);
-    return {tau * colour[0], tau * colour[1], tau * colour[2], tau};
+    return {tau, tau * intensity};
 }
 
 SegmentIntegral::Sums SegmentIntegral::integrated(double low, double high) const {
@@ -57,9 +55,9 @@ SegmentIntegral::Sums SegmentIntegral::integrated(double low, double high) const
                                                    0.3478548451374538};
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
     Sums sums{};
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
         const Sums here = at(middle + half * places[i]);
-        for (std::size_t c = 0; c < 4; ++c) sums[c] += half * weights[i] * here[c];
+        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += half * weights[i] * here[c];
     }
     return sums;
 }
@@ -78,14 +76,13 @@ Extinction SegmentIntegral::between(double first, double second) const {
             const auto i = static_cast<std::size_t>(from - m_ends.begin());
             const auto j = static_cast<std::size_t>(after - m_ends.begin()) - 1;
             const Sums left = integrated(low, m_ends[i]), right = integrated(m_ends[j], high);
-            for (std::size_t c = 0; c < 4; ++c) sums[c] = left[c] + (m_before[j][c] - m_before[i][c]) + right[c];
+            for (std::size_t c = 0; c < sums.size(); ++c)
+                sums[c] = left[c] + (m_before[j][c] - m_before[i][c]) + right[c];
         } else {
             sums = integrated(low, high);
         }
     }
-    Extinction extinction{sums[3] / width, {0, 0, 0}};
-    if (sums[3] > 0.0) extinction.colour = Vec3(sums[0], sums[1], sums[2]) * (1.0 / sums[3]);
-    return extinction;
+    return {sums[0] / width, sums[0] > 0.0 ? sums[1] / sums[0] : first};
 }
 
 }  // namespace echolucent::plain_casting

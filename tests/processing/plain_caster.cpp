@@ -105,7 +105,7 @@ TEST(PlainCaster, OneVoxelBetweenItsNeighboursHasTheClosedFormOpacity) {
 
 double largestDifferenceFromReference(const Volume& volume, const OpacityCurve& curve,
                                       const RayCastSettings& settings) {
-    const Picture picture = cast(volume, curve, settings, {.leastLitOpacity = 1.0 / 128});
+    const Picture picture = cast(volume, curve, settings, {.leastLitOpacity = std::min(1.0, settings.step) / 128});
     const ReferenceCaster reference(volume, curve, settings);
     double largest = 0.0;
     for (int row = 0; row < settings.height; ++row)
@@ -195,12 +195,14 @@ TEST(PlainCaster, DepthIsWhereHalfTheOpacityIsReached) {
     EXPECT_TRUE(cast(volume, everywhere(0.1), settings).depthMm.empty());
 }
 
-TEST(PlainCaster, RendersOnlyWhatBoxPlanesAndOpaqueDepthLeave) {
+TEST(PlainCaster, WholeStepsCountByTheirMiddles) {
     const Volume volume = slab(20, 100);
     const auto samplesSeen = [&](auto change) {
         RayCastSettings settings = greySettings(volume);
         change(settings);
-        return std::log1p(-static_cast<double>(centreOf(cast(volume, everywhere(0.1), settings))[3])) / std::log(0.9);
+        return std::log1p(
+                   -static_cast<double>(centreOf(cast(volume, everywhere(0.1), settings, {.wholeSteps = true}))[3])) /
+               std::log(0.9);
     };
     constexpr double few = 1e-5;
     EXPECT_NEAR(samplesSeen([](RayCastSettings&) {}), 20, few);
@@ -235,7 +237,7 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
         double units = 0.0;
         for (const bool preIntegrated : {false, true}) {
             settings.preIntegrated = preIntegrated;
-            const Picture picture = cast(volume, everywhere(0.1), settings, {.cutsSteps = true});
+            const Picture picture = cast(volume, everywhere(0.1), settings);
             const double before = units;
             units = std::log1p(-static_cast<double>(centreOf(picture)[3])) / std::log(0.9);
             if (preIntegrated) {
@@ -259,7 +261,7 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
     // Obliquely: the length of every ray within the box, by its own arithmetic.
     RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
     settings.step = 3.3;
-    const Picture picture = cast(volume, everywhere(0.1), settings, {.cutsSteps = true});
+    const Picture picture = cast(volume, everywhere(0.1), settings);
     const Camera& camera = settings.camera;
     for (int row = 0; row < 31; ++row)
         for (int column = 0; column < 31; ++column) {
@@ -345,12 +347,9 @@ TEST(PlainCaster, SamePixelsForAnyNumberOfThreadsAndCancelled) {
     EXPECT_FALSE(castRaysPlainly(volume, curve, settings, {}, progress).has_value());
 }
 
-TEST(PlainCaster, RefusesWhatItCannotShow) {
+TEST(PlainCaster, RefusesWhatMakesNoSense) {
     const Volume volume = slab(3, 90);
     RayCastSettings settings = greySettings(volume);
-    settings.jittered = true;
-    EXPECT_THROW((void)castRaysPlainly(volume, everywhere(0.1), settings), std::invalid_argument);
-    settings.jittered = false;
     settings.step = 0.0;
     EXPECT_THROW((void)castRaysPlainly(volume, everywhere(0.1), settings), std::invalid_argument);
 }

@@ -47,7 +47,7 @@ TEST(PlainSegment, SegmentsBeginHalfAStepBeforeTheSample) {
         for (const double offset : {-0.02, 0.02}) {
             const double place = end + offset;
             settings.nearPlaneDepthMm = -0.5;
-            settings.box = RenderBox{{-1, -1, 8}, {99, 99, 10}};  // of which only the sample at 9.5 is inside
+            settings.box = RenderBox{{-1, -1, 7.5}, {99, 99, 11.5}};
             const Picture picture = cast(volume, between((place - 0.01) / 40, (place + 0.01) / 40, 0.9), settings);
             const bool inside = place > 7.5 && place < 11.5;
             EXPECT_EQ(centreOf(picture)[3] > 0.0f, inside) << place;
@@ -70,8 +70,7 @@ TEST(PlainSegment, HalvesTheStepAtTheEdgeOfTheData) {
     RayCastSettings settings = greySettings(volume);
     settings.interpolation = Interpolation::nearest;
     settings.preIntegrated = true;
-    settings.box =
-        RenderBox{{-1, -1, -0.25}, {99, 99, 0.75}};  // the middle of one segment, from -0.5 to 1.5: voxels 0 and 2
+    settings.box = RenderBox{{-1, -1, -1}, {99, 99, 1.5}};  // one step, from -0.5 to 1.5, whose ends are voxels 0 and 2
     settings.step = 2.0;
     EXPECT_NEAR(centreOf(cast(volume, everywhere(0.3), settings))[3], 0.3, floatError) << "one unit of two";
     EXPECT_NEAR(centreOf(cast(whole, everywhere(0.3), settings))[3], 1 - 0.7 * 0.7, floatError);
@@ -79,7 +78,7 @@ TEST(PlainSegment, HalvesTheStepAtTheEdgeOfTheData) {
 
 // By hand: tau = -log(1 - s) for opacity s; its mean over [a, b] from the integral (1 - s) log(1 - s) + s.
 TEST(PlainSegment, MeanExtinctionIsThatOfTheClosedForm) {
-    const plain_casting::SegmentIntegral segments(PowerCurve{1, 1.0}, ColourMap::grey);
+    const plain_casting::SegmentIntegral segments(PowerCurve{1, 1.0});
     const auto integral = [](double s) { return (1 - s) * std::log1p(-s) + s; };
     for (const auto& [a, b] : {std::pair(0.0, 0.5), std::pair(0.2, 0.9), std::pair(0.9, 0.2), std::pair(0.3, 0.3001),
                                std::pair(0.50001, 0.50002), std::pair(0.25, 0.25 + 1.0 / 4096)}) {
@@ -87,7 +86,7 @@ TEST(PlainSegment, MeanExtinctionIsThatOfTheClosedForm) {
         EXPECT_NEAR(segments.between(a, b).mean, expected, 1e-9) << a << " to " << b;
     }
     EXPECT_NEAR(segments.between(0.4, 0.4).mean, -std::log(0.6), 1e-15);
-    EXPECT_NEAR(segments.between(0.4, 0.4).colour[1], 0.4, 1e-15);
+    EXPECT_NEAR(segments.between(0.4, 0.4).intensity, 0.4, 1e-15);
     EXPECT_EQ(segments.between(0.0, 0.0).mean, 0.0);
     EXPECT_EQ(segments.between(1.0, 1.0).mean, 40.0);
 }

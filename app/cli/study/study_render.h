@@ -28,8 +28,8 @@ struct RenderVariant {
 /// parameter at a time, then combinations; no setting twice. Shaded pictures have no pre-integration.
 [[nodiscard]] std::vector<RenderVariant> renderVariants(const RayCastSettings& reference);
 
-/// The plain route by the rules that castRays() documents; the one place here that says whether the kernel cuts steps.
-[[nodiscard]] PlainCasting asTheKernel(CompositingPrecision precision = CompositingPrecision::twofold);
+/// The plain route by the rules that castRays() documents.
+[[nodiscard]] PlainCasting asTheKernel(double step, CompositingPrecision precision = CompositingPrecision::twofold);
 
 /// Width and height divided and rounded, one pixel at least.
 [[nodiscard]] RayCastSettings reduced(RayCastSettings settings, double reduction);

@@ -44,7 +44,7 @@ Picture convergedPicture(const RenderCase& one) {
     RayCastSettings settings = one.reference;
     settings.step = convergedStep;
     settings.terminationTransmittance = 0.0;
-    return *castRaysPlainly(*one.volume, one.curve, settings, {.cutsSteps = true});
+    return *castRaysPlainly(*one.volume, one.curve, settings);
 }
 
 std::string letterOf(std::size_t index) {
@@ -57,7 +57,7 @@ std::string letterOf(std::size_t index) {
 /// The plain route in double at these settings.
 const RenderResult& inDouble(const std::vector<RenderResult>& results, const RayCastSettings& settings) {
     return *std::find_if(results.begin(), results.end(), [&](const RenderResult& result) {
-        return result.variant.plain == asTheKernel() && result.variant.settings == settings;
+        return result.variant.plain == asTheKernel(settings.step) && result.variant.settings == settings;
     });
 }
 
@@ -67,7 +67,7 @@ void measureErrors(const RenderCase& one, RayCaster& caster, RenderStudy& study)
         RenderResult result{variant, letterOf(study.results.size()), {}, std::nullopt};
         Picture picture = pictureOf(variant, one, caster);
         result.error = pictureError(picture, study.converged);
-        if (variant.plain == asTheKernel()) plainInDouble = picture;
+        if (variant.plain == asTheKernel(variant.settings.step)) plainInDouble = picture;
         if (variant.axis == "precision") result.precisionError = pictureError(picture, plainInDouble);
         study.results.push_back(std::move(result));
     }
@@ -98,13 +98,18 @@ void checkSameRays(const RenderCase& one, RayCaster& caster, RenderStudy& study)
         RayCastSettings settings = one.reference;
         settings.terminationTransmittance = 0.0;
         change(settings);
-        const Picture plain = *castRaysPlainly(*one.volume, one.curve, settings, asTheKernel());
+        const Picture plain = *castRaysPlainly(*one.volume, one.curve, settings, asTheKernel(settings.step));
         const double pixelMm = settings.camera.heightMm / settings.height;
         settings.camera.focalPoint += settings.camera.frame.right * (offsetPixels * pixelMm);
         study.sameRays.push_back({name, pictureError(*caster.cast(one.curve, settings), plain)});
     };
     check("equal settings", 0.0, [](RayCastSettings&) {});
     check("at half the size", 0.0, [](RayCastSettings& settings) { settings = reduced(settings, 2.0); });
+    check("nearest voxel", 0.0, [](RayCastSettings& settings) { settings.interpolation = Interpolation::nearest; });
+    check("jittered, step 1.5", 0.0, [](RayCastSettings& settings) {
+        settings.step = 1.5;
+        settings.jittered = true;
+    });
     if (!study.shaded)
         check("pre-integrated, step 2", 0.0, [](RayCastSettings& settings) {
             settings.step = 2.0;

@@ -88,7 +88,8 @@ std::vector<std::pair<std::string, const RenderResult*>> shownResults(const Rend
     for (const QualityBound& bound : qualityBounds()) add(bound.name, fastestWithin(bound, study.results));
     for (const RenderResult& result : study.results) {
         if (result.variant.axis == "interpolation") add("nearest voxel", &result);
-        if (result.variant.plain == asTheKernel(CompositingPrecision::eightBit) && result.variant.settings.step == 1.0)
+        if (result.variant.plain == asTheKernel(1.0, CompositingPrecision::eightBit) &&
+            result.variant.settings.step == 1.0)
             add("bytes", &result);
     }
     return shown;
@@ -122,8 +123,8 @@ void addMethod(HtmlPage& page, const RenderStudy& study) {
     page.paragraph(study.subject);
     page.paragraph(fmt::format(
         "Error: red, green and blue over black, in 8-bit levels, computed from the floats before they are rounded; "
-        "from a converged reference by the plain route (step 0.1 unit, trilinear, double, no ray ends early, steps cut "
-        "where the volume's box begins and ends; it took {:.0f} s). RMSE over pixels and colours, the largest "
+        "from a converged reference by the plain route (step 0.1 unit, trilinear, double, no ray ends early; "
+        "it took {:.0f} s). RMSE over pixels and colours, the largest "
         "difference, and the mean SSIM of luminance (Wang et al. "
         "2004: 11 x 11 Gaussian window, sigma 1.5).",
         study.referenceSeconds));
@@ -171,15 +172,16 @@ std::string renderPage(const RenderStudy& study, const RenderCase& one) {
     page.table(settings.columns, settings.rows,
                "●: on the front, no other setting of the kernel is both faster and nearer to the reference. A "
                "combination ends its rays at a transmittance of 1/128.");
-    page.heading("Compositing precision and the ends of rays");
+    page.heading("Compositing precision, and whole steps only");
     const TextTable precisions = precisionTable(study);
-    page.table(precisions.columns, precisions.rows,
-               fmt::format(
-                   "How colour and transmittance are stored after every sample, by the plain route; all between "
-                   "is double. Its run times (the median of {} runs, as a ratio to double at step 1) compare "
-                   "among themselves only, not with the kernel's. Steps that are cut where the volume's box begins and "
-                   "ends count with the length that is left; else a sample counts with a whole step or not at all.",
-                   study.plainRepeats));
+    page.table(
+        precisions.columns, precisions.rows,
+        fmt::format(
+            "How colour and transmittance are stored after every sample, by the plain route; all between "
+            "is double. Its run times (the median of {} runs, as a ratio to double at step 1) compare "
+            "among themselves only, not with the kernel's. Steps are cut where the volume's box begins and ends "
+            "and count with the length that is left; \"whole steps only\" tells what it would cost not to do that.",
+            study.plainRepeats));
     return page.text();
 }
 

@@ -41,7 +41,7 @@ std::string renderCsv(const RenderStudy& study) {
                     "step",           "interpolation",
                     "precision",      "termination",
                     "pre_integrated", "jittered",
-                    "skipping",       "cut_steps",
+                    "skipping",       "whole_steps",
                     "reduction",      "width",
                     "height",         "time_ms",
                     "time_ratio",     "rmse",
@@ -63,7 +63,7 @@ std::string renderCsv(const RenderStudy& study) {
                    flag(settings.preIntegrated),
                    flag(settings.jittered),
                    flag(settings.skipEmptySpace),
-                   flag(variant.plain && variant.plain->cutsSteps),
+                   flag(variant.plain && variant.plain->wholeSteps),
                    variant.reduction,
                    std::int64_t{settings.width},
                    std::int64_t{settings.height},
@@ -148,7 +148,7 @@ std::string sameRaysText(const RenderStudy& study) {
 std::string summaryText(const RenderStudy& study) {
     return study.subject + "\n" + sameRaysText(study) + "\n\nThe front of the kernel's settings\n" +
            plainText(frontTable(study)) + "\nThe fastest setting within each bound\n" + plainText(boundsTable(study)) +
-           "\nCompositing precision and the ends of rays, by the plain route\n" + plainText(precisionTable(study));
+           "\nCompositing precision, and whole steps only, by the plain route\n" + plainText(precisionTable(study));
 }
 
 }  // namespace echolucent::cli

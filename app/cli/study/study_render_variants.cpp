@@ -70,26 +70,18 @@ void addPrecisions(VariantList& list) {
                                      CompositingPrecision::half, CompositingPrecision::eightBit})
             list.add("precision", fmt::format("{}, step {:g}", nameOf(precision), step), [&](RenderVariant& v) {
                 v.settings.step = step;
-                v.plain = asTheKernel(precision);
+                v.plain = asTheKernel(step, precision);
             });
 }
 
-/// What it costs to count whole steps only, or brings to cut them: whichever the kernel does not do.
+/// What it would cost to count whole steps only.
 void addEnds(VariantList& list) {
-    const bool cuts = !asTheKernel().cutsSteps;
-    for (const double step : {1.0, 2.0})
-        for (const bool preIntegrated : {false, true}) {
-            if (preIntegrated && list.shaded()) continue;
-            const std::string value =
-                fmt::format("double, step {:g}{}, {}", step, preIntegrated ? " pre-integrated" : "",
-                            cuts ? "steps cut at the ends of rays" : "whole steps only");
-            list.add("ends", value, [&](RenderVariant& v) {
-                v.settings.step = step;
-                v.settings.preIntegrated = preIntegrated;
-                v.plain = asTheKernel();
-                v.plain->cutsSteps = cuts;
-            });
-        }
+    for (const double step : {2.0, 1.0, 0.25})
+        list.add("ends", fmt::format("double, step {:g}, whole steps only", step), [&](RenderVariant& v) {
+            v.settings.step = step;
+            v.plain = asTheKernel(step);
+            v.plain->wholeSteps = true;
+        });
 }
 
 /// What a controller may choose from a frame budget: rays end at 1/128, fewer of them, longer steps.
@@ -112,8 +104,8 @@ void addCombinations(VariantList& list) {
 
 }  // namespace
 
-PlainCasting asTheKernel(CompositingPrecision precision) {
-    return {.precision = precision, .leastLitOpacity = 1.0 / 128, .cutsSteps = false};
+PlainCasting asTheKernel(double step, CompositingPrecision precision) {
+    return {.precision = precision, .leastLitOpacity = std::min(1.0, step) / 128, .wholeSteps = false};
 }
 
 RayCastSettings reduced(RayCastSettings settings, double reduction) {
