@@ -11,6 +11,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyContrastCommand(study, action);
     addStudyMotionCommand(study, action);
     addStudyStabilityCommand(study, action);
+    addStudyRenderCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

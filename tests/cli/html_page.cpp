@@ -188,7 +188,7 @@ TEST(HtmlPage, HoldsEverythingAndIsWellFormed) {
     page.table({"name", "value"}, {{"a<b", "1.5×"}, {"b", "—"}}, "caption & more");
     page.plot(plotOf({markersOf({1, 2}, {3, 4})}));
     page.heatMap({"map", "across", "down", -45, 45, 0, 1, 3, {0, 0.5, 1, nan, 2, -1}});
-    Picture picture{2, 1, {1, 0, 0, 1, 0, 0, 0, 0}};
+    Picture picture{2, 1, {1, 0, 0, 1, 0, 0, 0, 0}, {}};
     page.picture(picture, "seen \"so\"");
     const std::string text = page.text();
     EXPECT_EQ(problemOf(text), "");

@@ -15,7 +15,8 @@ struct PlotSeries {
     std::vector<double> x, y;
     bool line = true;
     bool markers = false;
-    std::vector<std::string> labels;  ///< beside the markers; empty: none
+    std::vector<std::string> labels;   ///< beside the markers; empty: none
+    std::vector<std::string> names{};  ///< what a marker says under the pointer; empty: its label
 };
 
 struct Plot {

@@ -159,7 +159,8 @@ void PlotDrawing::drawMarkers(std::size_t index) {
     for (std::size_t i = 0; i < countOf(series); ++i) {
         if (!shows(series, i)) continue;
         const double x = pixelX(series.x[i]), y = pixelY(series.y[i]);
-        const std::string label = i < series.labels.size() ? series.labels[i] + ": " : std::string();
+        const auto& names = series.names.empty() ? series.labels : series.names;
+        const std::string label = i < names.size() ? names[i] + ": " : std::string();
         drawMarker(index, x, y, fmt::format("{}{}, {}", label, shortNumber(series.x[i]), shortNumber(series.y[i])));
         m_taken.push_back({x - 4, y - 4, 8, 8});
     }

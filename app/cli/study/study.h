@@ -18,6 +18,7 @@ void addStudyOtfCommand(CLI::App& study, Action& action);
 void addStudyContrastCommand(CLI::App& study, Action& action);
 void addStudyMotionCommand(CLI::App& study, Action& action);
 void addStudyStabilityCommand(CLI::App& study, Action& action);
+void addStudyRenderCommand(CLI::App& study, Action& action);
 
 /// Where a study writes its files.
 class StudyFolder {

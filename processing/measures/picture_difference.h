@@ -1,0 +1,25 @@
+// How far a picture is from a reference: for reports of error against run time.
+#pragma once
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+/// Of red, green and blue over a black background, from the floats, in 8-bit levels (255 is white).
+struct PictureError {
+    double rmse = 0.0;     ///< root of the mean squared difference over pixels and colours
+    double largest = 0.0;  ///< largest absolute difference
+    /// Mean structural similarity of luminance (0.2126, 0.7152, 0.0722), 1: equal. Wang et al. 2004: Gaussian window of
+    /// 11 x 11 pixels and sigma 1.5, K1 = 0.01, K2 = 0.03, L = 255; the mean over windows that lie in the picture, or
+    /// where a picture is smaller than that, over all with the picture mirrored at its edges.
+    double ssim = 1.0;
+};
+
+/// Throws std::invalid_argument where the sizes differ.
+[[nodiscard]] PictureError pictureError(const Picture& picture, const Picture& reference);
+
+/// 0.5 + amplification * (picture - reference), clamped into [0,1], opaque: grey where they are equal. Throws
+/// std::invalid_argument where the sizes differ.
+[[nodiscard]] Picture signedDifference(const Picture& picture, const Picture& reference, double amplification);
+
+}  // namespace echolucent
