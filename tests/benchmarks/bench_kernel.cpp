@@ -1,5 +1,6 @@
-// echolucent-bench-kernel: nanoseconds a sample, ours alone (Google Benchmark). Every sample inside the volume is taken:
-// no ray ends early and nothing is skipped, so that a figure says what the kernel costs and not what it leaves out.
+// echolucent-bench-kernel: nanoseconds a sample, ours alone (Google Benchmark). Every sample inside the volume is
+// taken: no ray ends early and nothing is skipped, so that a figure says what the kernel costs and not what it leaves
+// out.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -25,8 +26,8 @@ enum class Depth { usual, shallow };
 template <typename Voxel>
 std::shared_ptr<const Volume> volumeOf(Depth depth, bool masked = false) {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
-    config.size = depth == Depth::usual ? std::array<std::int64_t, 3>{128, 128, 128}
-                                        : std::array<std::int64_t, 3>{256, 256, 32};
+    config.size =
+        depth == Depth::usual ? std::array<std::int64_t, 3>{128, 128, 128} : std::array<std::int64_t, 3>{256, 256, 32};
     const auto bytes = makePhantom(config);
     const auto& from = std::get<std::vector<std::uint8_t>>(bytes->voxels());
     const double white = std::is_same_v<Voxel, std::uint8_t> ? 255.0 : std::is_same_v<Voxel, float> ? 1.0 : 65535.0;
@@ -87,9 +88,8 @@ double samplesOf(const Volume& volume, const RayCastSettings& settings) {
 
 /// CPU time of all threads a sample, as "s_per_sample" (Google Benchmark writes 1.2n for nanoseconds).
 void countSamples(benchmark::State& state, const Volume& volume, const RayCastSettings& settings) {
-    state.counters["s_per_sample"] =
-        benchmark::Counter(samplesOf(volume, settings),
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["s_per_sample"] = benchmark::Counter(
+        samplesOf(volume, settings), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 enum class Kind { unshaded, shaded, maximum };

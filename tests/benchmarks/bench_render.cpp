@@ -103,8 +103,7 @@ ordered_json measured(const Options& options) {
     const std::set<std::string> parts(options.parts.begin(), options.parts.end());
     const auto wanted = [&](const char* part) { return parts.empty() || parts.count(part) > 0; };
     std::vector<Skipped> skipped;
-    const std::vector<BenchVolume> volumes =
-        plan.quick ? quickVolumes() : benchVolumes(options.volumeFolder, skipped);
+    const std::vector<BenchVolume> volumes = plan.quick ? quickVolumes() : benchVolumes(options.volumeFolder, skipped);
     ordered_json report;
     report["machine"] = machineOf(plan);
     report["opengl"] = "not asked for";

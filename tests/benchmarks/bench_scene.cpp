@@ -53,8 +53,7 @@ std::optional<BenchVolume> readRealVolume(const std::string& folder, const RealV
     }
     BenchVolume volume{real.name, study->phases.front(), nullptr, obliqueView(real.beamAxis)};
     std::vector<std::uint8_t> mask = guessDataMask(*volume.volume);
-    if (!mask.empty())
-        volume.masked = std::make_shared<const Volume>(volume.volume->withDataMask(std::move(mask)));
+    if (!mask.empty()) volume.masked = std::make_shared<const Volume>(volume.volume->withDataMask(std::move(mask)));
     return volume;
 }
 
@@ -151,13 +150,12 @@ RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDe
     settings.camera.heightMm *= wantedMargin / defaultMargin;
     view.azimuthDegrees += turnDegrees;
     settings.camera.frame = frameOf(view);
-    settings.box = RenderBox{{0, 0, 0},
-                             geometry.gridMmFromVoxel({static_cast<double>(geometry.size[0] - 1),
-                                                       static_cast<double>(geometry.size[1] - 1),
-                                                       static_cast<double>(geometry.size[2] - 1)})};
+    settings.box = RenderBox{
+        {0, 0, 0},
+        geometry.gridMmFromVoxel({static_cast<double>(geometry.size[0] - 1), static_cast<double>(geometry.size[1] - 1),
+                                  static_cast<double>(geometry.size[2] - 1)})};
     settings.nearPlaneDepthMm = foremostDepth(*settings.box, settings.camera.frame.forward);
     return settings;
 }
-
 
 }  // namespace echolucent::bench

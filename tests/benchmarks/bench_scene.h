@@ -30,7 +30,8 @@ struct Skipped {
 [[nodiscard]] std::vector<BenchVolume> benchVolumes(const std::string& folder, std::vector<Skipped>& skipped);
 /// A phantom of the default conditions, of that many voxels.
 [[nodiscard]] BenchVolume benchPhantom(PhantomScene scene, const std::array<std::int64_t, 3>& size);
-/// The volume with twice the voxels along each axis over the same extent between the outermost voxel centres (trilinear).
+/// The volume with twice the voxels along each axis over the same extent between the outermost voxel centres
+/// (trilinear).
 [[nodiscard]] BenchVolume doubled(const BenchVolume& volume);
 
 struct NamedCurve {
@@ -42,8 +43,8 @@ struct NamedCurve {
 [[nodiscard]] NamedCurve parabolicCurve();
 
 /// Ours and the reference's settings for a picture of size x size pixels: parallel, the volume two thirds of the
-/// picture's width or height, rays only between the outermost voxel centres, where VTK has its volume, and sample planes
-/// counted from that box's foremost corner. turnDegrees turns the view about `down` without moving the volume.
+/// picture's width or height, rays only between the outermost voxel centres, where VTK has its volume, and sample
+/// planes counted from that box's foremost corner. turnDegrees turns the view about `down` without moving the volume.
 [[nodiscard]] RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDegrees = 0.0);
 
 /// So far the camera is turned between frames that are timed: nothing of a picture may be had from the one before.

@@ -72,7 +72,9 @@ private:
         RayCastSettings look;
         look.step = level.step;
         look.preIntegrated = level.preIntegrated;
-        const auto turned = [&](int frame) { return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame); };
+        const auto turned = [&](int frame) {
+            return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame);
+        };
         const auto picture = m_caster.cast(m_curve.curve, turned(0));
         std::vector<Cost> costs;
         for (int i = 1; i <= repeats(); ++i)

@@ -31,9 +31,9 @@ ordered_json gpuRow(const BenchPlan& plan, const BenchVolume& volume, RayCaster&
     if (!shaded) {
         const RayCastSettings settings = turnedSettings(volume, lookOf(false), size, 0.0);
         gpu.draw(settings);
-        addError(row, "gpu",
-                 errorOf(gpu.rgb(), cachedReference(plan.cacheFolder, *volume.volume, curve.curve, settings, 1),
-                         settings));
+        addError(
+            row, "gpu",
+            errorOf(gpu.rgb(), cachedReference(plan.cacheFolder, *volume.volume, curve.curve, settings, 1), settings));
     }
     openGl = gpu.openGlRenderer();
     fmt::print(stderr, "GPU mapper, {}{}: {:.1f} ms, {:.1f} ms wall\n", volume.name, shaded ? ", shaded" : "",

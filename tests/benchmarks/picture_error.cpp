@@ -33,7 +33,8 @@ bool meetsBox(const RayCastSettings& settings, double column, double row) {
     return enter < leave;
 }
 
-/// The box's outline is convex: a pixel is inside and clear of its rim where the corners of a square around it are inside.
+/// The box's outline is convex: a pixel is inside and clear of its rim where the corners of a square around it are
+/// inside.
 bool wellInside(const RayCastSettings& settings, int column, int row) {
     const double rim = rimPixels * std::max(1.0, settings.width / 512.0);
     for (const double x : {-rim, rim})

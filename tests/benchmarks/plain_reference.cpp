@@ -109,8 +109,8 @@ private:
         const Vec3 tint = shadowTintOf(m_settings.colourMap);
         Vec3 bright;
         for (int channel = 0; channel < 3; ++channel)
-            bright[channel] = std::min(1.0, colour[channel] * factor *
-                                                (tint[channel] + (1 - tint[channel]) * std::min(1.0, factor)));
+            bright[channel] =
+                std::min(1.0, colour[channel] * factor * (tint[channel] + (1 - tint[channel]) * std::min(1.0, factor)));
         return bright;
     }
     [[nodiscard]] Vec3 gradientAt(const Vec3& voxel) const {

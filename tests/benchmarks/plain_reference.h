@@ -8,9 +8,10 @@
 
 namespace echolucent::bench {
 
-/// Red, green, blue over black of some of a picture's pixels: every stride-th of every stride-th row, from the first on.
+/// Red, green, blue over black of some of a picture's pixels: every stride-th of every stride-th row, from the first
+/// on.
 struct ReferencePicture {
-    int size = 0;    ///< pixels along each edge of the whole picture
+    int size = 0;  ///< pixels along each edge of the whole picture
     int stride = 1;
     std::vector<float> rgb;  ///< row-major, what the stride takes only
 };
@@ -31,12 +32,13 @@ inline constexpr double referenceStep = 0.1;
 
 /// Differences in 8-bit levels (1/255), over red, green and blue.
 struct PictureError {
-    double rmse = 0.0, largest = 0.0;  ///< over the rays that meet the box, but for a rim along its outline
+    double rmse = 0.0, largest = 0.0;            ///< over the rays that meet the box, but for a rim along its outline
     double rmseWhole = 0.0, largestWhole = 0.0;  ///< over all pixels: the background counts, and so does the outline
 };
 
 /// rgb: the whole picture, three floats a pixel, rows from the top. The rim is 2 pixels (of 512 where there are
-/// more) to each side of the outline of the settings' box: VTK does not cast all rays there, and the box's edge is no property of a method.
+/// more) to each side of the outline of the settings' box: VTK does not cast all rays there, and the box's edge is no
+/// property of a method.
 [[nodiscard]] PictureError errorOf(const std::vector<float>& rgb, const ReferencePicture& reference,
                                    const RayCastSettings& settings);
 /// The same against a picture of the same size.

@@ -78,8 +78,8 @@ BenchVolume smallPhantom(const BenchPlan& plan) {
     return benchPhantom(PhantomScene::shapes, {edge, edge, edge});
 }
 
-/// Along the rays: at a step of two units the picture of speckle depends on where samples lie. Of VTK's pictures with its
-/// sample planes moved by shares of a step, the one on our planes must be the nearest to ours.
+/// Along the rays: at a step of two units the picture of speckle depends on where samples lie. Of VTK's pictures with
+/// its sample planes moved by shares of a step, the one on our planes must be the nearest to ours.
 ordered_json depthOffsets(const BenchPlan& plan) {
     const BenchVolume volume = smallPhantom(plan);
     const OpacityCurve curve = parabolicCurve().curve;

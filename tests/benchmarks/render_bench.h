@@ -10,13 +10,13 @@
 namespace echolucent::bench {
 
 struct BenchPlan {
-    int threads = 2;               ///< of oneTBB and of VTK's mapper
-    int repeats = 9;               ///< of which medians are taken; VTK's slow frames get three
-    bool quick = false;            ///< a small phantom, small pictures, few rows: to see that it works
-    std::string cacheFolder;       ///< of references
-    std::string pictureFolder;     ///< ours and VTK's side by side as PNG; empty: none
+    int threads = 2;            ///< of oneTBB and of VTK's mapper
+    int repeats = 9;            ///< of which medians are taken; VTK's slow frames get three
+    bool quick = false;         ///< a small phantom, small pictures, few rows: to see that it works
+    std::string cacheFolder;    ///< of references
+    std::string pictureFolder;  ///< ours and VTK's side by side as PNG; empty: none
     std::vector<int> sizes{512, 1024};
-    int errorSize = 512;           ///< pixels of the pictures whose error is measured
+    int errorSize = 512;  ///< pixels of the pictures whose error is measured
 };
 
 /// Each returns the rows of one part, as objects; keys in docs/performance.md.

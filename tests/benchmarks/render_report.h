@@ -16,8 +16,8 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// What the figures say at once: "unshaded" and "shaded", each with the median ratios over all rows and the least ratio;
-/// unshaded also in how many rows our RMSE is not larger than VTK's.
+/// What the figures say at once: "unshaded" and "shaded", each with the median ratios over all rows and the least
+/// ratio; unshaded also in how many rows our RMSE is not larger than VTK's.
 [[nodiscard]] nlohmann::ordered_json summaryOf(const nlohmann::ordered_json& rows);
 
 /// The tables of whatever parts a report has.

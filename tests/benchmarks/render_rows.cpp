@@ -41,8 +41,8 @@ void writeSideBySide(const BenchPlan& plan, const std::string& name, const std::
         fmt::print(stderr, "{}\n", done.error().sentence());
 }
 
-/// Unshaded both are compared to the double reference. Shaded ours is, and VTK, which lights in another way, is compared
-/// to itself at the reference's step.
+/// Unshaded both are compared to the double reference. Shaded ours is, and VTK, which lights in another way, is
+/// compared to itself at the reference's step.
 Errors errorsOf(const BenchPlan& plan, const BenchVolume& volume, const NamedCurve& named, bool shaded) {
     const OpacityCurve& curve = named.curve;
     RayCastSettings settings = turnedSettings(volume, lookOf(shaded), plan.errorSize, 0.0);
@@ -119,8 +119,7 @@ private:
     const Errors& errorsFor(const NamedCurve& curve, bool shaded) {
         const std::pair key(curve.name, shaded);
         auto found = m_errors.find(key);
-        if (found == m_errors.end())
-            found = m_errors.emplace(key, errorsOf(m_plan, m_volume, curve, shaded)).first;
+        if (found == m_errors.end()) found = m_errors.emplace(key, errorsOf(m_plan, m_volume, curve, shaded)).first;
         return found->second;
     }
 

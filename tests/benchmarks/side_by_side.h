@@ -12,12 +12,12 @@ namespace echolucent::bench {
 
 /// Medians, and what came once.
 struct SideBySide {
-    Cost ours;                  ///< RayCaster::cast(), all of it
-    Cost oursFirst;             ///< the first picture under this curve
-    Cost oursMasked;            ///< as ours, with the no-data mask that VTK knows nothing of; 0 where there is none
+    Cost ours;        ///< RayCaster::cast(), all of it
+    Cost oursFirst;   ///< the first picture under this curve
+    Cost oursMasked;  ///< as ours, with the no-data mask that VTK knows nothing of; 0 where there is none
     Cost vtkRays, vtkSetUp, vtkFrame;  ///< see VtkFrameCost
-    Cost vtkFirst;              ///< the first frame under this curve: tables, bricks and (shaded) gradients
-    int repeats = 0;            ///< frames of each in the medians
+    Cost vtkFirst;                     ///< the first frame under this curve: tables, bricks and (shaded) gradients
+    int repeats = 0;                   ///< frames of each in the medians
 };
 
 /// What is timed: a caster that is prepared, VTK's scene with its look set, and the settings but for the turn.

@@ -19,8 +19,8 @@ public:
 
     [[nodiscard]] const Cost& setUp() const { return m_setUp; }
     [[nodiscard]] const Cost& rays() const { return m_rays; }
-    /// The mapper's picture in a viewport of size x size pixels: red, green, blue (premultiplied: over black), rows from
-    /// the top.
+    /// The mapper's picture in a viewport of size x size pixels: red, green, blue (premultiplied: over black), rows
+    /// from the top.
     [[nodiscard]] std::vector<float> rgb(int size);
 
 protected:

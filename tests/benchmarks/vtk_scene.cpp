@@ -124,7 +124,8 @@ std::vector<float> VtkScene::windowPixels() const {
     std::vector<float> rgb;
     for (int row = m_size - 1; row >= 0; --row)
         for (int byte = 0; byte < 3 * m_size; ++byte)
-            rgb.push_back(static_cast<float>(bytes->GetValue(static_cast<vtkIdType>(row) * 3 * m_size + byte)) / 255.0f);
+            rgb.push_back(static_cast<float>(bytes->GetValue(static_cast<vtkIdType>(row) * 3 * m_size + byte)) /
+                          255.0f);
     return rgb;
 }
 
