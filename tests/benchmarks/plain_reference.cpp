@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <utility>
 #include <variant>
 
 namespace echolucent::bench {
@@ -40,16 +42,19 @@ public:
                            camera.frame.right * ((column + 0.5 - m_settings.width * 0.5) * pixelMm) +
                            camera.frame.down * ((row + 0.5 - m_settings.height * 0.5) * pixelMm);
         const Vec3 start = point + forward * (m_settings.nearPlaneDepthMm - forward.dot(point));
-        const double stepMm = referenceStep * m_geometry.unit();
-        const double reachMm = length(m_settings.box->high - m_settings.box->low);
+        const double unit = m_geometry.unit(), stepMm = referenceStep * unit;
+        const auto [enter, leave] = throughBox(start);
         Vec3 colour{0, 0, 0};
         double transmittance = 1.0;
-        for (std::int64_t k = 0; (static_cast<double>(k) + 0.5) * stepMm <= reachMm; ++k) {
-            const Vec3 position = start + forward * ((static_cast<double>(k) + 0.5) * stepMm);
-            if (!inBox(position)) continue;
-            const Vec3 voxel = m_geometry.voxelFromGridMm(position);
+        for (auto k = static_cast<std::int64_t>(std::max(0.0, enter) / stepMm); static_cast<double>(k) * stepMm < leave;
+             ++k) {
+            // What of the step lies in the box, sampled in its middle.
+            const double from = std::max(static_cast<double>(k) * stepMm, enter);
+            const double to = std::min(static_cast<double>(k + 1) * stepMm, leave);
+            if (!(from < to)) continue;
+            const Vec3 voxel = m_geometry.voxelFromGridMm(start + forward * (0.5 * (from + to)));
             const double intensity = normalised(voxel);
-            const double opacity = opacityForStep(opacityAt(m_curve, intensity), referenceStep);
+            const double opacity = opacityForStep(opacityAt(m_curve, intensity), (to - from) / unit);
             if (opacity == 0.0) continue;
             Vec3 shown = colourOf(m_settings.colourMap, intensity);
             if (m_settings.shading) shown = lit(shown, voxel);
@@ -61,10 +66,20 @@ public:
     }
 
 private:
-    [[nodiscard]] bool inBox(const Vec3& position) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (position[axis] < m_settings.box->low[axis] || position[axis] > m_settings.box->high[axis]) return false;
-        return true;
+    /// Where the ray from a point enters and leaves the settings' box, mm; empty (enter >= leave) where it misses.
+    [[nodiscard]] std::pair<double, double> throughBox(const Vec3& start) const {
+        const Vec3& forward = m_settings.camera.frame.forward;
+        double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = m_settings.box->low[axis] - start[axis], high = m_settings.box->high[axis] - start[axis];
+            if (forward[axis] == 0.0) {
+                if (low > 0.0 || high < 0.0) return {0.0, 0.0};
+                continue;
+            }
+            enter = std::max(enter, std::min(low / forward[axis], high / forward[axis]));
+            leave = std::min(leave, std::max(low / forward[axis], high / forward[axis]));
+        }
+        return {enter, leave};
     }
     /// Between the outermost voxel centres only.
     [[nodiscard]] double normalised(const Vec3& voxel) const {
@@ -156,7 +171,7 @@ private:
 };
 
 /// To be raised where PlainCaster computes another picture.
-constexpr double referenceVersion = 1;
+constexpr double referenceVersion = 2;
 
 std::string hashOf(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings, int stride) {
     Hash hash;

@@ -22,7 +22,7 @@ inline constexpr double referenceStep = 0.1;
 /// Eqs. 2 and 3 of Petersch 2005, each sample's opacity straight from the curve (opacityForStep), colours straight from
 /// colourOf(), trilinear, all in double, every sample lit where the settings have shading (see Shading), until less
 /// than 1e-6 of the light is left. Of the settings it takes size, camera (parallel), near plane, box, colour map and
-/// shading; the step is referenceStep. Samples outside the box's corners are left out; every voxel counts as data.
+/// shading; the step is referenceStep, cut where the ray enters and leaves the box. Every voxel counts as data.
 [[nodiscard]] ReferencePicture referencePicture(const Volume& volume, const OpacityCurve& curve,
                                                 const RayCastSettings& settings, int stride);
 
