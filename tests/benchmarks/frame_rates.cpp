@@ -1,0 +1,130 @@
+// Ours alone: how many pictures a second, at which error.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <array>
+#include <cstdio>
+
+#include "processing/adaptive_otf.h"
+#include "tests/benchmarks/render_bench.h"
+#include "tests/benchmarks/row_parts.h"
+#include "tests/benchmarks/side_by_side.h"
+
+namespace echolucent::bench {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A level of quality: a picture of 1 / reduction of the width and height, enlarged to the window.
+struct Level {
+    double reduction;
+    double step;
+    bool preIntegrated;
+};
+
+constexpr std::array<Level, 10> levels{{
+    {1.0, 0.5, false},
+    {1.0, 1.0, false},
+    {1.0, 1.0, true},
+    {1.0, 2.0, false},
+    {1.0, 2.0, true},
+    {1.5, 1.5, true},
+    {2.0, 1.5, true},
+    {2.0, 2.0, true},
+    {3.0, 2.0, true},
+    {4.0, 3.0, true},
+}};
+
+/// Frame rates are promised for two cores, whatever the machine has.
+constexpr int threadsOfRates = 2;
+constexpr int referencePixels = 512;
+
+class RatesOfCurve {
+public:
+    RatesOfCurve(const BenchPlan& plan, const BenchVolume& volume, const NamedCurve& curve)
+        : m_plan(plan), m_volume(volume), m_curve(curve), m_caster(volume.volume) {}
+
+    void addTo(ordered_json& rows) {
+        for (const int size : m_plan.sizes) {
+            const int stride = std::max(1, size / referencePixels);
+            const RayCastSettings window = turnedSettings(m_volume, lookOf(false), size, 0.0);
+            const ReferencePicture reference =
+                cachedReference(m_plan.cacheFolder, *m_volume.volume, m_curve.curve, window, stride);
+            for (const Level& level : levels) rows.push_back(levelRow(level, size, window, reference));
+            rows.push_back(editRow(size));
+        }
+    }
+
+private:
+    [[nodiscard]] int repeats() const { return m_plan.quick ? 1 : 2 * m_plan.repeats + 1; }
+    [[nodiscard]] ordered_json rowOf(const char* what, int size, const std::vector<Cost>& costs) const {
+        ordered_json row{{"what", what}, {"volume", m_volume.name}, {"otf", m_curve.name}, {"size", size}};
+        const Cost cost = medianOf(costs);
+        addCost(row, "ours", cost);
+        row["frames_per_second"] = 1000.0 / cost.wallMs;
+        return row;
+    }
+
+    ordered_json levelRow(const Level& level, int size, const RayCastSettings& window,
+                          const ReferencePicture& reference) {
+        const int pixels = static_cast<int>(size / level.reduction + 0.5);
+        RayCastSettings look;
+        look.step = level.step;
+        look.preIntegrated = level.preIntegrated;
+        const auto turned = [&](int frame) {
+            return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame);
+        };
+        const auto picture = m_caster.cast(m_curve.curve, turned(0));
+        std::vector<Cost> costs;
+        for (int i = 1; i <= repeats(); ++i)
+            costs.push_back(costOf([&] { (void)m_caster.cast(m_curve.curve, turned(i)); }));
+        ordered_json row = rowOf("level", size, costs);
+        row["reduction"] = level.reduction;
+        row["step"] = level.step;
+        row["pre_integrated"] = level.preIntegrated;
+        addError(row, "ours", errorOf(pixels == size ? rgbOf(*picture) : enlarged(*picture, size), reference, window));
+        return row;
+    }
+
+    /// Another curve each time, under one camera.
+    ordered_json editRow(int size) {
+        const RayCastSettings settings = turnedSettings(m_volume, lookOf(false), size, 0.0);
+        const std::vector<double> opacities = sampledOpacities(m_curve.curve, AdaptiveOtf::sampleCount);
+        int edits = 0;
+        const auto edit = [&] {
+            SampledCurve curve{opacities};
+            ++edits;
+            for (double& opacity : curve.opacities) opacity *= 1.0 - 0.01 * edits;
+            return costOf([&] { (void)m_caster.cast(curve, settings); });
+        };
+        const Cost whole = edit(), firstEdit = edit();
+        std::vector<Cost> costs;
+        for (int i = 0; i < repeats(); ++i) costs.push_back(edit());
+        ordered_json row = rowOf("edit", size, costs);
+        addCost(row, "before_edits", whole);
+        addCost(row, "first_edit", firstEdit);
+        row["kept_bytes"] = m_caster.keptSampleBytes();
+        return row;
+    }
+
+    const BenchPlan& m_plan;
+    const BenchVolume& m_volume;
+    const NamedCurve& m_curve;
+    RayCaster m_caster;
+};
+
+}  // namespace
+
+ordered_json frameRateRows(const BenchPlan& plan, const BenchVolume& volume) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threadsOfRates);
+    ordered_json rows = ordered_json::array();
+    for (const NamedCurve& curve : benchCurves(volume)) {
+        if (curve.name == "linear") continue;
+        RatesOfCurve(plan, volume, curve).addTo(rows);
+        fmt::print(stderr, "frame rates, {}, {}\n", volume.name, curve.name);
+    }
+    return rows;
+}
+
+}  // namespace echolucent::bench

@@ -1,0 +1,51 @@
+// What the rows of a report are made of.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "tests/benchmarks/bench_scene.h"
+#include "tests/benchmarks/measured_cost.h"
+#include "tests/benchmarks/plain_reference.h"
+
+namespace echolucent::bench {
+
+/// WHO_cpu_ms, WHO_wall_ms.
+inline void addCost(nlohmann::ordered_json& row, const std::string& who, const Cost& cost) {
+    row[who + "_cpu_ms"] = cost.cpuMs;
+    row[who + "_wall_ms"] = cost.wallMs;
+}
+
+/// cpu_ratio, wall_ratio: how many times ours theirs is.
+inline void addRatios(nlohmann::ordered_json& row, const Cost& ours, const Cost& theirs) {
+    row["cpu_ratio"] = theirs.cpuMs / ours.cpuMs;
+    row["wall_ratio"] = theirs.wallMs / ours.wallMs;
+}
+
+/// WHO_rmse, WHO_max over the rays that meet the volume, WHO_rmse_picture, WHO_max_picture over all pixels.
+inline void addError(nlohmann::ordered_json& row, const std::string& who, const PictureError& error) {
+    row[who + "_rmse"] = error.rmse;
+    row[who + "_max"] = error.largest;
+    row[who + "_rmse_picture"] = error.rmseWhole;
+    row[who + "_max_picture"] = error.largestWhole;
+}
+
+/// A caster, and what it took to make: all that depends on the volume only.
+struct PreparedCaster {
+    std::optional<RayCaster> caster;
+    Cost cost;
+    explicit PreparedCaster(const std::shared_ptr<const Volume>& volume) {
+        cost = costOf([&] { caster.emplace(volume); });
+    }
+};
+
+/// Step 1, trilinear, sepia; shaded as the program shades.
+inline RayCastSettings lookOf(bool shaded) {
+    RayCastSettings look;
+    if (shaded) look.shading = Shading{};
+    return look;
+}
+
+}  // namespace echolucent::bench

@@ -1,0 +1,40 @@
+// Ours and VTK's CPU mapper on one scene, in turns.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tests/benchmarks/bench_scene.h"
+#include "tests/benchmarks/measured_cost.h"
+#include "tests/benchmarks/vtk_scene.h"
+
+namespace echolucent::bench {
+
+/// Medians, and what came once.
+struct SideBySide {
+    Cost ours;        ///< RayCaster::cast(), all of it
+    Cost oursFirst;   ///< the first picture under this curve
+    Cost oursMasked;  ///< as ours, with the no-data mask that VTK knows nothing of; 0 where there is none
+    Cost vtkRays, vtkSetUp, vtkFrame;  ///< see VtkFrameCost
+    Cost vtkFirst;                     ///< the first frame under this curve: tables, bricks and (shaded) gradients
+    int repeats = 0;                   ///< frames of each in the medians
+};
+
+/// What is timed: a caster that is prepared, VTK's scene with its look set, and the settings but for the turn.
+struct Contenders {
+    const BenchVolume& volume;
+    RayCaster& ours;
+    RayCaster* oursMasked;  ///< null: no mask
+    VtkScene& vtk;
+};
+
+/// Times ours, VTK, ours, VTK, ... one frame each, at most `repeats` of each and fewer (three, or `repeats` if that is
+/// less) where VTK's takes longer than a second. The camera turns a little from frame to frame, the same for both.
+[[nodiscard]] SideBySide measureSideBySide(const Contenders& contenders, const OpacityCurve& curve,
+                                           const RayCastSettings& look, int size, int repeats);
+
+/// The settings of a frame with another frame's look (step, shading, colour map).
+[[nodiscard]] RayCastSettings turnedSettings(const BenchVolume& volume, const RayCastSettings& look, int size,
+                                             double turnDegrees);
+
+}  // namespace echolucent::bench
