@@ -108,6 +108,29 @@ QString motionSentence(MotionOtf motion) {
     return {};
 }
 
+QString lightSentence(const LightDirection& light) {
+    return tr("Light from %1° to the right of and %2° above the viewer shows the shape of surfaces.")
+        .arg(light.azimuthDegrees, 0, 'f', 0)
+        .arg(light.elevationDegrees, 0, 'f', 0);
+}
+
+/// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
+QStringList whatIsSeen(const PictureFacts& facts) {
+    switch (facts.mode) {
+        case RenderMode::direct: break;
+        case RenderMode::maximum: return {tr("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
+        case RenderMode::minimum: return {tr("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
+        case RenderMode::mean:
+            return {tr("Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
+    }
+    QStringList sentences{curveSentence(facts)};
+    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
+        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
+    if (facts.shaded) sentences << lightSentence(facts.light);
+    if (facts.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
+    return sentences;
+}
+
 }  // namespace
 
 QString explainPicture(const PictureFacts& facts) {
@@ -120,10 +143,7 @@ QString explainPicture(const PictureFacts& facts) {
     if (facts.view.nearCutMm > 0)
         sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(facts.view.nearCutMm, 0, 'f', 1);
-    sentences << curveSentence(facts);
-    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
-        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
-    if (facts.shaded) sentences << tr("Light from the upper left in front shows the shape of surfaces.");
+    sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)

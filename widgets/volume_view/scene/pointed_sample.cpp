@@ -78,31 +78,75 @@ std::optional<double> intensityAt(const Volume& volume, const Vec3& gridMm, Inte
     return sum / weightOfData;
 }
 
+/// Calls visit(intensity, place) for each sample of the ray that has data, from front to back, until it returns false.
+template <typename Visit>
+void forEachSample(const PictureRequest& request, const Ray& ray, const Visit& visit) {
+    const double stepMm = request.settings.step * request.volume->geometry().unit();
+    for (std::int64_t i = 0; ray.begin + (static_cast<double>(i) + 0.5) * stepMm < ray.end; ++i) {
+        const Vec3 place = ray.origin + ray.direction * (ray.begin + (static_cast<double>(i) + 0.5) * stepMm);
+        const auto intensity = intensityAt(*request.volume, place, request.settings.interpolation);
+        if (intensity && !visit(*intensity, place)) return;
+    }
+}
+
+/// Of direct volume rendering.
+std::optional<PointedSample> sampleSeen(const PictureRequest& request, const Ray& ray) {
+    constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
+    double transmittance = 1.0, largest = 0.0;
+    std::optional<PointedSample> pointed;
+    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
+        const double opacity = opacityAt(request.curve, intensity);
+        const double share = opacityForStep(opacity, request.settings.step);
+        const bool decides = transmittance * (1.0 - share) <= 0.5;
+        if (decides || transmittance * share > largest) {
+            largest = transmittance * share;
+            pointed = PointedSample{intensity, opacity, place};
+        }
+        transmittance *= 1.0 - share;
+        return !decides;
+    });
+    return 1.0 - transmittance < visible ? std::nullopt : pointed;
+}
+
+std::optional<PointedSample> extremeSample(const PictureRequest& request, const Ray& ray) {
+    const bool maximum = request.settings.mode == RenderMode::maximum;
+    std::optional<PointedSample> extreme;
+    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
+        if (!extreme || (maximum ? intensity > extreme->intensity : intensity < extreme->intensity))
+            extreme = PointedSample{intensity, opacityAt(request.curve, intensity), place};
+        return true;
+    });
+    return extreme;
+}
+
+std::optional<PointedSample> meanOfSamples(const PictureRequest& request, const Ray& ray) {
+    double sum = 0.0;
+    std::int64_t count = 0;
+    std::optional<PointedSample> mean;
+    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
+        sum += intensity;
+        if (++count == 1) mean = PointedSample{0.0, 0.0, place};
+        return true;
+    });
+    if (!mean) return std::nullopt;
+    mean->intensity = sum / static_cast<double>(count);
+    mean->opacity = opacityAt(request.curve, mean->intensity);
+    return mean;
+}
+
 }  // namespace
 
 std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y) {
     if (!request.volume) return std::nullopt;
-    constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
-    const Volume& volume = *request.volume;
     Ray ray = rayThrough(request.settings, x, y);
-    clip(ray, volume.geometry(), request.settings);
-    const double stepMm = request.settings.step * volume.geometry().unit();
-    double transmittance = 1.0, largest = 0.0;
-    std::optional<PointedSample> pointed;
-    for (std::int64_t i = 0; ray.begin + (static_cast<double>(i) + 0.5) * stepMm < ray.end; ++i) {
-        const Vec3 position = ray.origin + ray.direction * (ray.begin + (static_cast<double>(i) + 0.5) * stepMm);
-        const auto intensity = intensityAt(volume, position, request.settings.interpolation);
-        if (!intensity) continue;
-        const double opacity = opacityAt(request.curve, *intensity);
-        const double share = opacityForStep(opacity, request.settings.step);
-        if (transmittance * share > largest) {
-            largest = transmittance * share;
-            pointed = PointedSample{*intensity, opacity, position};
-        }
-        transmittance *= 1.0 - share;
-        if (transmittance <= 0.5) return PointedSample{*intensity, opacity, position};
+    clip(ray, request.volume->geometry(), request.settings);
+    switch (request.settings.mode) {
+        case RenderMode::direct: return sampleSeen(request, ray);
+        case RenderMode::maximum:
+        case RenderMode::minimum: return extremeSample(request, ray);
+        case RenderMode::mean: return meanOfSamples(request, ray);
     }
-    return 1.0 - transmittance < visible ? std::nullopt : pointed;
+    return std::nullopt;
 }
 
 }  // namespace echolucent
