@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <cmath>
 
 #include "widgets/panels/chosen_reading.h"
 
@@ -109,9 +110,11 @@ QString motionSentence(MotionOtf motion) {
 }
 
 QString lightSentence(const LightDirection& light) {
-    return tr("Light from %1° to the right of and %2° above the viewer shows the shape of surfaces.")
-        .arg(light.azimuthDegrees, 0, 'f', 0)
-        .arg(light.elevationDegrees, 0, 'f', 0);
+    return tr("Light from %1° to the %2 and %3° %4 shows the shape of surfaces.")
+        .arg(std::abs(light.azimuthDegrees), 0, 'f', 0)
+        .arg(light.azimuthDegrees < 0 ? tr("left") : tr("right"))
+        .arg(std::abs(light.elevationDegrees), 0, 'f', 0)
+        .arg(light.elevationDegrees < 0 ? tr("below") : tr("above"));
 }
 
 /// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.

@@ -69,6 +69,16 @@ QImage VolumeViewWidget::screenImage() {
     return fromBelow.mirrored();  // a copy, VTK's rows go up
 }
 
+QImage VolumeViewWidget::convergedImage() {
+    Parts& parts = *m_parts;
+    if (parts.volume && parts.window->isValid() && !(pictureIsFine() && pictureIsCurrent())) {
+        const RayCastSettings converged = settings();
+        const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
+        parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
+    }
+    return screenImage();
+}
+
 void VolumeViewWidget::schedule() {
     if (m_parts->scheduled) return;
     m_parts->scheduled = true;

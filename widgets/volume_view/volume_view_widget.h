@@ -93,6 +93,9 @@ public:
     [[nodiscard]] bool busy() const { return m_busy; }
     /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.
     [[nodiscard]] QImage screenImage();
+    /// The same once the picture is converged, for saving. Where it is not there yet it is cast now, while the person
+    /// waits.
+    [[nodiscard]] QImage convergedImage();
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
     /// What renders now, for the status line.
