@@ -1,31 +1,158 @@
 #include "processing/ray_caster.h"
 
-#include <algorithm>
-#include <array>
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
 #include <utility>
+
+#include "processing/ray_caster/empty_space.h"
+#include "processing/ray_caster/kept_views.h"
+#include "processing/ray_caster/kernel_job.h"
 
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::string_view, 4> renderModeNames{"direct", "maximum", "minimum", "mean"};
+
+using namespace ray_casting;
+
+constexpr int tileEdge = 32;
+
+/// Reports from the calling thread only; counts for all.
+class TileCount {
+public:
+    TileCount(const Progress& progress, int tiles) : m_progress(progress), m_tiles(tiles) {}
+    void oneDone() {
+        const int done = m_done.fetch_add(1, std::memory_order_relaxed) + 1;
+        if (std::this_thread::get_id() == m_caller) m_progress.at(static_cast<double>(done) / m_tiles);
+    }
+
+private:
+    const Progress& m_progress;
+    int m_tiles;
+    std::thread::id m_caller = std::this_thread::get_id();
+    std::atomic<int> m_done{0};
+};
+
+/// False where it was cancelled.
+template <typename Voxel>
+bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
+    const int width = job.picture->width, height = job.picture->height;
+    const int columns = (width + tileEdge - 1) / tileEdge, rows = (height + tileEdge - 1) / tileEdge;
+    TileCount count(progress, columns * rows);
+    tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
+        for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
+            for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
+                if (progress.cancelled()) return;
+                castTile(job, {column * tileEdge, std::min((column + 1) * tileEdge, width), row * tileEdge,
+                               std::min((row + 1) * tileEdge, height)});
+                count.oneDone();
+            }
+    });
+    return !progress.cancelled();
 }
 
-std::string_view nameOf(RenderMode mode) { return renderModeNames[static_cast<std::size_t>(mode)]; }
-
-std::optional<RenderMode> renderModeFromName(std::string_view name) {
-    const auto* found = std::find(renderModeNames.begin(), renderModeNames.end(), name);
-    if (found == renderModeNames.end()) return std::nullopt;
-    return static_cast<RenderMode>(found - renderModeNames.begin());
+Picture emptyPicture(const RayCastSettings& settings) {
+    const auto pixels = static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+    Picture picture{settings.width, settings.height, std::vector<float>(pixels * 4), {}};
+    if (settings.findDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
+    return picture;
 }
+
+DepthTint depthTint(const DepthColouring& colouring, const RayGeometry& rays) {
+    DepthTint tint;
+    for (int channel = 0; channel < 3; ++channel) {
+        tint.near[static_cast<std::size_t>(channel)] = static_cast<float>(colouring.nearTint[channel]);
+        tint.change[static_cast<std::size_t>(channel)] =
+            static_cast<float>(colouring.farTint[channel] - colouring.nearTint[channel]);
+    }
+    const double range = rays.farDepthMm() - rays.nearDepthMm();
+    tint.nearDepthMm = rays.nearDepthMm();
+    tint.perMm = range > 0.0 ? 1.0 / range : 0.0;
+    return tint;
+}
+
+void requireSensible(const RayCastSettings& settings) {
+    if (settings.shading && !(settings.shading->gradientReach > 0.0))
+        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
+    if (settings.preIntegrated && settings.shading)
+        throw std::invalid_argument("castRays: a shaded picture cannot be pre-integrated");
+}
+
+}  // namespace
 
 class RayCaster::Parts {
 public:
+    explicit Parts(std::shared_ptr<const Volume> given)
+        : volume(std::move(given)), m_ranges(*volume), m_empty(m_ranges.grid()), m_packed(pack(*volume)) {}
+
+    std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
+        const RayGeometry rays(volume->geometry(), settings);
+        requireSensible(settings);
+        Picture picture = emptyPicture(settings);
+        const bool finished = std::visit(
+            [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
+        if (!finished) return std::nullopt;
+        return picture;
+    }
+
     std::shared_ptr<const Volume> volume;
+    KeptViews kept;
+
+private:
+    using Packed = std::variant<PackedVoxels<std::uint8_t>, PackedVoxels<std::uint16_t>, PackedVoxels<float>>;
+
+    static Packed pack(const Volume& volume) {
+        return std::visit([&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(volume)); },
+                          volume.voxels());
+    }
+
+    template <typename Voxel>
+    bool castVoxels(const PackedVoxels<Voxel>& packed, const RayGeometry& rays, const OpacityCurve& curve,
+                    const RayCastSettings& settings, Picture& picture, const Progress& progress) {
+        const bool direct = settings.mode == RenderMode::direct;
+        const TransferTable table(curve, settings.colourMap, settings.step);
+        KernelJob<Voxel> job;
+        job.voxels = &packed;
+        job.geometry = volume->geometry();
+        job.rays = &rays;
+        job.toTable = static_cast<float>(TransferTable::intervals / volume->whiteLevel());
+        job.table = &table;
+        job.bricks = m_ranges.grid().size;
+        job.missing = m_ranges.missing().empty() ? nullptr : m_ranges.missing().data();
+        job.mode = settings.mode;
+        job.colourMap = settings.colourMap;
+        job.nearest = settings.interpolation == Interpolation::nearest;
+        job.endTransmittance = settings.terminationTransmittance;
+        job.kept = kept.samplesFor(settings, rays, sampleMemoryLimit);
+        job.picture = &picture;
+        std::optional<LightSource> light;
+        std::optional<DepthTint> tint;
+        std::optional<PreIntegration> preIntegration;
+        if (direct) {
+            if (settings.shading)
+                job.light = &light.emplace(
+                    lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
+            if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
+            if (settings.preIntegrated)
+                job.preIntegration = &preIntegration.emplace(curve, settings.colourMap, settings.step);
+        }
+        if (direct && settings.skipEmptySpace) {
+            m_empty.update(m_ranges, table);
+            if (m_empty.any()) job.distances = m_empty.distances().data();
+        }
+        return castTiles(job, progress);
+    }
+
+    BrickRanges m_ranges;
+    EmptySpace m_empty;
+    Packed m_packed;
 };
 
-RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>()) {
-    m_parts->volume = std::move(volume);
-}
+RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}
 
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
@@ -35,9 +162,17 @@ const std::shared_ptr<const Volume>& RayCaster::volume() const { return m_parts-
 
 std::optional<Picture> RayCaster::cast(const OpacityCurve& curve, const RayCastSettings& settings,
                                        const Progress& progress) {
-    return castRays(*m_parts->volume, curve, settings, progress);
+    return m_parts->cast(curve, settings, progress);
 }
 
-std::size_t RayCaster::keptSampleBytes() const { return 0; }
+std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
+
+std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                                const Progress& progress) {
+    if (progress.cancelled()) return std::nullopt;
+    // Not owned: the caller keeps it for as long as this takes.
+    return RayCaster(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume))
+        .cast(curve, settings, progress);
+}
 
 }  // namespace echolucent

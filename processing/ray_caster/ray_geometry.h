@@ -1,7 +1,11 @@
-// Which rays a picture needs, and which of their samples lie in the volume.
+// Which rays a picture needs, and which of their samples lie in what is rendered.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "processing/geometry.h"
 #include "processing/ray_caster.h"
@@ -9,15 +13,14 @@
 
 namespace echolucent::ray_casting {
 
-/// Sample k of a ray, k = first ... last - 1, lies at voxel position origin + (k + 0.5) * step. The samples of
-/// innerFirst ... innerLast - 1 lie between voxel centres on all axes (with a hair to spare at the far side), so that
-/// the eight voxels around them exist, and what is read ahead of them.
+/// Sample k of a ray, k = first ... last - 1, lies at voxel position origin + (k + 0.5) * step.
 struct Ray {
     Vec3 origin;
     Vec3 step;
     Vec3 direction;  ///< unit, grid mm
     std::int64_t first = 0, last = 0;
-    std::int64_t innerFirst = 0, innerLast = 0;
+    double depthMm = 0.0;      ///< along camera.frame.forward from the grid origin, of origin
+    double depthStepMm = 1.0;  ///< and of a step
 
     [[nodiscard]] Vec3 position(std::int64_t sample) const {
         const double steps = static_cast<double>(sample) + 0.5;
@@ -25,29 +28,157 @@ struct Ray {
     }
 };
 
+/// Rays of neighbouring pixels; everything as in Ray, one lane a ray. Rays without samples have first >= last.
+template <int lanes>
+struct RayBundle {
+    alignas(64) double origin[3][lanes];
+    alignas(64) double step[3][lanes];
+    alignas(64) double first[lanes], last[lanes];
+    alignas(64) double depthMm[lanes], depthStepMm[lanes];
+};
+
 /// The rays of one picture.
 class RayGeometry {
 public:
-    /// Throws std::invalid_argument for a size, step or camera that makes no sense.
+    /// Throws std::invalid_argument for a size, step, camera or plane that makes no sense.
     RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings);
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
 
-private:
-    [[nodiscard]] Ray parallelRay(const Vec3& offset) const;
-    [[nodiscard]] Ray perspectiveRay(const Vec3& offset) const;
-    void clip(Ray& ray, double firstStep) const;
+    /// Lane i is the ray through pixel (column + i % columns, row + i / columns). To be inlined into code for one
+    /// instruction set: its loops over lanes become vectors there.
+    template <int lanes>
+    __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 
-    VolumeGeometry m_geometry;
-    Camera m_camera;
+    [[nodiscard]] bool parallel() const { return m_parallel; }
+    [[nodiscard]] double stepMm() const { return m_stepMm; }
+    /// Depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost corner.
+    [[nodiscard]] double nearDepthMm() const { return m_startDepth + m_eyeDepth; }
+    [[nodiscard]] double farDepthMm() const { return m_farDepth; }
+
+private:
+    /// Something is rendered where offset + normal . (voxel position) >= 0.
+    struct HalfSpace {
+        Vec3 normal;
+        double offset;
+    };
+    void limit(const VolumeGeometry& geometry, const RayCastSettings& settings);
+    template <int lanes>
+    __attribute__((always_inline)) inline void clip(RayBundle<lanes>& bundle, const double (&enter)[lanes]) const;
+    template <int lanes>
+    void endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+
+    bool m_parallel;
     int m_width, m_height;
-    double m_pixel;  ///< mm a pixel; perspective: at distance 1 from the eye
     double m_stepMm;
-    double m_startDepth;  ///< depth along forward of sample plane -0.5, from the grid origin; perspective: from the eye
-    double m_nearDepth;   ///< the near plane's depth, likewise
+    double m_eyeDepth = 0.0;  ///< perspective: depth of the eye from the grid origin
+    double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin; perspective: from the eye
+    double m_nearDepth;       ///< the near plane's depth, likewise
+    double m_farDepth;
+    Vec3 m_first, m_perColumn, m_perRow;  ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
+    Vec3 m_eye, m_forward;                ///< grid mm
     Vec3 m_inverseSpacing;
-    Vec3 m_innerMax;   ///< voxels; inner samples lie before it on each axis
-    Vec3 m_stepVoxel;  ///< parallel rays only
+    Vec3 m_low, m_high;  ///< voxels; what is rendered of the volume's box
+    bool m_jittered;
+    std::vector<HalfSpace> m_halfSpaces;
+    std::shared_ptr<const DepthMap> m_opaqueDepth;
 };
+
+/// A share of a step in [-0.5, 0.5) for a pixel, the same run after run.
+__attribute__((always_inline)) inline double jitterOf(int column, int row) {
+    std::uint32_t bits = static_cast<std::uint32_t>(column) * 0x9E3779B1u ^ static_cast<std::uint32_t>(row) * 0x85EBCA77u;
+    bits ^= bits >> 15;
+    bits *= 0x2C1B3C6Du;
+    bits ^= bits >> 12;
+    bits *= 0x297A2D39u;
+    bits ^= bits >> 15;
+    return static_cast<double>(bits >> 8) * 0x1p-24 - 0.5;
+}
+
+template <int lanes>
+inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+    alignas(64) double enter[lanes];
+    for (int i = 0; i < lanes; ++i) {
+        const double x = column + i % columns, y = row + i / columns;
+        const double start[3] = {m_first[0] + m_perColumn[0] * x + m_perRow[0] * y,
+                                 m_first[1] + m_perColumn[1] * x + m_perRow[1] * y,
+                                 m_first[2] + m_perColumn[2] * x + m_perRow[2] * y};
+        const double size = m_parallel ? 1.0 : std::sqrt(start[0] * start[0] + start[1] * start[1] + start[2] * start[2]);
+        double cosine = 1.0;
+        if (!m_parallel) cosine = (start[0] * m_forward[0] + start[1] * m_forward[1] + start[2] * m_forward[2]) / size;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double direction = m_parallel ? m_forward[axis] : start[axis] / size;
+            bundle.origin[axis][i] =
+                (m_parallel ? start[axis] : m_eye[axis] + direction * m_startDepth) * m_inverseSpacing[axis];
+            bundle.step[axis][i] = direction * m_inverseSpacing[axis] * m_stepMm;
+        }
+        bundle.depthMm[i] = m_eyeDepth + m_startDepth * cosine;
+        bundle.depthStepMm[i] = m_stepMm * cosine;
+        // A ray towards the picture's corner is at a smaller depth than its distance: it may start before the near plane.
+        enter[i] = m_parallel ? 0.0 : std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
+    }
+    if (m_jittered)
+        for (int i = 0; i < lanes; ++i) {
+            const double shift = jitterOf(column + i % columns, row + i / columns);
+            for (int axis = 0; axis < 3; ++axis) bundle.origin[axis][i] += bundle.step[axis][i] * shift;
+            bundle.depthMm[i] += bundle.depthStepMm[i] * shift;
+            enter[i] = std::max(enter[i] - shift, 0.0);
+        }
+    clip(bundle, enter);
+    if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);
+}
+
+template <int lanes>
+inline void RayGeometry::clip(RayBundle<lanes>& bundle, const double (&enter)[lanes]) const {
+    constexpr double endless = 1e15;  // samples
+    for (int i = 0; i < lanes; ++i) {
+        double first = enter[i], last = endless;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double origin = bundle.origin[axis][i], step = bundle.step[axis][i];
+            const bool along = step == 0.0, inside = origin >= m_low[axis] && origin < m_high[axis];
+            const double divisor = along ? 1.0 : step;
+            const double a = (m_low[axis] - origin) / divisor, b = (m_high[axis] - origin) / divisor;
+            const double near = along ? (inside ? -endless : endless) : std::min(a, b);
+            const double far = along ? (inside ? endless : -endless) : std::max(a, b);
+            first = std::max(first, near);
+            last = std::min(last, far);
+        }
+        bundle.first[i] = first;
+        bundle.last[i] = last;
+    }
+    for (const HalfSpace& space : m_halfSpaces)
+        for (int i = 0; i < lanes; ++i) {
+            double value = space.offset, slope = 0.0;
+            for (int axis = 0; axis < 3; ++axis) {
+                value += space.normal[axis] * bundle.origin[axis][i];
+                slope += space.normal[axis] * bundle.step[axis][i];
+            }
+            const double crossing = slope == 0.0 ? 0.0 : -value / slope;
+            if (slope > 0.0) bundle.first[i] = std::max(bundle.first[i], crossing);
+            if (slope < 0.0) bundle.last[i] = std::min(bundle.last[i], crossing);
+            if (slope == 0.0 && value < 0.0) bundle.last[i] = -endless;
+        }
+    for (int i = 0; i < lanes; ++i) {
+        // The samples k whose k + 0.5 lies in [first, last).
+        const double first = std::ceil(bundle.first[i] - 0.5), last = std::ceil(bundle.last[i] - 0.5);
+        bundle.first[i] = first < last ? first : 0.0;
+        bundle.last[i] = first < last ? last : 0.0;
+    }
+}
+
+template <int lanes>
+void RayGeometry::endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+    const DepthMap& map = *m_opaqueDepth;
+    for (int i = 0; i < lanes; ++i) {
+        const auto place = [](int pixel, int pixels, int size) {
+            return std::clamp(static_cast<int>((pixel + 0.5) * size / pixels), 0, size - 1);
+        };
+        const int x = place(column + i % columns, m_width, map.width), y = place(row + i / columns, m_height, map.height);
+        const double depth = static_cast<double>(
+            map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)]);
+        const double last = std::ceil((depth - bundle.depthMm[i]) / bundle.depthStepMm[i] - 0.5);
+        bundle.last[i] = std::min(bundle.last[i], last);
+    }
+}
 
 }  // namespace echolucent::ray_casting

@@ -1,28 +1,43 @@
 #include "processing/ray_caster/transfer_table.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace echolucent::ray_casting {
 
-TransferTable::TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio)
-    : m_entries(intervals + 2), m_opaqueBefore(intervals + 3) {
-    const std::vector<double> opacities = sampledOpacities(curve, intervals + 1);
-    for (int i = 0; i <= intervals; ++i) {
-        const double opacity = opacityForStep(opacities[static_cast<std::size_t>(i)], stepRatio);
-        const Vec3 colour = colourOf(colourMap, static_cast<double>(i) / intervals) * opacity;
-        m_entries[static_cast<std::size_t>(i)] = Float4{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                                        static_cast<float>(colour[2]), static_cast<float>(opacity)};
+namespace {
+
+ColourRanges rangesOf(ColourMap map) {
+    ColourRanges ranges{};
+    constexpr double width = static_cast<double>(TransferTable::intervals) / ColourRanges::count;
+    for (std::size_t range = 0; range < ColourRanges::count; ++range) {
+        const Vec3 first = colourOf(map, static_cast<double>(range) / ColourRanges::count);
+        const Vec3 last = colourOf(map, static_cast<double>(range + 1) / ColourRanges::count);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int c = static_cast<int>(channel);
+            const double slope = (last[c] - first[c]) / width;
+            ranges.slope[channel][range] = static_cast<float>(slope);
+            ranges.base[channel][range] = static_cast<float>(first[c] - slope * width * static_cast<double>(range));
+        }
     }
-    m_entries.back() = m_entries[intervals];
-    for (std::size_t i = 0; i < m_entries.size(); ++i)
-        m_opaqueBefore[i + 1] = m_opaqueBefore[i] + (m_entries[i][3] > 0.0f ? 1 : 0);
+    return ranges;
+}
+
+}  // namespace
+
+TransferTable::TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio)
+    : m_opacities(intervals + 1), m_visibleBefore(intervals + 2), m_colours(rangesOf(colourMap)) {
+    const std::vector<double> opacities = sampledOpacities(curve, intervals + 1);
+    for (std::size_t i = 0; i < opacities.size(); ++i) {
+        const double opacity = stepRatio == 1.0 ? opacities[i] : opacityForStep(opacities[i], stepRatio);
+        m_opacities[i] = static_cast<float>(opacity);
+        m_visibleBefore[i + 1] = m_visibleBefore[i] + (opacities[i] > negligible ? 1 : 0);
+    }
 }
 
 bool TransferTable::transparentBetween(float lowest, float highest) const {
     const auto first = static_cast<std::size_t>(lowest);
     const auto last = static_cast<std::size_t>(std::ceil(highest));
-    return m_opaqueBefore[last + 1] == m_opaqueBefore[first];
+    return m_visibleBefore[last + 1] == m_visibleBefore[first];
 }
 
 }  // namespace echolucent::ray_casting

@@ -1,4 +1,4 @@
-// Colour and opacity of an intensity as one look-up.
+// Colour and opacity of an intensity as look-ups.
 #pragma once
 
 #include <array>
@@ -10,34 +10,39 @@
 
 namespace echolucent::ray_casting {
 
-/// Four floats the compiler keeps in one register: red, green, blue, alpha.
-using Float4 = float __attribute__((vector_size(16)));
+/// A colour map as the kernel computes it: linear in the table position within each of four equal ranges.
+struct ColourRanges {
+    static constexpr int count = 4;
+    using Values = std::array<float, count>;
+    std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
+};
 
-/// Entries are colour times opacity, then opacity, for one step of the ray; linear between entries.
+/// Opacities of one step of the ray at `intervals` + 1 intensities; an intensity takes the nearest one.
 class TransferTable {
 public:
-    /// Eight steps between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is an entry.
-    static constexpr int intervals = 255 * 8;
+    /// 64 entries for each step between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is
+    /// an entry. The error in intensity is at most 1/128 of an 8-bit step.
+    static constexpr int intervals = 255 * 64;
 
     /// stepRatio: the ray's step in reference steps, > 0.
     TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio);
 
-    /// `position`: normalised intensity times `intervals`, within [0, intervals].
-    [[nodiscard]] Float4 at(float position) const {
-        const int left = static_cast<int>(position);
-        const float share = position - static_cast<float>(left);
-        const Float4* entry = m_entries.data() + left;
-        return entry[0] + share * (entry[1] - entry[0]);
-    }
+    /// At normalised intensity i / intervals, i = 0 ... intervals.
+    [[nodiscard]] const float* opacities() const { return m_opacities.data(); }
+    [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
 
-    /// True where every intensity between two positions is fully transparent.
+    /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for a reference
+    /// step.
     [[nodiscard]] bool transparentBetween(float lowest, float highest) const;
-    /// True where some intensities above 0 are transparent, so that looking for empty regions can pay.
-    [[nodiscard]] bool hasTransparentRange() const { return transparentBetween(0.0f, 8.0f); }
+
+    /// Opacity of a reference step that counts as none when regions are left out. Over 4096 units that adds up to at most
+    /// 1/16 of an 8-bit level.
+    static constexpr double negligible = 1.0 / (16.0 * 255.0 * 4096.0);
 
 private:
-    std::vector<Float4> m_entries;             ///< intervals + 2: at(intervals) reads one beyond
-    std::vector<std::int32_t> m_opaqueBefore;  ///< entries with opacity above 0 before each entry
+    std::vector<float> m_opacities;
+    std::vector<std::int32_t> m_visibleBefore;  ///< entries above `negligible` before each entry
+    ColourRanges m_colours;
 };
 
 }  // namespace echolucent::ray_casting

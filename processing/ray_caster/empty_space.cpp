@@ -1,0 +1,167 @@
+#include "processing/ray_caster/empty_space.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "processing/ray_caster/packed_voxels.h"
+
+namespace echolucent::ray_casting {
+
+namespace {
+
+/// The voxels around the cells of a brick, on one axis: [first, second).
+std::pair<std::int64_t, std::int64_t> voxelsOf(std::int64_t brick, std::int64_t size) {
+    const std::int64_t first = brick * BrickGrid::edge - cellShift;
+    return {std::clamp<std::int64_t>(first, 0, size - 1), std::min(size, first + BrickGrid::edge + 1)};
+}
+
+template <typename Voxel>
+struct RangeOf {
+    Voxel lowest = std::numeric_limits<Voxel>::max(), highest = std::numeric_limits<Voxel>::lowest();
+    bool anyMissing = false;
+
+    void addComplete(const Voxel* row, std::int64_t count) {
+        for (std::int64_t x = 0; x < count; ++x) {
+            lowest = std::min(lowest, row[x]);
+            highest = std::max(highest, row[x]);
+        }
+    }
+    void addMasked(const Voxel* row, const std::uint8_t* mask, std::int64_t count) {
+        for (std::int64_t x = 0; x < count; ++x) {
+            bool data = mask == nullptr || mask[x] != 0;
+            if constexpr (std::is_same_v<Voxel, float>) data = data && std::isfinite(row[x]);
+            anyMissing = anyMissing || !data;
+            if (data) addComplete(row + x, 1);
+        }
+    }
+};
+
+template <typename Voxel>
+RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
+    const VolumeGeometry& geometry = volume.geometry();
+    const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
+    const auto [x, endX] = voxelsOf(brick[0], geometry.size[0]);
+    const auto [y, endY] = voxelsOf(brick[1], geometry.size[1]);
+    const auto [z, endZ] = voxelsOf(brick[2], geometry.size[2]);
+    RangeOf<Voxel> range;
+    for (std::int64_t slice = z; slice < endZ; ++slice)
+        for (std::int64_t row = y; row < endY; ++row) {
+            const std::int64_t offset = geometry.offset(x, row, slice);
+            if (mask == nullptr && !std::is_same_v<Voxel, float>)
+                range.addComplete(voxels + offset, endX - x);
+            else
+                range.addMasked(voxels + offset, mask == nullptr ? nullptr : mask + offset, endX - x);
+        }
+    return range;
+}
+
+}  // namespace
+
+BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
+    // Samples lie in cells 0 ... size.
+    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = geometry.size[axis] / edge + 1;
+}
+
+BrickRanges::BrickRanges(const Volume& volume)
+    : m_grid(volume.geometry()),
+      m_lowest(static_cast<std::size_t>(m_grid.count())),
+      m_highest(m_lowest.size()),
+      m_missing(m_lowest.size()) {
+    const double toTable = TransferTable::intervals / volume.whiteLevel();
+    const auto position = [&](auto value) {
+        return static_cast<float>(
+            std::clamp(static_cast<double>(value) * toTable, 0.0, static_cast<double>(TransferTable::intervals)));
+    };
+    std::visit(
+        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+            const std::int64_t columns = m_grid.size[0], rows = m_grid.size[1];
+            tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
+                for (std::int64_t row = range.begin(); row < range.end(); ++row)
+                    for (std::int64_t x = 0; x < columns; ++x) {
+                        const auto found = rangeOf(volume, voxels.data(), {x, row % rows, row / rows});
+                        const auto brick = static_cast<std::size_t>(row * columns + x);
+                        const bool anyData = found.lowest <= found.highest;
+                        // Rounding in the kernel may leave the range of the voxels by a hair.
+                        m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 1.0f) : 1.0f;
+                        m_highest[brick] = anyData ? std::min(static_cast<float>(TransferTable::intervals),
+                                                              position(found.highest) + 1.0f)
+                                                   : 0.0f;
+                        m_missing[brick] = found.anyMissing ? 1 : 0;
+                    }
+            });
+        },
+        volume.voxels());
+    if (std::find(m_missing.begin(), m_missing.end(), 1) == m_missing.end()) m_missing.clear();
+}
+
+EmptySpace::EmptySpace(const BrickGrid& grid)
+    : m_grid(grid), m_empty(static_cast<std::size_t>(grid.count())), m_distances(m_empty.size()) {}
+
+void EmptySpace::update(const BrickRanges& ranges, const TransferTable& table) {
+    Box changed{m_grid.size, {0, 0, 0}};
+    m_updatedBricks = 0;
+    for (std::int64_t z = 0; z < m_grid.size[2]; ++z)
+        for (std::int64_t y = 0; y < m_grid.size[1]; ++y)
+            for (std::int64_t x = 0; x < m_grid.size[0]; ++x) {
+                const std::size_t brick = m_grid.offset(x, y, z);
+                const float lowest = ranges.lowest()[brick], highest = ranges.highest()[brick];
+                const bool empty = lowest > highest || table.transparentBetween(lowest, highest);
+                if (empty == (m_empty[brick] != 0)) continue;
+                m_empty[brick] = empty ? 1 : 0;
+                m_emptyBricks += empty ? 1 : -1;
+                const std::array<std::int64_t, 3> at{x, y, z};
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    changed.first[axis] = std::min(changed.first[axis], at[axis]);
+                    changed.last[axis] = std::max(changed.last[axis], at[axis] + 1);
+                }
+            }
+    if (changed.last[0] == 0) return;
+    // A brick farther away than that from all changed ones keeps its distance.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        changed.first[axis] = std::max<std::int64_t>(0, changed.first[axis] - farthest);
+        changed.last[axis] = std::min(m_grid.size[axis], changed.last[axis] + farthest);
+    }
+    findDistances(changed);
+}
+
+bool EmptySpace::relax(std::int64_t x, std::int64_t y, std::int64_t z) {
+    std::uint8_t& distance = m_distances[m_grid.offset(x, y, z)];
+    if (distance == 0) return false;
+    int nearest = distance - 1;
+    for (std::int64_t k = std::max<std::int64_t>(0, z - 1); k < std::min(m_grid.size[2], z + 2); ++k)
+        for (std::int64_t j = std::max<std::int64_t>(0, y - 1); j < std::min(m_grid.size[1], y + 2); ++j)
+            for (std::int64_t i = std::max<std::int64_t>(0, x - 1); i < std::min(m_grid.size[0], x + 2); ++i)
+                nearest = std::min<int>(nearest, m_distances[m_grid.offset(i, j, k)]);
+    if (nearest + 1 == distance) return false;
+    distance = static_cast<std::uint8_t>(nearest + 1);
+    return true;
+}
+
+void EmptySpace::findDistances(const Box& box) {
+    const auto forEach = [&](const auto& visit) {
+        for (std::int64_t z = box.first[2]; z < box.last[2]; ++z)
+            for (std::int64_t y = box.first[1]; y < box.last[1]; ++y)
+                for (std::int64_t x = box.first[0]; x < box.last[0]; ++x) visit(x, y, z);
+    };
+    forEach([&](std::int64_t x, std::int64_t y, std::int64_t z) {
+        const std::size_t brick = m_grid.offset(x, y, z);
+        m_distances[brick] = m_empty[brick] != 0 ? farthest : 0;
+        ++m_updatedBricks;
+    });
+    // Two sweeps settle the whole grid; what comes in over a box's border may need another.
+    for (bool anyChanged = true; anyChanged;) {
+        anyChanged = false;
+        forEach([&](std::int64_t x, std::int64_t y, std::int64_t z) { anyChanged = relax(x, y, z) || anyChanged; });
+        if (!anyChanged) break;
+        for (std::int64_t z = box.last[2] - 1; z >= box.first[2]; --z)
+            for (std::int64_t y = box.last[1] - 1; y >= box.first[1]; --y)
+                for (std::int64_t x = box.last[0] - 1; x >= box.first[0]; --x)
+                    anyChanged = relax(x, y, z) || anyChanged;
+    }
+}
+
+}  // namespace echolucent::ray_casting

@@ -1,0 +1,76 @@
+// Where rays may jump: regions that the curve makes transparent.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "processing/ray_caster/transfer_table.h"
+#include "processing/volume.h"
+
+namespace echolucent::ray_casting {
+
+/// A grid of bricks of 8 x 8 x 8 cells (see packed_voxels.h); brick b holds cells 8b ... 8b+7 on each axis.
+struct BrickGrid {
+    static constexpr int edge = 8, shift = 3;
+    std::array<std::int64_t, 3> size{};
+
+    explicit BrickGrid(const VolumeGeometry& geometry);
+    [[nodiscard]] std::int64_t count() const { return size[0] * size[1] * size[2]; }
+    [[nodiscard]] std::size_t offset(std::int64_t x, std::int64_t y, std::int64_t z) const {
+        return static_cast<std::size_t>(x + size[0] * (y + size[1] * z));
+    }
+};
+
+/// The smallest and largest intensity around the cells of each brick, and whether voxels there lack data. One pass over the
+/// volume, once.
+class BrickRanges {
+public:
+    explicit BrickRanges(const Volume& volume);
+
+    [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
+    /// Table positions; of a brick without any data the lowest is above the highest.
+    [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
+    [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
+    /// 1 where a voxel of the brick's cells carries no data; empty: all do.
+    [[nodiscard]] const std::vector<std::uint8_t>& missing() const { return m_missing; }
+
+private:
+    BrickGrid m_grid;
+    std::vector<float> m_lowest, m_highest;
+    std::vector<std::uint8_t> m_missing;
+};
+
+/// How far away the next brick is that shows something.
+class EmptySpace {
+public:
+    /// Distances beyond are not told apart.
+    static constexpr int farthest = 8;
+
+    explicit EmptySpace(const BrickGrid& grid);
+
+    /// Follows a curve. Distances are computed anew only around the bricks that became visible or invisible; the result
+    /// is that of a fresh object.
+    void update(const BrickRanges& ranges, const TransferTable& table);
+
+    [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
+    /// False: every brick shows something.
+    [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
+    /// Bricks whose distance the last update computed anew.
+    [[nodiscard]] std::int64_t updatedBricks() const { return m_updatedBricks; }
+    /// Per brick: 0 where it shows something; d: all bricks less than d away on every axis show nothing.
+    [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
+
+private:
+    struct Box {
+        std::array<std::int64_t, 3> first, last;  ///< last is beyond
+    };
+    void findDistances(const Box& box);
+    bool relax(std::int64_t x, std::int64_t y, std::int64_t z);
+
+    BrickGrid m_grid;
+    std::vector<std::uint8_t> m_empty, m_distances;
+    std::int64_t m_emptyBricks = 0, m_updatedBricks = 0;
+};
+
+}  // namespace echolucent::ray_casting

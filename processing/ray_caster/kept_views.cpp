@@ -1,0 +1,71 @@
+#include "processing/ray_caster/kept_views.h"
+
+#include <algorithm>
+
+namespace echolucent::ray_casting {
+
+namespace {
+
+/// The settings without what the samples do not depend on.
+RayCastSettings keyOf(RayCastSettings settings) {
+    const RayCastSettings standard;
+    settings.colourMap = standard.colourMap;
+    settings.shading = standard.shading;
+    settings.depthColouring = standard.depthColouring;
+    settings.terminationTransmittance = standard.terminationTransmittance;
+    settings.skipEmptySpace = standard.skipEmptySpace;
+    settings.findDepth = standard.findDepth;
+    return settings;
+}
+
+int packetsAcross(int pixels, int packet) { return (pixels + packet - 1) / packet; }
+
+/// What all samples of a view take: from one ray of each packet.
+double bytesOfView(const RayCastSettings& settings, const RayGeometry& rays, const PacketShape& shape) {
+    double samples = 0.0;
+    for (int row = shape.rows / 2; row < settings.height; row += shape.rows)
+        for (int column = shape.columns / 2; column < settings.width; column += shape.columns) {
+            const Ray ray = rays.rayThrough(column, row);
+            samples += static_cast<double>(ray.last - ray.first);
+        }
+    return samples * shape.rows * shape.columns * sizeof(std::uint16_t);
+}
+
+std::size_t bytesOf(const KeptSamples& samples) {
+    std::size_t bytes = 0;
+    for (const KeptSamples::Packet& packet : samples.packets) bytes += packet.samples.capacity() * sizeof(std::uint16_t);
+    return bytes;
+}
+
+}  // namespace
+
+KeptSamples* KeptViews::samplesFor(const RayCastSettings& settings, const RayGeometry& rays, std::size_t memoryLimit) {
+    if (settings.mode != RenderMode::direct || settings.preIntegrated) return nullptr;
+    const RayCastSettings key = keyOf(settings);
+    m_views.remove_if([&](const View& view) { return view.key.camera != key.camera; });
+    const auto found = std::find_if(m_views.begin(), m_views.end(), [&](const View& view) { return view.key == key; });
+    if (found == m_views.end()) {
+        m_views.push_front({key, {}});
+        if (m_views.size() > mostViews) m_views.pop_back();
+        return nullptr;
+    }
+    m_views.splice(m_views.begin(), m_views, found);
+    KeptSamples& samples = m_views.front().samples;
+    if (!samples.packets.empty()) return &samples;
+    const PacketShape shape = packetShape();
+    const double wanted = bytesOfView(settings, rays, shape);
+    if (wanted > static_cast<double>(memoryLimit)) return nullptr;
+    for (auto other = std::next(m_views.begin()); other != m_views.end(); ++other)
+        if (wanted + static_cast<double>(bytes()) > static_cast<double>(memoryLimit)) other->samples = {};
+    samples.packets.resize(static_cast<std::size_t>(packetsAcross(settings.width, shape.columns)) *
+                           static_cast<std::size_t>(packetsAcross(settings.height, shape.rows)));
+    return &samples;
+}
+
+std::size_t KeptViews::bytes() const {
+    std::size_t bytes = 0;
+    for (const View& view : m_views) bytes += bytesOf(view.samples);
+    return bytes;
+}
+
+}  // namespace echolucent::ray_casting

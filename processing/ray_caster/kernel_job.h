@@ -1,0 +1,87 @@
+// What the kernel needs to know of a picture, as plain pointers and numbers; and its entry.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "processing/ray_caster.h"
+#include "processing/ray_caster/packed_voxels.h"
+#include "processing/ray_caster/pre_integration.h"
+#include "processing/ray_caster/ray_geometry.h"
+#include "processing/ray_caster/transfer_table.h"
+
+namespace echolucent::ray_casting {
+
+/// One directional light as Shading says it, and the gradient's reach.
+struct LightSource {
+    static constexpr int highlightIntervals = 1024;
+    /// A sample is lit as a surface where it adds at least that much to its pixel's opacity.
+    static constexpr float worthGradient = 1.0f / 128;
+
+    std::array<float, 3> towardsLight{};  ///< unit, grid mm
+    std::array<double, 3> reach{};        ///< voxels
+    std::array<float, 3> unitsPerVoxel{};
+    float ambient = 0, diffuse = 0, evenLight = 0, wrap = 0, floorSquare = 0;
+    std::array<float, 3> shadowTint{};
+    std::array<float, highlightIntervals + 2> highlight{};  ///< over the cosine between normal and half vector
+};
+[[nodiscard]] LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, const ViewFrame& frame,
+                                      ColourMap colourMap);
+
+/// The two tints and the depths they belong to.
+struct DepthTint {
+    std::array<float, 3> near{}, change{};  ///< tint = near + change * t
+    double nearDepthMm = 0.0, perMm = 0.0;  ///< t = (depth - nearDepth) * perMm
+};
+
+/// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
+/// follow each other: all rays' first, all rays' second, ...; each the table position times 4, or noData.
+struct KeptSamples {
+    static constexpr std::uint16_t noData = 0xFFFF;
+    static constexpr float perTablePosition = 4.0f;
+    struct Packet {
+        std::int64_t first = 0;  ///< number of the first sample kept
+        std::vector<std::uint16_t> samples;
+    };
+    std::vector<Packet> packets;  ///< row-major
+};
+
+template <typename Voxel>
+struct KernelJob {
+    const PackedVoxels<Voxel>* voxels = nullptr;
+    VolumeGeometry geometry;
+    const RayGeometry* rays = nullptr;
+    float toTable = 0.0f;  ///< stored value to table position
+    const TransferTable* table = nullptr;
+    const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
+    const LightSource* light = nullptr;              ///< null: no gradient is computed
+    const DepthTint* depthTint = nullptr;
+    const std::uint8_t* distances = nullptr;  ///< EmptySpace; null: nothing may be jumped over
+    const std::uint8_t* missing = nullptr;    ///< BrickRanges; null: all voxels carry data
+    std::array<std::int64_t, 3> bricks{};
+    RenderMode mode = RenderMode::direct;
+    ColourMap colourMap = ColourMap::sepia;
+    bool nearest = false;
+    double endTransmittance = 0.0;
+    KeptSamples* kept = nullptr;  ///< filled, or used where it is filled already
+    Picture* picture = nullptr;
+};
+
+/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones multiples of 4.
+struct Tile {
+    int firstColumn, lastColumn, firstRow, lastRow;
+};
+
+/// Casts the rays of a tile with the widest vectors of the machine.
+template <typename Voxel>
+void castTile(const KernelJob<Voxel>& job, const Tile& tile);
+
+/// Columns and rows of a packet of rays on the machine at hand.
+struct PacketShape {
+    int columns, rows;
+};
+[[nodiscard]] PacketShape packetShape();
+
+}  // namespace echolucent::ray_casting

@@ -1,0 +1,94 @@
+#include "processing/ray_caster/packed_voxels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace echolucent::ray_casting {
+
+namespace {
+
+/// What the kernel may interpolate: 0 in place of what carries no data.
+template <typename Voxel>
+struct Source {
+    const Voxel* voxels;
+    const std::uint8_t* mask;  ///< null: all are data
+    std::array<std::int64_t, 3> size;
+
+    [[nodiscard]] bool hasData(std::int64_t offset) const {
+        if (mask != nullptr && mask[offset] == 0) return false;
+        if constexpr (std::is_same_v<Voxel, float>) return std::isfinite(voxels[offset]);
+        return true;
+    }
+    [[nodiscard]] Voxel value(std::int64_t offset) const { return hasData(offset) ? voxels[offset] : Voxel{}; }
+    [[nodiscard]] std::int64_t rowOf(std::int64_t y, std::int64_t z) const {
+        return size[0] * (std::clamp<std::int64_t>(y, 0, size[1] - 1) +
+                          size[1] * std::clamp<std::int64_t>(z, 0, size[2] - 1));
+    }
+};
+
+/// Writes one row of cells; `rows` are offsets of the first voxels of the rows whose voxels each cell holds.
+template <typename Out, int voxels, typename Read>
+void packRow(const std::array<std::int64_t, voxels>& rows, std::int64_t size, Out* out, const Read& read) {
+    const auto write = [&](std::int64_t cell, std::int64_t x) {
+        for (std::size_t i = 0; i < voxels; ++i)
+            out[static_cast<std::size_t>(cell) * voxels + i] = read(rows[i] + x);
+    };
+    write(0, 0);
+    for (std::int64_t x = 0; x < size; ++x) write(x + cellShift, x);
+    write(size + 1, size - 1);
+}
+
+template <typename Out, int voxels, typename Voxel, typename Read>
+std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
+    const std::int64_t columns = source.size[0] + extraCells, rows = source.size[1] + extraCells,
+                       slices = source.size[2] + extraCells;
+    auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxels));
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
+        for (std::int64_t row = range.begin(); row < range.end(); ++row) {
+            const std::int64_t y = row % rows - cellShift, z = row / rows - cellShift;
+            std::array<std::int64_t, voxels> from;
+            for (std::size_t i = 0; i < voxels; ++i)
+                from[i] = source.rowOf(y + static_cast<std::int64_t>(i & 1), z + static_cast<std::int64_t>(i >> 1));
+            packRow<Out, voxels>(from, source.size[0], cells.get() + row * columns * voxels, read);
+        }
+    });
+    return cells;
+}
+
+template <typename Voxel>
+bool anyMissing(const Source<Voxel>& source, std::int64_t count) {
+    if (source.mask != nullptr && std::find(source.mask, source.mask + count, 0) != source.mask + count) return true;
+    if constexpr (std::is_same_v<Voxel, float>)
+        return !std::all_of(source.voxels, source.voxels + count, [](float value) { return std::isfinite(value); });
+    return false;
+}
+
+}  // namespace
+
+template <typename Voxel>
+PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
+    : m_rowStride(volume.geometry().size[0] + extraCells),
+      m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCells)) {
+    const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
+                               volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size};
+    constexpr int voxels = CellWord<Voxel>::voxels;
+    if (!anyMissing(source, volume.geometry().voxelCount())) {
+        m_cells = packAll<Voxel, voxels>(source, [&](std::int64_t offset) { return source.voxels[offset]; });
+        return;
+    }
+    m_cells = packAll<Voxel, voxels>(source, [&](std::int64_t offset) { return source.value(offset); });
+    m_mask = packAll<std::uint8_t, CellWord<std::uint8_t>::voxels>(source, [&](std::int64_t offset) {
+        return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0);
+    });
+}
+
+template class PackedVoxels<std::uint8_t>;
+template class PackedVoxels<std::uint16_t>;
+template class PackedVoxels<float>;
+
+}  // namespace echolucent::ray_casting

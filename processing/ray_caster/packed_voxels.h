@@ -1,0 +1,54 @@
+// The voxels of a volume in the order the kernel reads them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "processing/volume.h"
+
+namespace echolucent::ray_casting {
+
+/// Cell (x,y,z) of the packed order is the space between voxels x-1 and x, y-1 and y, z-1 and z; voxels beyond the grid
+/// repeat its outermost ones. So a position p in voxels lies in cell floor(p) + 1, for all p in the volume's box. Each
+/// axis has size + 2 cells; the last one only ends the cell before it.
+inline constexpr int cellShift = 1;
+inline constexpr int extraCells = 2;
+
+/// What is stored of each cell, so that one load of eight bytes brings two cells along x:
+/// bytes: four voxels (y,z), (y+1,z), (y,z+1), (y+1,z+1) of the cell's lower x, 4 times the volume's memory;
+/// 16 bits: two voxels (y,z), (y+1,z), 2 times; float: the same two, of which one load brings one cell.
+template <typename Voxel>
+struct CellWord;
+template <>
+struct CellWord<std::uint8_t> {
+    static constexpr int voxels = 4;
+};
+template <>
+struct CellWord<std::uint16_t> {
+    static constexpr int voxels = 2;
+};
+template <>
+struct CellWord<float> {
+    static constexpr int voxels = 2;
+};
+
+/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask.
+template <typename Voxel>
+class PackedVoxels {
+public:
+    explicit PackedVoxels(const Volume& volume);
+
+    [[nodiscard]] const Voxel* cells() const { return m_cells.get(); }
+    /// Packed like bytes: 255 where there is data, else 0. Null: all voxels carry data.
+    [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }
+    [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cells
+    [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cells
+
+private:
+    std::int64_t m_rowStride, m_sliceStride;
+    std::unique_ptr<Voxel[]> m_cells;
+    std::unique_ptr<std::uint8_t[]> m_mask;
+};
+
+}  // namespace echolucent::ray_casting

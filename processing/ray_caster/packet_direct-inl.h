@@ -1,0 +1,332 @@
+// Direct volume rendering of a packet of rays, front to back: Petersch 2005, eqs. 2 and 3.
+#include <limits>
+#include <optional>
+
+#include "processing/ray_caster/packet_colour-inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+#if defined(ECHOLUCENT_PACKET_DIRECT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ECHOLUCENT_PACKET_DIRECT_INL
+#undef ECHOLUCENT_PACKET_DIRECT_INL
+#else
+#define ECHOLUCENT_PACKET_DIRECT_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// What rays have gathered. In double, and of each run its opacity, not its transmittance: a product of many factors
+/// near 1 keeps its digits.
+struct Gathered {
+    alignas(64) double transmittance[lanes];
+    alignas(64) double colour[3][lanes];
+    alignas(64) float depthMm[lanes];
+
+    Gathered() {
+        for (int i = 0; i < lanes; ++i) {
+            transmittance[i] = 1.0;
+            colour[0][i] = colour[1][i] = colour[2][i] = 0.0;
+            depthMm[i] = std::numeric_limits<float>::infinity();
+        }
+    }
+};
+
+/// Of a run alone, in shares of the light that reaches it.
+struct Blend {
+    FloatVector opacity, red, green, blue;
+    FloatVector half;  ///< the sample at which the pixel's opacity reaches one half
+};
+
+template <typename Voxel>
+class DirectKernel {
+public:
+    DirectKernel(const KernelJob<Voxel>& job, Packet<Voxel>& packet, KeptSamples::Packet* kept)
+        : m_job(job), m_packet(packet), m_colours(job.table->colours()), m_kept(kept) {
+        if (job.light != nullptr) m_light.emplace(job, packet.rays());
+        m_rich = job.light != nullptr || job.depthTint != nullptr || job.picture->depthMm.size() > 0;
+    }
+
+    void cast() {
+        const std::int64_t common = m_packet.longestCommonRun();
+        for (std::int64_t first = m_packet.first(); first < m_packet.last();) {
+            const std::int64_t empty = mayJump() ? m_packet.emptyFrom(first) : 0;
+            if (empty > 0) {
+                first += empty;
+            } else if (common > 0) {
+                first += castRun(m_packet.run(first, common, -1));
+            } else {
+                const std::int64_t single = m_packet.longestSingleRun();
+                for (int lane = 0; lane < lanes; ++lane) castRun(m_packet.run(first, single, lane));
+                first += single;
+            }
+            if (!anyAlive()) return;
+        }
+    }
+
+    [[nodiscard]] const Gathered& gathered() const { return m_gathered; }
+
+private:
+    [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_kept == nullptr; }
+
+    /// The number of samples done: all of the run, or up to where nothing more of it shows.
+    HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
+        prepareLanes(run);
+        const Floats floats;
+        const bool stored = prepareKept(run);
+        Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
+        const auto limit = hn::Load(floats, m_limit);
+        auto before = set(-1.0f);
+        if (m_job.preIntegration != nullptr) before = endPosition(run, set(-0.5f), run.inRange(set(0.0f)));
+        std::int64_t block = 0;
+        for (; block < run.count; block += blockSize) {
+            const auto alive = hn::Lt(blend.opacity, limit);
+            if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
+            // Shorter jumps cost more than they save.
+            const bool atCheck = block % (2 * blockSize) == 0 && block > 0;
+            if (atCheck && mayJump() && m_packet.emptyFrom(run.first + block) > 0) break;
+            const std::int64_t last = std::min(run.count, block + blockSize);
+            const bool full = run.full && hn::AllTrue(floats, alive);
+            if (m_job.preIntegration != nullptr)
+                for (std::int64_t i = block; i < last; ++i) blendSegment(run, i, alive, before, blend);
+            else if (m_rich)
+                for (std::int64_t i = block; i < last; ++i) blendRich(run, i, alive, stored, blend);
+            else if (full)
+                for (std::int64_t i = block; i < last; ++i) blendSample<true>(run, i, alive, stored, blend);
+            else
+                for (std::int64_t i = block; i < last; ++i) blendSample<false>(run, i, alive, stored, blend);
+        }
+        add(run, blend);
+        const std::int64_t done = std::min(block, run.count);
+        if (m_kept != nullptr && !stored)
+            m_kept->samples.resize(static_cast<std::size_t>((run.first + done - m_kept->first) * lanes));
+        return block == 0 ? run.count : done;
+    }
+
+    /// A run's opacity above which a ray ends, and at which the pixel's opacity is one half.
+    void prepareLanes(const Run<Voxel>& run) {
+        for (int i = 0; i < lanes; ++i) {
+            const double transmittance = m_gathered.transmittance[i];
+            const bool ended = transmittance <= 0.0 || transmittance < m_job.endTransmittance;
+            m_limit[i] = ended ? -1.0f : static_cast<float>(1.0 - m_job.endTransmittance / transmittance);
+            m_half[i] = transmittance > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance) : 2.0f;
+            m_before[i] = static_cast<float>(transmittance);
+        }
+        if (m_job.depthTint == nullptr) return;
+        const DepthTint& depth = *m_job.depthTint;
+        const RayBundle<lanes>& rays = m_packet.rays();
+        for (int i = 0; i < lanes; ++i) {
+            const double from = rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + 0.5);
+            m_tintStart[i] = static_cast<float>((from - depth.nearDepthMm) * depth.perMm);
+            m_tintStep[i] = static_cast<float>(rays.depthStepMm[i] * depth.perMm);
+        }
+    }
+    [[nodiscard]] bool anyAlive() const {
+        for (int i = 0; i < lanes; ++i)
+            if (m_gathered.transmittance[i] > 0.0 && m_gathered.transmittance[i] >= m_job.endTransmittance) return true;
+        return false;
+    }
+
+    /// True where all samples of the run are kept already; else makes room for them.
+    bool prepareKept(const Run<Voxel>& run) {
+        if (m_kept == nullptr) return false;
+        if (m_kept->samples.empty()) m_kept->first = run.first;
+        const auto last = static_cast<std::size_t>((run.first + run.count - m_kept->first) * lanes);
+        if (m_kept->samples.size() >= last) return true;
+        m_kept->samples.resize(last);
+        return false;
+    }
+    [[nodiscard]] std::uint16_t* keptAt(const Run<Voxel>& run, std::int64_t i) const {
+        return m_kept->samples.data() + (run.first + i - m_kept->first) * lanes;
+    }
+
+    HWY_INLINE FloatVector sampled(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+        return tablePositionAt(run.volume, m_job.nearest ? nearestVoxel(at) : at, m_job.toTable, active);
+    }
+    /// Table positions of sample i, -1 where there is no data.
+    HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
+        if (m_kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
+        const Floats floats;
+        const Ints ints;
+        const hn::Rebind<std::uint16_t, Floats> words;
+        std::uint16_t* const kept = keptAt(run, i);
+        if (stored) {
+            const auto value = hn::PromoteTo(ints, hn::LoadU(words, kept));
+            const auto position =
+                hn::Mul(hn::ConvertTo(floats, value), set(1.0f / KeptSamples::perTablePosition));
+            return hn::IfThenElse(hn::RebindMask(floats, hn::Eq(value, set(std::int32_t{KeptSamples::noData}))),
+                                  set(-1.0f), position);
+        }
+        const auto position = sampled(run, run.at(number), run.inRange(number));
+        const auto value = hn::NearestInt(hn::Mul(position, set(KeptSamples::perTablePosition)));
+        const auto known = hn::IfThenElse(hn::Lt(value, hn::Zero(ints)), set(std::int32_t{KeptSamples::noData}), value);
+        hn::StoreU(hn::DemoteTo(words, known), words, kept);
+        return position;
+    }
+
+    HWY_INLINE FloatVector opacityAt(FloatVector position) const {
+        return hn::GatherIndex(Floats(), m_job.table->opacities(),
+                               hn::NearestInt(hn::Max(position, set(0.0f))));
+    }
+
+    template <bool full>
+    HWY_INLINE void blendSample(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
+        const auto number = set(static_cast<float>(i));
+        auto position = positionOf(run, i, number, stored);
+        auto opacity = opacityAt(position);
+        if (m_job.missing != nullptr) {
+            opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
+            position = hn::Max(position, set(0.0f));
+        }
+        if constexpr (!full) opacity = hn::IfThenElseZero(hn::And(alive, run.inRange(number)), opacity);
+        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
+        const Colour colour = m_colours.at(position);
+        blend.opacity = hn::Add(blend.opacity, added);
+        blend.red = hn::MulAdd(added, colour.red, blend.red);
+        blend.green = hn::MulAdd(added, colour.green, blend.green);
+        blend.blue = hn::MulAdd(added, colour.blue, blend.blue);
+    }
+
+    /// The same with light, tint and depth.
+    HWY_INLINE void blendRich(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
+        const Floats floats;
+        const auto number = set(static_cast<float>(i));
+        auto position = positionOf(run, i, number, stored);
+        const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Ge(position, set(0.0f)));
+        position = hn::Max(position, set(0.0f));
+        const auto opacity = hn::IfThenElseZero(active, opacityAt(position));
+        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
+        Colour colour = m_colours.at(position);
+        if (m_light) {
+            const auto seen = hn::Mul(added, hn::Load(floats, m_before));
+            const auto worth = hn::Ge(seen, set(LightSource::worthGradient));
+            auto factor = set(m_light->even());
+            if (!hn::AllFalse(floats, worth))
+                factor = hn::IfThenElse(worth, m_light->factorAt(run, run.at(number), worth), factor);
+            colour = {m_light->lit(colour.red, factor, 0), m_light->lit(colour.green, factor, 1),
+                      m_light->lit(colour.blue, factor, 2)};
+        }
+        if (m_job.depthTint != nullptr) tint(number, colour);
+        addSample(added, colour, number, blend);
+    }
+
+    HWY_INLINE void addSample(FloatVector added, const Colour& colour, FloatVector number, Blend& blend) {
+        const Floats floats;
+        blend.opacity = hn::Add(blend.opacity, added);
+        blend.red = hn::MulAdd(added, colour.red, blend.red);
+        blend.green = hn::MulAdd(added, colour.green, blend.green);
+        blend.blue = hn::MulAdd(added, colour.blue, blend.blue);
+        const auto reached = hn::And(hn::Ge(blend.opacity, hn::Load(floats, m_half)), hn::Lt(blend.half, set(0.0f)));
+        blend.half = hn::IfThenElse(reached, number, blend.half);
+    }
+
+    HWY_INLINE void tint(FloatVector number, Colour& colour) const {
+        const Floats floats;
+        const auto along = hn::MulAdd(number, hn::Load(floats, m_tintStep), hn::Load(floats, m_tintStart));
+        const auto share = hn::Min(hn::Max(along, set(0.0f)), set(1.0f));
+        const auto tinted = [&](FloatVector channel, std::size_t c) {
+            return hn::Mul(channel, hn::MulAdd(share, set(m_job.depthTint->change[c]), set(m_job.depthTint->near[c])));
+        };
+        colour = {tinted(colour.red, 0), tinted(colour.green, 1), tinted(colour.blue, 2)};
+    }
+
+    /// Table position at an end of a sample's segment, within the volume's box.
+    HWY_INLINE FloatVector endPosition(const Run<Voxel>& run, FloatVector number, LaneMask active) const {
+        Position at = run.at(number);
+        IntVector* const components[3] = {&at.x, &at.y, &at.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double corner = static_cast<double>(run.corner[axis]);
+            const auto place = [&](double cell) {
+                return set(static_cast<std::int32_t>(std::clamp(cell - corner, -32767.0, 32767.0) * oneCell));
+            };
+            const double size = static_cast<double>(m_job.geometry.size[axis]);
+            *components[axis] = hn::Min(hn::Max(*components[axis], place(0.5)), place(size + 0.5 - 1e-4));
+        }
+        return sampled(run, at, active);
+    }
+
+    HWY_INLINE void blendSegment(const Run<Voxel>& run, std::int64_t i, LaneMask alive, FloatVector& before,
+                                 Blend& blend) {
+        const auto number = set(static_cast<float>(i)), next = set(static_cast<float>(i + 1));
+        const auto behind = endPosition(run, hn::Add(number, set(0.5f)), hn::Or(run.inRange(number), run.inRange(next)));
+        const auto zero = set(0.0f);
+        const auto frontData = hn::Ge(before, zero), backData = hn::Ge(behind, zero);
+        const auto front = hn::Max(hn::IfThenElse(frontData, before, behind), zero);
+        const auto back = hn::Max(hn::IfThenElse(backData, behind, before), zero);
+        const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Or(frontData, backData));
+        Colour colour;
+        const auto opacity = hn::IfThenElseZero(active, segmentOpacity(front, back, colour));
+        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
+        if (m_job.depthTint != nullptr) tint(number, colour);
+        addSample(added, colour, number, blend);
+        before = behind;
+    }
+
+    HWY_INLINE FloatVector segmentOpacity(FloatVector front, FloatVector back, Colour& colour) const {
+        const Floats floats;
+        constexpr float scale = static_cast<float>(PreIntegration::intervals) / TransferTable::intervals;
+        const auto a = hn::Mul(front, set(scale)), b = hn::Mul(back, set(scale));
+        const auto apart = hn::Sub(b, a);
+        const auto far = hn::Gt(hn::Abs(apart), set(PreIntegration::closest));
+        const auto middle = hn::Mul(hn::Add(front, back), set(0.5f));
+        colour = m_colours.at(middle);
+        const auto point = opacityAt(middle);
+        if (hn::AllFalse(floats, far)) return point;
+        const auto perInterval = hn::Div(set(1.0f), hn::IfThenElse(far, apart, set(1.0f)));
+        const auto mean = [&](int component) {
+            return hn::Mul(hn::Sub(integralAt(b, component), integralAt(a, component)), perInterval);
+        };
+        const auto extinction = hn::Max(mean(3), set(0.0f));
+        const auto visible = hn::And(far, hn::Gt(extinction, set(1e-12f)));
+        const auto perExtinction = hn::Div(set(1.0f), hn::IfThenElse(visible, extinction, set(1.0f)));
+        const auto channel = [&](int c, FloatVector otherwise) {
+            return hn::IfThenElse(visible, hn::Min(hn::Max(hn::Mul(mean(c), perExtinction), set(0.0f)), set(1.0f)), otherwise);
+        };
+        colour = {channel(0, colour.red), channel(1, colour.green), channel(2, colour.blue)};
+        return hn::IfThenElse(far, hn::Neg(hn::Expm1(floats, hn::Neg(extinction))), point);
+    }
+    HWY_INLINE FloatVector integralAt(FloatVector position, int component) const {
+        const Floats floats;
+        const auto left = hn::ConvertTo(Ints(), position);
+        const auto index = hn::Add(hn::ShiftLeft<2>(left), set(std::int32_t{component}));
+        const float* integrals = m_job.preIntegration->integrals();
+        return between(hn::GatherIndex(floats, integrals, index), hn::GatherIndex(floats, integrals + 4, index),
+                       hn::Sub(position, hn::ConvertTo(floats, left)));
+    }
+
+    /// Puts a run behind what the rays have gathered.
+    void add(const Run<Voxel>& run, const Blend& blend) {
+        const Floats floats;
+        alignas(64) float opacity[lanes], colour[3][lanes], half[lanes];
+        hn::Store(blend.opacity, floats, opacity);
+        hn::Store(blend.red, floats, colour[0]);
+        hn::Store(blend.green, floats, colour[1]);
+        hn::Store(blend.blue, floats, colour[2]);
+        for (int channel = 0; channel < 3; ++channel)
+            for (int i = 0; i < lanes; ++i)
+                m_gathered.colour[channel][i] +=
+                    m_gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
+        for (int i = 0; i < lanes; ++i)
+            m_gathered.transmittance[i] -= m_gathered.transmittance[i] * static_cast<double>(opacity[i]);
+        if (!m_rich && m_job.preIntegration == nullptr) return;
+        hn::Store(blend.half, floats, half);
+        const RayBundle<lanes>& rays = m_packet.rays();
+        for (int i = 0; i < lanes; ++i)
+            if (half[i] >= 0.0f)
+                m_gathered.depthMm[i] = static_cast<float>(
+                    rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + static_cast<double>(half[i]) + 0.5));
+    }
+
+    const KernelJob<Voxel>& m_job;
+    Packet<Voxel>& m_packet;
+    Colours m_colours;
+    std::optional<Light<Voxel>> m_light;
+    KeptSamples::Packet* m_kept;
+    bool m_rich = false;
+    Gathered m_gathered;
+    alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];
+};
+
+}  // namespace echolucent::ray_casting::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

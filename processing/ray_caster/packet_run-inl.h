@@ -1,0 +1,238 @@
+// Where the samples of a packet of rays are: runs of samples from one corner of the volume, and what may be jumped over.
+#include <array>
+#include <cmath>
+
+#include "processing/ray_caster/empty_space.h"
+#include "processing/ray_caster/packet_sampling-inl.h"
+
+#if defined(ECHOLUCENT_PACKET_RUN_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ECHOLUCENT_PACKET_RUN_INL
+#undef ECHOLUCENT_PACKET_RUN_INL
+#else
+#define ECHOLUCENT_PACKET_RUN_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// Rays end and jump by whole blocks of samples, whose numbers are multiples of this: what a ray shows does not depend on
+/// the rays beside it.
+constexpr std::int64_t blockSize = 8;
+/// Longest run from one corner.
+constexpr std::int64_t longestRun = 64;
+
+/// Some samples of all rays of a packet, in floats from a corner near to them. Sample i of a run is number first + i.
+template <typename Voxel>
+struct Run {
+    std::int64_t first, count;
+    Cells<Voxel> volume;
+    std::array<std::int64_t, 3> corner;  ///< cell
+    FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cells
+    FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
+    bool full;                                                ///< all rays have all of them
+
+    HWY_INLINE Position at(FloatVector i) const {
+        const Ints ints;
+        return {hn::ConvertTo(ints, hn::MulAdd(i, stepX, startX)), hn::ConvertTo(ints, hn::MulAdd(i, stepY, startY)),
+                hn::ConvertTo(ints, hn::MulAdd(i, stepZ, startZ))};
+    }
+    HWY_INLINE LaneMask inRange(FloatVector i) const { return hn::And(hn::Ge(i, begin), hn::Lt(i, end)); }
+};
+
+/// The rays of neighbouring pixels on their way through the volume.
+template <typename Voxel>
+class Packet {
+public:
+    Packet(const KernelJob<Voxel>& job, int column, int row) : m_job(job) {
+        job.rays->fill(m_rays, column, row, packetColumns);
+        // Pixels beyond the picture's edge cast nothing.
+        for (int i = 0; i < lanes; ++i)
+            if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
+                m_rays.first[i] = m_rays.last[i] = 0.0;
+        findExtent();
+    }
+
+    [[nodiscard]] bool empty() const { return m_first >= m_last; }
+    [[nodiscard]] std::int64_t first() const { return m_first; }
+    [[nodiscard]] std::int64_t last() const { return m_last; }
+    [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
+
+    /// Ends a ray at a sample.
+    void endRay(int lane, std::int64_t sample) { m_rays.last[lane] = std::min(m_rays.last[lane], static_cast<double>(sample)); }
+
+    /// Samples from `sample` on, a multiple of blockSize, that show nothing on any ray; a multiple of blockSize too.
+    [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
+        const double number = static_cast<double>(sample);
+        double low[3], high[3];
+        std::int64_t brick[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = m_lowOrigin[axis] + m_lowStep[axis] * (number + (m_lowStep[axis] < 0.0 ? 1.0 : 0.0));
+            high[axis] = m_highOrigin[axis] + m_highStep[axis] * (number + (m_highStep[axis] < 0.0 ? 0.0 : 1.0));
+            const auto cell = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
+            brick[axis] = std::clamp<std::int64_t>(cell >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
+        }
+        const std::int64_t distance =
+            m_job.distances[brick[0] + m_job.bricks[0] * (brick[1] + m_job.bricks[1] * brick[2])];
+        if (distance == 0) return 0;
+        double steps = static_cast<double>(m_last - sample) + blockSize;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t before = brick[axis] - distance + 1, behind = brick[axis] + distance;
+            constexpr double margin = 0.01;  // for the kernel's rounding
+            const bool endsBefore = before > 0, endsBehind = behind < m_job.bricks[static_cast<std::size_t>(axis)];
+            const double lowest = static_cast<double>(before * BrickGrid::edge) + margin;
+            const double highest = static_cast<double>(behind * BrickGrid::edge) - margin;
+            if ((endsBefore && low[axis] < lowest) || (endsBehind && high[axis] >= highest)) return 0;
+            if (endsBehind && m_highStep[axis] > 0.0) steps = std::min(steps, (highest - high[axis]) / m_highStep[axis]);
+            if (endsBefore && m_lowStep[axis] < 0.0) steps = std::min(steps, (lowest - low[axis]) / m_lowStep[axis]);
+        }
+        return static_cast<std::int64_t>(steps) / blockSize * blockSize;
+    }
+
+    /// The run from `first`, a multiple of blockSize, of `count` samples at most. lane: of that ray alone; -1: of all.
+    [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
+        Run<Voxel> run{};
+        run.first = first;
+        run.count = std::min(count, m_last - first);
+        double low[3], high[3];
+        findBox(first, lane, run.count, low, high);
+        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        setLanes(run, lane);
+        const PackedVoxels<Voxel>& voxels = *m_job.voxels;
+        const std::int64_t offset =
+            run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
+        run.volume = {voxels.cells() + offset * CellWord<Voxel>::voxels, nullptr, voxels.rowStride(), voxels.sliceStride()};
+        if (m_job.missing != nullptr && touchesMissing(low, high))
+            run.volume.mask = voxels.mask() + offset * CellWord<std::uint8_t>::voxels;
+        return run;
+    }
+
+    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0: the rays are so
+    /// far apart that each needs runs of its own.
+    [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
+    [[nodiscard]] std::int64_t longestSingleRun() const { return runWithin(0.0); }
+
+private:
+    void findExtent() {
+        double first = 1e18, last = -1.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            m_lowOrigin[axis] = m_lowStep[axis] = 1e300;
+            m_highOrigin[axis] = m_highStep[axis] = -1e300;
+        }
+        for (int i = 0; i < lanes; ++i) {
+            if (m_rays.first[i] >= m_rays.last[i]) continue;
+            first = std::min(first, m_rays.first[i]);
+            last = std::max(last, m_rays.last[i]);
+            for (int axis = 0; axis < 3; ++axis) {
+                // In cells, at sample -0.5.
+                const double origin = m_rays.origin[axis][i] + cellShift, step = m_rays.step[axis][i];
+                m_lowOrigin[axis] = std::min(m_lowOrigin[axis], origin);
+                m_highOrigin[axis] = std::max(m_highOrigin[axis], origin);
+                m_lowStep[axis] = std::min(m_lowStep[axis], step);
+                m_highStep[axis] = std::max(m_highStep[axis], step);
+            }
+        }
+        if (last < 0.0) return;
+        m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
+        m_last = static_cast<std::int64_t>(last);
+        double widest = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            widest = std::max(widest, m_highOrigin[axis] - m_lowOrigin[axis] +
+                                          (m_highStep[axis] - m_lowStep[axis]) * static_cast<double>(m_last));
+        m_longestRun = runWithin(widest);
+    }
+
+    /// Whole blocks whose samples, together with rays `widest` cells apart, stay near enough to a corner.
+    [[nodiscard]] std::int64_t runWithin(double widest) const {
+        double room = 16000.0;
+        const double slice = static_cast<double>(m_job.voxels->sliceStride());
+        room = std::min(room, 0x1p29 / slice);
+        double fastest = 1e-9;
+        for (int axis = 0; axis < 3; ++axis)
+            fastest = std::max({fastest, std::abs(m_lowStep[axis]), std::abs(m_highStep[axis])});
+        const double samples = (room - widest) / fastest;
+        if (samples < 1.0) return 0;
+        return samples >= longestRun ? longestRun : std::max<std::int64_t>(static_cast<std::int64_t>(samples), 1);
+    }
+
+    /// A box, in cells, that holds all samples of a run.
+    void findBox(std::int64_t first, int lane, std::int64_t count, double (&low)[3], double (&high)[3]) const {
+        const double a = static_cast<double>(first), b = static_cast<double>(first + count);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (lane >= 0) {
+                const double origin = m_rays.origin[axis][lane] + cellShift, step = m_rays.step[axis][lane];
+                low[axis] = origin + std::min(step * a, step * b);
+                high[axis] = origin + std::max(step * a, step * b);
+            } else {
+                low[axis] = m_lowOrigin[axis] + std::min(m_lowStep[axis] * a, m_lowStep[axis] * b);
+                high[axis] = m_highOrigin[axis] + std::max(m_highStep[axis] * a, m_highStep[axis] * b);
+            }
+            // Nothing is sampled outside.
+            const double cells = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)] + 1);
+            low[axis] = std::clamp(low[axis], 0.0, cells);
+            high[axis] = std::clamp(high[axis], 0.0, cells);
+        }
+    }
+
+    void setLanes(Run<Voxel>& run, int lane) const {
+        alignas(64) float start[3][lanes], step[3][lanes], begin[lanes], end[lanes];
+        const double number = static_cast<double>(run.first) + 0.5;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            for (int i = 0; i < lanes; ++i) {
+                start[axis][i] = static_cast<float>(
+                    (m_rays.origin[axis][i] + m_rays.step[axis][i] * number + shift) * oneCell);
+                step[axis][i] = static_cast<float>(m_rays.step[axis][i] * oneCell);
+            }
+        }
+        const double count = static_cast<double>(run.count), first = static_cast<double>(run.first);
+        for (int i = 0; i < lanes; ++i) {
+            const double from = m_rays.first[i] - first, to = m_rays.last[i] - first;
+            begin[i] = static_cast<float>(std::min(std::max(from, 0.0), count));
+            end[i] = static_cast<float>(std::min(std::max(to, 0.0), count));
+        }
+        if (lane >= 0)
+            for (int i = 0; i < lanes; ++i) end[i] = i == lane ? end[i] : 0.0f;
+        run.full = true;
+        for (int i = 0; i < lanes; ++i)
+            run.full = run.full && begin[i] == 0.0f && end[i] == static_cast<float>(run.count);
+        const Floats floats;
+        run.startX = hn::Load(floats, start[0]);
+        run.startY = hn::Load(floats, start[1]);
+        run.startZ = hn::Load(floats, start[2]);
+        run.stepX = hn::Load(floats, step[0]);
+        run.stepY = hn::Load(floats, step[1]);
+        run.stepZ = hn::Load(floats, step[2]);
+        run.begin = hn::Load(floats, begin);
+        run.end = hn::Load(floats, end);
+    }
+
+    [[nodiscard]] bool touchesMissing(const double (&low)[3], const double (&high)[3]) const {
+        std::int64_t first[3], last[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            // A gradient reads farther, and one cell is for rounding.
+            const double reach = (m_job.light != nullptr ? m_job.light->reach[i] : 0.0) + 1.0;
+            const auto brick = [&](double cell) {
+                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(cell)) >> BrickGrid::shift, 0,
+                                                m_job.bricks[i] - 1);
+            };
+            first[axis] = brick(low[axis] - reach);
+            last[axis] = brick(high[axis] + reach);
+        }
+        for (std::int64_t z = first[2]; z <= last[2]; ++z)
+            for (std::int64_t y = first[1]; y <= last[1]; ++y)
+                for (std::int64_t x = first[0]; x <= last[0]; ++x)
+                    if (m_job.missing[x + m_job.bricks[0] * (y + m_job.bricks[1] * z)] != 0) return true;
+        return false;
+    }
+
+    const KernelJob<Voxel>& m_job;
+    RayBundle<lanes> m_rays;
+    std::int64_t m_first = 0, m_last = 0;
+    std::int64_t m_longestRun = longestRun;
+    double m_lowOrigin[3], m_highOrigin[3], m_lowStep[3], m_highStep[3];
+};
+
+}  // namespace echolucent::ray_casting::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,80 @@
+// A tile of a picture, packet by packet.
+#include <algorithm>
+
+#include "processing/ray_caster/packet_direct-inl.h"
+#include "processing/ray_caster/packet_extremes-inl.h"
+
+#if defined(ECHOLUCENT_PACKET_TILE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ECHOLUCENT_PACKET_TILE_INL
+#undef ECHOLUCENT_PACKET_TILE_INL
+#else
+#define ECHOLUCENT_PACKET_TILE_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// Calls write(lane, offset of the pixel in the picture) for each ray of a packet.
+template <typename Write>
+void forEachPixel(const Picture& picture, int column, int row, const Write& write) {
+    for (int i = 0; i < lanes; ++i) {
+        const int x = column + i % packetColumns, y = row + i / packetColumns;
+        if (x < picture.width && y < picture.height)
+            write(i, static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    }
+}
+
+template <typename Voxel>
+void castDirect(const KernelJob<Voxel>& job, Packet<Voxel>& packet, int column, int row) {
+    Picture& picture = *job.picture;
+    KeptSamples::Packet* kept = nullptr;
+    if (job.kept != nullptr) {
+        const int packetsInRow = (picture.width + packetColumns - 1) / packetColumns;
+        kept = &job.kept->packets[static_cast<std::size_t>(row / packetRows) * static_cast<std::size_t>(packetsInRow) +
+                                  static_cast<std::size_t>(column / packetColumns)];
+    }
+    DirectKernel<Voxel> kernel(job, packet, kept);
+    kernel.cast();
+    const Gathered& gathered = kernel.gathered();
+    forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
+        float* out = &picture.rgba[pixel * 4];
+        for (int channel = 0; channel < 3; ++channel)
+            out[channel] = static_cast<float>(std::min(gathered.colour[channel][lane], 1.0));
+        out[3] = static_cast<float>(1.0 - gathered.transmittance[lane]);
+        if (!picture.depthMm.empty()) picture.depthMm[pixel] = gathered.depthMm[lane];
+    });
+}
+
+template <typename Voxel>
+void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, ColourMap map, int column, int row) {
+    Picture& picture = *job.picture;
+    ExtremesKernel<Voxel> kernel(job, packet);
+    kernel.cast();
+    const Seen& seen = kernel.seen();
+    forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
+        if (seen.count[lane] == 0.0) return;
+        const double share = job.mode == RenderMode::mean ? 1.0 / seen.count[lane] : 1.0;
+        const Vec3 colour = colourOf(map, seen.value[lane] * share / TransferTable::intervals);
+        float* out = &picture.rgba[pixel * 4];
+        for (int channel = 0; channel < 3; ++channel) out[channel] = static_cast<float>(colour[channel]);
+        out[3] = 1.0f;
+        if (!picture.depthMm.empty()) picture.depthMm[pixel] = seen.depthMm[lane];
+    });
+}
+
+template <typename Voxel>
+void castPackets(const KernelJob<Voxel>& job, const Tile& tile) {
+    for (int row = tile.firstRow; row < tile.lastRow; row += packetRows)
+        for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns) {
+            Packet<Voxel> packet(job, column, row);
+            if (packet.empty()) continue;
+            if (job.mode == RenderMode::direct)
+                castDirect(job, packet, column, row);
+            else
+                castExtremes(job, packet, job.colourMap, column, row);
+        }
+}
+
+}  // namespace echolucent::ray_casting::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
