@@ -1,6 +1,8 @@
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -315,23 +317,25 @@ private slots:
         const auto check = [&](SampleUse expected, int line) {
             const CastResult result = cast(request, {});
             const auto alone = castRays(*request.volume, request.curve, request.settings);
-            QVERIFY2(result.picture && result.picture->rgba == alone->rgba, qPrintable(QString::number(line)));
-            // Whether samples are kept is the ray caster's own business; that new ones are taken is not.
-            QVERIFY2((result.samples == SampleUse::taken) == (expected == SampleUse::taken),
+            QVERIFY2(result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.25 : 0),
                      qPrintable(QString::number(line)));
+            QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
         };
         check(SampleUse::taken, __LINE__);
-        request.settings.step = 0.5;
-        check(SampleUse::taken, __LINE__);
-        request.volume = b;
-        check(SampleUse::taken, __LINE__);
         request.curve = PowerCurve{2, 0.5};
-        cast(request, {});
+        check(SampleUse::taken, __LINE__);
         request.settings.colourMap = ColourMap::ice;
         check(SampleUse::kept, __LINE__);
+        request.settings.step = 0.5;  // a finer picture of the same view has samples of its own
+        check(SampleUse::taken, __LINE__);
+        request.settings.step = 1;
         request.curve = PowerCurve{2, 0.25};
         check(SampleUse::kept, __LINE__);
         request.settings.camera.heightMm *= 1.1;
+        check(SampleUse::taken, __LINE__);
+        check(SampleUse::taken, __LINE__);
+        check(SampleUse::kept, __LINE__);
+        request.volume = b;
         check(SampleUse::taken, __LINE__);
         QVERIFY(!cast({}, {}).picture);
     }
@@ -437,6 +441,13 @@ private slots:
     }
 
 private:
+    /// In 8-bit levels. Kept samples are rounded to 16 bits.
+    static double largestDifference(const Picture& a, const Picture& b) {
+        double largest = a.rgba.size() == b.rgba.size() ? 0 : 255;
+        for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
+            largest = std::max(largest, 255.0 * std::abs(a.rgba[i] - b.rgba[i]));
+        return largest;
+    }
     static double costOf(const RayCastSettings& settings, double costPerSample) {
         return costPerSample * settings.width * settings.height / settings.step;
     }

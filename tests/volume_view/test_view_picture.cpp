@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 #include "tests/volume_view/shown_view.h"
@@ -97,7 +98,10 @@ private slots:
         }
         QVERIFY(s.awaitIdle());
         const auto expected = castRays(*s.volume, ManualCurve{{{0.3, 0}, {0.9, 1.0}}}, s.view.settings());
-        QVERIFY(s.view.picture()->rgba == expected->rgba);
+        // Edits under one camera are made of kept samples, which are rounded to 16 bits.
+        QCOMPARE(s.view.picture()->rgba.size(), expected->rgba.size());
+        for (std::size_t i = 0; i < expected->rgba.size(); ++i)
+            QVERIFY(std::abs(s.view.picture()->rgba[i] - expected->rgba[i]) <= 0.25f / 255);
         QVERIFY(largestDifference(s.view.screenImage(), *expected) <= 2);
     }
 

@@ -8,7 +8,7 @@ namespace echolucent {
 namespace {
 constexpr int streamMilliseconds = 150;   // requests that follow each other within this belong to one movement
 constexpr int restMilliseconds = 40;      // longer than between two moves of a mouse
-constexpr int editRestMilliseconds = 250;  // a hand that shapes a curve halts more often, and refining costs the samples
+constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
@@ -34,9 +34,11 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 std::size_t ProgressiveCaster::levelFor(const PictureRequest& request, bool edited) {
     if (edited) {
         const std::size_t level = m_quality.levelForEdits(request.settings);
-        // A first edit by itself is shown as quickly as a new view; what follows it begins a series.
-        m_editing = m_inStream || m_startedLevel == level;
+        // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
+        m_editing = m_inStream || level == m_startedLevel || level == m_keptLevel;
         if (m_editing) return level;
+    } else {
+        m_keptLevel.reset();
     }
     m_editing = false;
     return m_quality.levelInMotion(request.settings);
@@ -82,6 +84,7 @@ void ProgressiveCaster::start(std::size_t level, NewestWinsThread::WhenSupersede
 
 void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples) {
     if (samples == SampleUse::kept) {
+        if (m_newest && sameSamples(*m_newest, picture->request)) m_keptLevel = picture->level;
         m_quality.reclassified(picture->settings, picture->milliseconds);
     } else {
         m_quality.sampled(picture->settings, picture->milliseconds);

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "widgets/newest_wins_thread.h"
 #include "widgets/volume_view/preview_quality.h"
@@ -31,8 +32,8 @@ struct CastPicture {
 /// until the hand rests, so that they take no time from the next quick one. A request equal to the newest one does
 /// nothing.
 ///
-/// Edits of curve and colour map keep one level as long as they follow each other, and longer before the picture is
-/// refined: the ray caster keeps the samples of one view and level only.
+/// Edits of curve and colour map keep one level, for which the ray caster keeps the samples, and wait longer before the
+/// picture is refined.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -66,6 +67,7 @@ private:
     bool m_inStream = false;  // the newest request came soon after another
     bool m_editing = false;   // the newest request is one of a series of edits
     std::size_t m_startedLevel = convergedLevel;  // of the newest picture begun
+    std::optional<std::size_t> m_keptLevel;       // of the newest picture made of kept samples, of this view
     QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -1,6 +1,8 @@
 #include "widgets/volume_view/volume_caster.h"
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace echolucent {
 
@@ -11,28 +13,40 @@ public:
     CastResult cast(const PictureRequest& request, const Progress& progress) {
         if (!m_caster || m_caster->volume() != request.volume) {
             m_caster.reset();
-            m_before.reset();
+            m_views.clear();
             if (!request.volume) return {};
             m_caster.emplace(request.volume);
         }
-        m_inARow = m_before && sameSamples(*m_before, request) ? m_inARow + 1 : 1;
-        const bool kept = m_inARow > 1 && m_caster->keptSampleBytes() > 0;
-        m_before = request;
+        View& view = viewOf(request);
+        const std::size_t keptBefore = m_caster->keptSampleBytes();
         CastResult result{m_caster->cast(request.curve, request.settings, progress), SampleUse::taken};
-        if (kept) {
-            result.samples = SampleUse::kept;
-        } else if (m_inARow > 2) {
-            result.samples = SampleUse::notKept;
-        }
-        // A cancelled picture leaves no samples behind that could be counted on.
-        if (!result.picture) m_inARow = 0;
+        if (view.finished > 1) result.samples = view.kept ? SampleUse::kept : SampleUse::notKept;
+        // The ray caster keeps the samples of a view's second picture.
+        if (view.finished == 1) view.kept = view.kept || m_caster->keptSampleBytes() > keptBefore;
+        if (result.picture) ++view.finished;
         return result;
     }
 
 private:
+    struct View {
+        PictureRequest request;
+        int finished = 0;
+        bool kept = false;
+    };
+
+    /// Those of one camera are remembered together, as the ray caster does; another camera forgets them.
+    View& viewOf(const PictureRequest& request) {
+        const auto sameCamera = [&](const View& view) {
+            return view.request.settings.camera == request.settings.camera;
+        };
+        if (!std::all_of(m_views.begin(), m_views.end(), sameCamera)) m_views.clear();
+        const auto found = std::find_if(m_views.begin(), m_views.end(),
+                                        [&](const View& view) { return sameSamples(view.request, request); });
+        return found != m_views.end() ? *found : m_views.emplace_back(View{request});
+    }
+
     std::optional<RayCaster> m_caster;
-    std::optional<PictureRequest> m_before;
-    int m_inARow = 0;  // pictures with the same samples, the newest included
+    std::vector<View> m_views;
 };
 
 }  // namespace

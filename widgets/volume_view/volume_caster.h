@@ -12,8 +12,8 @@ namespace echolucent {
 /// Where the samples of a picture came from.
 enum class SampleUse {
     taken,    ///< from the volume
-    kept,     ///< from the pictures before, of the same view
-    notKept,  ///< from the volume, although two pictures of the same view had gone before: they are too many to keep
+    kept,     ///< from the pictures before, of the same view and level
+    notKept,  ///< from the volume, although two such pictures had gone before: they are too many to keep
 };
 
 struct CastResult {
@@ -29,7 +29,7 @@ using Cast = std::function<CastResult(const PictureRequest& request, const Progr
 /// volume before is let go before the next one is made.
 [[nodiscard]] Cast castThroughOneRayCaster();
 
-/// True where the pictures differ in curve and colour map at most, so that they have the same samples.
+/// True where the pictures differ in curve and colour map at most, so that they are made of the same samples.
 [[nodiscard]] bool sameSamples(const PictureRequest& a, const PictureRequest& b);
 
 }  // namespace echolucent
