@@ -124,7 +124,7 @@ Row WindowUnderTest::orbit(const Amount& amount) {
     m_hand = centre;
     QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
     Row row = follow(amount, [&] { turnByOneDegree(); });
-    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, m_hand.toPoint());
+    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre);
     waitUntilConverged();
     row.action = "orbit";
     return row;
@@ -190,7 +190,7 @@ void WindowUnderTest::takePictures(const QString& folder, const QString& name) {
         await("a picture in motion", [&] { return delivered; });
     }
     view().screenImage().save(QString("%1/%2-motion.png").arg(folder, name));
-    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, m_hand.toPoint());
+    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre);
     waitUntilConverged();
     view().screenImage().save(QString("%1/%2-rest-there.png").arg(folder, name));
     view().setView({});
