@@ -426,6 +426,27 @@ private slots:
         QVERIFY(smaller <= quality.levelInMotion(asked));
     }
 
+    void lightIsLearntApart() {
+        RayCastSettings unlit, lit;
+        lit.shading = Shading{};
+        PreviewQuality quality(33);
+        const auto learn = [&](const RayCastSettings& asked, double cost) {
+            RayCastSettings shown;
+            for (int i = 0; i < 8; ++i) {
+                shown = settingsAt(quality.levelInMotion(asked), asked);
+                quality.sampled(shown, costOf(shown, cost));
+            }
+            return shown.width / shown.step;
+        };
+        const double unlitCost = 30.0 / (512 * 512);
+        const double fine = learn(unlit, unlitCost);
+        // Even the first lit picture is no shock, and back without light the first picture is fine at once.
+        QVERIFY(costOf(settingsAt(quality.levelInMotion(lit), lit), 4 * unlitCost) <= 33);
+        QVERIFY(learn(lit, 8 * unlitCost) < fine);
+        const RayCastSettings back = settingsAt(quality.levelInMotion(unlit), unlit);
+        QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
+    }
+
     void noEditBeginsWithALongWait() {
         // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
         const RayCastSettings asked;

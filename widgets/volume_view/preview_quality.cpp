@@ -10,6 +10,7 @@ constexpr double newestShare = 0.5;       // of the newest measure in a learnt c
 constexpr double shareToRefine = 0.7;     // of the budget that the next finer level must keep within
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
 constexpr double reclassifyShare = 0.25;  // of the cost of sampling, until it is measured
+constexpr double shadedRatio = 4.0;       // of the cost of sampling, until it is measured
 
 double samplesOf(const RayCastSettings& settings) {
     return static_cast<double>(settings.width) * settings.height / settings.step;
@@ -32,11 +33,11 @@ std::size_t levelWithin(double budget, std::size_t level, const Cost& cost) {
 }  // namespace
 
 void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds) {
-    learn(m_sampleCost, milliseconds / samplesOf(settings));
+    learn(costOf(settings).sampling, milliseconds / samplesOf(settings));
 }
 
 void PreviewQuality::reclassified(const RayCastSettings& settings, double milliseconds) {
-    learn(m_reclassifyCost, milliseconds / samplesOf(settings));
+    learn(costOf(settings).reclassifying, milliseconds / samplesOf(settings));
 }
 
 void PreviewQuality::couldNotKeep(const RayCastSettings& settings) {
@@ -54,25 +55,31 @@ double PreviewQuality::budgetMilliseconds() const {
 
 std::size_t PreviewQuality::levelInMotion(const RayCastSettings& asked) {
     m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
-    if (m_sampleCost > 0.0)
+    if (const double cost = samplingCost(asked); cost > 0.0)
         m_level = levelWithin(budgetMilliseconds(), m_level,
-                              [&](std::size_t level) { return m_sampleCost * samplesAt(level, asked); });
+                              [&](std::size_t level) { return cost * samplesAt(level, asked); });
     return m_level;
 }
 
 std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked) {
-    if (m_sampleCost > 0.0)
+    if (samplingCost(asked) > 0.0)
         m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel,
                                   [&](std::size_t level) { return editCost(level, asked); });
     return std::min(m_editLevel, m_level);
 }
 
-double PreviewQuality::editCost(std::size_t level, const RayCastSettings& asked) const {
+double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
+    if (settings.shading) return m_shaded.sampling > 0.0 ? m_shaded.sampling : shadedRatio * m_unshaded.sampling;
+    return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
+}
+
+double PreviewQuality::editCost(std::size_t level, const RayCastSettings& asked) {
     const double samples = samplesAt(level, asked);
-    const double sampling = m_sampleCost * samples;
+    const double sampling = samplingCost(asked) * samples;
     if (samples >= m_samplesNotKept) return sampling;
     if (sampling > warmUpFrames * m_frame) return std::max(sampling, 2.0 * m_frame);
-    return m_reclassifyCost > 0.0 ? m_reclassifyCost * samples : reclassifyShare * sampling;
+    const double reclassifying = costOf(asked).reclassifying;
+    return reclassifying > 0.0 ? reclassifying * samples : reclassifyShare * sampling;
 }
 
 }  // namespace echolucent

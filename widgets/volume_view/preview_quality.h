@@ -10,7 +10,8 @@ namespace echolucent {
 
 /// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs, and
 /// chooses the finest of the qualityLevels within a frame's time. Pictures of a new view and edits (another curve or
-/// colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart.
+/// colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and so
+/// are pictures with and without light.
 class PreviewQuality {
 public:
     /// frameMilliseconds: from one picture to the next while the hand moves.
@@ -36,11 +37,18 @@ public:
     static constexpr double warmUpFrames = 5.0;
 
 private:
-    [[nodiscard]] double editCost(std::size_t level, const RayCastSettings& asked) const;
+    /// ms per ray and sample per unit of depth; 0: nothing measured yet.
+    struct Cost {
+        double sampling = 0.0;
+        double reclassifying = 0.0;
+    };
+    [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
+    /// Measured, or guessed from the other kind; 0 where neither was.
+    [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
+    [[nodiscard]] double editCost(std::size_t level, const RayCastSettings& asked);
 
     double m_frame;
-    double m_sampleCost = 0.0;    // ms per ray and sample per unit of depth; 0: nothing measured yet
-    double m_reclassifyCost = 0.0;
+    Cost m_unshaded, m_shaded;
     double m_drawing = 0.0;       // ms
     int m_drawn = 0;
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept

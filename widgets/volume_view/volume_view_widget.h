@@ -38,7 +38,7 @@ struct PictureReport {
     double step = 1.0;                ///< units between samples
     double castMilliseconds = 0.0;    ///< in the casting thread
     double drawMilliseconds = 0.0;    ///< in the person's thread, of the picture on the screen before; 0: not known yet
-    std::optional<double> framesPerSecond;  ///< drawn in the newest movement; empty before the first
+    std::optional<double> framesPerSecond = {};  ///< drawn in the newest movement; empty before the first
 };
 
 /// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures are
