@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Quality, rays, step and cost of the newest picture, and the same and the frame rate of the newest movement where there
-/// was one. One line each.
+/// Quality, rays, step and cost of the newest picture, and the same and the frame rate of the newest movement where
+/// there was one. One line each.
 [[nodiscard]] QString pictureToolTip(const PictureReport& newest, const std::optional<PictureReport>& movement);
 
 }  // namespace echolucent

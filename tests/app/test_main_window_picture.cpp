@@ -99,13 +99,18 @@ private slots:
         QVERIFY2(QRegularExpression("^software renderer · [0-9.,]+ ms$").match(label->text()).hasMatch(),
                  qPrintable(label->text()));
         const RayCastSettings settings = view().settings();
-        QVERIFY2(label->toolTip().contains(QString("converged: %1 × %2 rays, step 0.5").arg(settings.width).arg(settings.height)),
+        QVERIFY2(label->toolTip().contains(
+                     QString("converged: %1 × %2 rays, step 0.5").arg(settings.width).arg(settings.height)),
                  qPrintable(label->toolTip()));
     }
 
     void theToolTipTellsPictureAndMovement() {
-        const PictureReport newest{.level = "converged", .converged = true, .rays = {512, 400}, .step = 0.5,
-                                   .castMilliseconds = 301.26, .drawMilliseconds = 8};
+        const PictureReport newest{.level = "converged",
+                                   .converged = true,
+                                   .rays = {512, 400},
+                                   .step = 0.5,
+                                   .castMilliseconds = 301.26,
+                                   .drawMilliseconds = 8};
         QCOMPARE(pictureToolTip(newest, std::nullopt), QString("converged: 512 × 400 rays, step 0.5\n"
                                                                "casting 301.3 ms, drawing 8.0 ms"));
         const PictureReport movement{.level = "preview", .rays = {256, 200}, .step = 2, .framesPerSecond = 34.4};

@@ -1,5 +1,5 @@
-// echolucent-bench-window: frames a second in the workstation's real window, on the display at hand (scripts/with-display
-// gives a virtual one). Prints a table and writes build/bench/window.json.
+// echolucent-bench-window: frames a second in the workstation's real window, on the display at hand
+// (scripts/with-display gives a virtual one). Prints a table and writes build/bench/window.json.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
@@ -37,7 +37,8 @@ Options parse(const QApplication& application) {
     parser.process(application);
     Options options;
     for (const QString& size : parser.value("sizes").split(',')) options.sizes << size.toInt();
-    options.amount = {parser.value("seconds").toDouble(), parser.value("frames").toInt(), parser.value("views").toInt()};
+    options.amount = {parser.value("seconds").toDouble(), parser.value("frames").toInt(),
+                      parser.value("views").toInt()};
     options.edge = parser.value("edge").toInt();
     options.shaded = parser.isSet("shaded");
     options.json = parser.value("json");

@@ -20,7 +20,7 @@ struct Row {
     double deliveredPerSecond = 0.0;
     double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; "high quality": of the times
     double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians
-    QString level;  ///< the most frequent one
+    QString level;                                          ///< the most frequent one
     QSize rays;
     double step = 0.0;
     double levelShare = 0.0;      ///< of the pictures that had it

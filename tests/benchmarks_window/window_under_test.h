@@ -21,7 +21,8 @@ struct Amount {
 
 class WindowUnderTest {
 public:
-    /// Opens the volume in the window with a picture of edge x edge device pixels, of which the volume fills two thirds.
+    /// Opens the volume in the window with a picture of edge x edge device pixels, of which the volume fills two
+    /// thirds.
     WindowUnderTest(const std::shared_ptr<const Volume>& volume, int edge, bool shaded);
 
     [[nodiscard]] OpacityCurve adaptiveCurve() const;

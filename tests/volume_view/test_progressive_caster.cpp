@@ -413,7 +413,7 @@ private slots:
         }
         std::size_t level = 0;
         for (int i = 0; i < 8; ++i) {
-            level = quality.levelForEdits(asked);
+            level = quality.levelForEdits(asked, false);
             quality.reclassified(settingsAt(level, asked), costOf(settingsAt(level, asked), reclassifying));
         }
         QVERIFY(costOf(settingsAt(level, asked), reclassifying) <= 33);
@@ -421,7 +421,7 @@ private slots:
         QCOMPARE(settingsAt(level, asked).width, 512);
         // Where its samples cannot be kept, the level costs what a new view costs.
         quality.couldNotKeep(settingsAt(level, asked));
-        const std::size_t smaller = quality.levelForEdits(asked);
+        const std::size_t smaller = quality.levelForEdits(asked, false);
         QVERIFY(smaller > level);
         QVERIFY(smaller <= quality.levelInMotion(asked));
     }
@@ -447,6 +447,22 @@ private slots:
         QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
     }
 
+    void withinASeriesOfEditsTheLevelStays() {
+        const RayCastSettings asked;
+        PreviewQuality quality(30);
+        quality.sampled(asked, 60);
+        QVERIFY(quality.levelInMotion(asked) > 0);
+        quality.reclassified(asked, 20);
+        const std::size_t level = quality.levelForEdits(asked, false);
+        const RayCastSettings shown = settingsAt(level, asked);
+        for (const double milliseconds : {40.0, 12.0, 40.0, 12.0}) {
+            quality.reclassified(shown, milliseconds);
+            QCOMPARE(quality.levelForEdits(asked, true), level);
+        }
+        for (int i = 0; i < 8; ++i) quality.reclassified(shown, 100);
+        QVERIFY(quality.levelForEdits(asked, true) > level);
+    }
+
     void noEditBeginsWithALongWait() {
         // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
         const RayCastSettings asked;
@@ -458,7 +474,7 @@ private slots:
         };
         for (int i = 0; i < 8; ++i) learn();
         quality.reclassified(asked, 1e-3);
-        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked), asked), sampling) <= PreviewQuality::warmUpFrames * 33);
+        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <= PreviewQuality::warmUpFrames * 33);
     }
 
 private:

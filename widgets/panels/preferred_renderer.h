@@ -8,7 +8,7 @@
 namespace echolucent {
 
 enum class PreferredRenderer {
-    automatic,     ///< the graphics card where there is a real one, else the software
+    automatic,  ///< the graphics card where there is a real one, else the software
     software,
     graphicsCard,
 };

@@ -76,11 +76,11 @@ void ViewPanel::createChoices() {
                                        {tr("Maximum"), RenderMode::maximum},
                                        {tr("Minimum"), RenderMode::minimum},
                                        {tr("Mean (x-ray)"), RenderMode::mean}});
-    m_renderer = createChoice<PreferredRenderer>(
-        "renderer", tr("Renderer"), tr("The software renderer needs no graphics card"),
-        {{tr("Automatic"), PreferredRenderer::automatic},
-         {tr("Software"), PreferredRenderer::software},
-         {tr("Graphics card"), PreferredRenderer::graphicsCard}});
+    m_renderer =
+        createChoice<PreferredRenderer>("renderer", tr("Renderer"), tr("The software renderer needs no graphics card"),
+                                        {{tr("Automatic"), PreferredRenderer::automatic},
+                                         {tr("Software"), PreferredRenderer::software},
+                                         {tr("Graphics card"), PreferredRenderer::graphicsCard}});
     m_colourMap = createChoice<ColourMap>(
         "colourMap", tr("Colour map"), tr("Colours from dark to bright echoes"),
         {{tr("Sepia"), ColourMap::sepia}, {tr("Grey"), ColourMap::grey}, {tr("Ice"), ColourMap::ice}});
@@ -117,8 +117,8 @@ void ViewPanel::createLight() {
     };
     m_lightAzimuth = createAngle("lightAzimuth", tr("Azimuth of the light"),
                                  tr("How far to the right of you the light stands"), 180);
-    m_lightElevation = createAngle("lightElevation", tr("Elevation of the light"),
-                                   tr("How far above you the light stands"), 90);
+    m_lightElevation =
+        createAngle("lightElevation", tr("Elevation of the light"), tr("How far above you the light stands"), 90);
     setLight({});
 }
 

@@ -6,11 +6,10 @@ namespace echolucent {
 
 namespace {
 
-constexpr double newestShare = 0.5;       // of the newest measure in a learnt cost
-constexpr double shareToRefine = 0.7;     // of the budget that the next finer level must keep within
+constexpr double newestShare = 0.5;         // of the newest measure in a learnt cost
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
-constexpr double reclassifyShare = 0.25;  // of the cost of sampling, until it is measured
-constexpr double shadedRatio = 4.0;       // of the cost of sampling, until it is measured
+constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
+constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
 
 double samplesOf(const RayCastSettings& settings) {
     return static_cast<double>(settings.width) * settings.height / settings.step;
@@ -18,15 +17,21 @@ double samplesOf(const RayCastSettings& settings) {
 
 double samplesAt(std::size_t level, const RayCastSettings& asked) { return samplesOf(settingsAt(level, asked)); }
 
-void learn(double& cost, double measured) {
-    cost = cost > 0.0 ? cost + newestShare * (measured - cost) : measured;
-}
+void learn(double& cost, double measured) { cost = cost > 0.0 ? cost + newestShare * (measured - cost) : measured; }
 
-/// From a level to the finest within the budget. A finer one must keep well within it.
+/// How far from the budget costs must be for another level to be taken.
+struct Reluctance {
+    double toCoarsen;  // the level's cost is above this share
+    double toRefine;   // the next finer one's is not
+};
+constexpr Reluctance usual{1.0, 0.7};
+constexpr Reluctance withinSeries{1.5, 0.35};
+
+/// From a level to the finest within the budget.
 template <typename Cost>
-std::size_t levelWithin(double budget, std::size_t level, const Cost& cost) {
-    while (level + 1 < qualityLevels.size() && cost(level) > budget) ++level;
-    while (level > 0 && cost(level - 1) <= shareToRefine * budget) --level;
+std::size_t levelWithin(double budget, std::size_t level, const Reluctance& reluctance, const Cost& cost) {
+    while (level + 1 < qualityLevels.size() && cost(level) > reluctance.toCoarsen * budget) ++level;
+    while (level > 0 && cost(level - 1) <= reluctance.toRefine * budget) --level;
     return level;
 }
 
@@ -49,21 +54,19 @@ void PreviewQuality::drawn(double milliseconds) {
     if (++m_drawn > 1) learn(m_drawing, std::min(milliseconds, m_frame));
 }
 
-double PreviewQuality::budgetMilliseconds() const {
-    return std::max(m_frame - m_drawing, smallestBudget * m_frame);
-}
+double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
 
 std::size_t PreviewQuality::levelInMotion(const RayCastSettings& asked) {
     m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
     if (const double cost = samplingCost(asked); cost > 0.0)
-        m_level = levelWithin(budgetMilliseconds(), m_level,
+        m_level = levelWithin(budgetMilliseconds(), m_level, usual,
                               [&](std::size_t level) { return cost * samplesAt(level, asked); });
     return m_level;
 }
 
-std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked) {
+std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked, bool inSeries) {
     if (samplingCost(asked) > 0.0)
-        m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel,
+        m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel, inSeries ? withinSeries : usual,
                                   [&](std::size_t level) { return editCost(level, asked); });
     return std::min(m_editLevel, m_level);
 }

@@ -8,10 +8,10 @@
 
 namespace echolucent {
 
-/// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs, and
-/// chooses the finest of the qualityLevels within a frame's time. Pictures of a new view and edits (another curve or
-/// colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and so
-/// are pictures with and without light.
+/// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs,
+/// and chooses the finest of the qualityLevels within a frame's time. Pictures of a new view and edits (another curve
+/// or colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and
+/// so are pictures with and without light.
 class PreviewQuality {
 public:
     /// frameMilliseconds: from one picture to the next while the hand moves.
@@ -31,9 +31,10 @@ public:
     /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two levels on small
     /// changes of cost.
     [[nodiscard]] std::size_t levelInMotion(const RayCastSettings& asked);
-    /// For the next picture of an edit. Its first two pictures must be sampled; a level at which each of them would take
-    /// longer than warmUpFrames frames is left out. Never coarser than levelInMotion().
-    [[nodiscard]] std::size_t levelForEdits(const RayCastSettings& asked);
+    /// For the next picture of an edit. At each level the first two pictures must be sampled: within a series of edits
+    /// the level stays unless it is far off, and a level at which each of the two would take longer than warmUpFrames
+    /// frames is left out. Never coarser than levelInMotion().
+    [[nodiscard]] std::size_t levelForEdits(const RayCastSettings& asked, bool inSeries);
     static constexpr double warmUpFrames = 5.0;
 
 private:
@@ -49,7 +50,7 @@ private:
 
     double m_frame;
     Cost m_unshaded, m_shaded;
-    double m_drawing = 0.0;       // ms
+    double m_drawing = 0.0;  // ms
     int m_drawn = 0;
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
     std::size_t m_level = firstLevel;

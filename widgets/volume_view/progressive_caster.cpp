@@ -6,8 +6,8 @@
 namespace echolucent {
 
 namespace {
-constexpr int streamMilliseconds = 150;   // requests that follow each other within this belong to one movement
-constexpr int restMilliseconds = 40;      // longer than between two moves of a mouse
+constexpr int streamMilliseconds = 150;    // requests that follow each other within this belong to one movement
+constexpr int restMilliseconds = 40;       // longer than between two moves of a mouse
 constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
 }  // namespace
 
@@ -33,7 +33,7 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 
 std::size_t ProgressiveCaster::levelFor(const PictureRequest& request, bool edited) {
     if (edited) {
-        const std::size_t level = m_quality.levelForEdits(request.settings);
+        const std::size_t level = m_quality.levelForEdits(request.settings, m_editing && m_inStream);
         // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
         m_editing = m_inStream || level == m_startedLevel || level == m_keptLevel;
         if (m_editing) return level;

@@ -27,9 +27,9 @@ struct CastPicture {
 };
 
 /// While requests follow each other, pictures at the level that PreviewQuality chooses run to their end and are
-/// delivered also when a newer request waits, so that a drag always shows something; the next one is cast while this one
-/// is drawn. Pictures that refine are cancelled by any newer request, within a tile. In a stream of requests they wait
-/// until the hand rests, so that they take no time from the next quick one. A request equal to the newest one does
+/// delivered also when a newer request waits, so that a drag always shows something; the next one is cast while this
+/// one is drawn. Pictures that refine are cancelled by any newer request, within a tile. In a stream of requests they
+/// wait until the hand rests, so that they take no time from the next quick one. A request equal to the newest one does
 /// nothing.
 ///
 /// Edits of curve and colour map keep one level, for which the ray caster keeps the samples, and wait longer before the
@@ -64,8 +64,8 @@ private:
     PreviewQuality m_quality;
     std::shared_ptr<const PictureRequest> m_newest;
     QElapsedTimer m_sinceRequest;
-    bool m_inStream = false;  // the newest request came soon after another
-    bool m_editing = false;   // the newest request is one of a series of edits
+    bool m_inStream = false;                      // the newest request came soon after another
+    bool m_editing = false;                       // the newest request is one of a series of edits
     std::size_t m_startedLevel = convergedLevel;  // of the newest picture begun
     std::optional<std::size_t> m_keptLevel;       // of the newest picture made of kept samples, of this view
     QTimer m_rest;

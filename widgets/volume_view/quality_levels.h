@@ -10,10 +10,10 @@ namespace echolucent {
 
 /// What is spared in a picture.
 struct QualityLevel {
-    const char* name;        ///< in English, for the status line
-    double reduction = 1.0;  ///< of width and height, >= 1: one ray for reduction^2 pixels
-    double step = 1.0;       ///< between samples, times the step of the picture's look (Look::step)
-    bool atRest = false;     ///< shown on the way to the converged picture when the hand rests
+    const char* name;            ///< in English, for the status line
+    double reduction = 1.0;      ///< of width and height, >= 1: one ray for reduction^2 pixels
+    double step = 1.0;           ///< between samples, times the step of the picture's look (Look::step)
+    bool atRest = false;         ///< shown on the way to the converged picture when the hand rests
     bool preIntegrated = false;  ///< where there is no light: shaded pictures cannot be
     bool jittered = false;
     double terminationTransmittance = 1.0 / 512;  ///< as in RayCastSettings

@@ -40,8 +40,7 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
     PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(parts.pose);
-    if (parts.volume)
-        request.settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
+    if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
     return request;
 }
 
@@ -147,12 +146,8 @@ void VolumeViewWidget::updateBusy() {
     emit busyChanged(busy);
 }
 
-QSize VolumeViewWidget::pixelSize() const {
-    return size() * m_parts->window->devicePixelRatio();
-}
+QSize VolumeViewWidget::pixelSize() const { return size() * m_parts->window->devicePixelRatio(); }
 
-double VolumeViewWidget::aspect() const {
-    return size().isEmpty() ? 1.0 : static_cast<double>(width()) / height();
-}
+double VolumeViewWidget::aspect() const { return size().isEmpty() ? 1.0 : static_cast<double>(width()) / height(); }
 
 }  // namespace echolucent

@@ -35,21 +35,22 @@ struct PictureReport {
     bool converged = false;    ///< nothing better follows
     bool followsHand = false;  ///< the first picture of a change, not one that refines it
     QSize rays;
-    double step = 1.0;                ///< units between samples
-    double castMilliseconds = 0.0;    ///< in the casting thread
-    double drawMilliseconds = 0.0;    ///< in the person's thread, of the picture on the screen before; 0: not known yet
+    double step = 1.0;              ///< units between samples
+    double castMilliseconds = 0.0;  ///< in the casting thread
+    double drawMilliseconds = 0.0;  ///< in the person's thread, of the picture on the screen before; 0: not known yet
     std::optional<double> framesPerSecond = {};  ///< drawn in the newest movement; empty before the first
 };
 
-/// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures are
-/// made in another thread, quick ones first and better ones, up to the converged picture, when nothing newer waits (see
-/// ProgressiveCaster); this thread never waits for one. On the screen picture, camera, marker and scale bar always belong
-/// together. An unchanged view costs nothing.
+/// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures
+/// are made in another thread, quick ones first and better ones, up to the converged picture, when nothing newer waits
+/// (see ProgressiveCaster); this thread never waits for one. On the screen picture, camera, marker and scale bar always
+/// belong together. An unchanged view costs nothing.
 ///
-/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms, Ctrl + left drag moves the light
-/// where there is one; Escape ends a drag without change. The picture lies in an OpenGL window of its own inside this widget (twice as cheap as a QOpenGLWidget where
-/// OpenGL is software): no sibling widget can be drawn over it, QWidget::grab() does not see it (screenImage() does), and
-/// it must not be put in a dock that moves it to another window.
+/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms, Ctrl + left drag moves the
+/// light where there is one; Escape ends a drag without change. The picture lies in an OpenGL window of its own inside
+/// this widget (twice as cheap as a QOpenGLWidget where OpenGL is software): no sibling widget can be drawn over it,
+/// QWidget::grab() does not see it (screenImage() does), and it must not be put in a dock that moves it to another
+/// window.
 class VolumeViewWidget : public QWidget {
     Q_OBJECT
 
