@@ -63,15 +63,20 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
     double heightMm = 0.0;
     for (const SweepFrame& frame : frames)
         heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).geometry(), frame.view, aspect).heightMm);
-    return [volumes = std::vector(phases.begin(), phases.end()), heightMm, aspect, settings, progress](
+    // Made where a frame first needs them; a caster keeps the samples of a view that is rendered with several OTFs.
+    auto casters = std::make_shared<std::vector<std::optional<RayCaster>>>(phases.size());
+    return [volumes = std::vector(phases.begin(), phases.end()), casters, heightMm, aspect, settings, progress](
                const SweepFrame& frame, const SampledCurve& otf) {
-        const Volume& volume = *volumes.at(static_cast<std::size_t>(frame.phase));
+        const auto phase = static_cast<std::size_t>(frame.phase);
+        const Volume& volume = *volumes.at(phase);
+        std::optional<RayCaster>& caster = (*casters)[phase];
+        if (!caster) caster.emplace(volumes[phase]);
         RayCastSettings ofFrame = settings;
         ofFrame.camera = defaultCamera(volume.geometry(), frame.view, aspect);
         // A box that grew and shrank with its outline would seem to come and go.
         ofFrame.camera.heightMm = heightMm;
         ofFrame.nearPlaneDepthMm = nearPlaneDepthMm(frame.view, volume.geometry());
-        return castRays(volume, otf, ofFrame, {{}, progress.cancel});
+        return caster->cast(otf, ofFrame, {{}, progress.cancel});
     };
 }
 

@@ -35,8 +35,8 @@ struct PictureFlicker {
 /// Renders a frame's view and phase with an OTF; empty only where cancelled.
 using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, const SampledCurve&)>;
 
-/// A renderer of these frames by castRays with these settings, parallel projection; direction and near plane follow
-/// each frame's view, the scale is the same for all of them: the one at which the whole box is in every picture.
+/// A renderer of these frames with these settings, parallel projection, for one thread at a time; direction and near
+/// plane follow each frame's view, the scale is the same for all: the one at which the whole box is in every picture.
 [[nodiscard]] FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases,
                                           std::span<const SweepFrame> frames, const RayCastSettings& settings,
                                           const Progress& progress = {});

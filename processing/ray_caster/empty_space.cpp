@@ -86,9 +86,9 @@ BrickRanges::BrickRanges(const Volume& volume)
                         const auto brick = static_cast<std::size_t>(row * columns + x);
                         const bool anyData = found.lowest <= found.highest;
                         // Rounding in the kernel may leave the range of the voxels by a hair.
-                        m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 1.0f) : 1.0f;
+                        m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
                         m_highest[brick] = anyData ? std::min(static_cast<float>(TransferTable::intervals),
-                                                              position(found.highest) + 1.0f)
+                                                              position(found.highest) + 0.125f)
                                                    : 0.0f;
                         m_missing[brick] = found.anyMissing ? 1 : 0;
                     }

@@ -17,8 +17,8 @@ namespace echolucent::ray_casting {
 /// One directional light as Shading says it, and the gradient's reach.
 struct LightSource {
     static constexpr int highlightIntervals = 1024;
-    /// A sample is lit as a surface where it adds at least that much to its pixel's opacity.
-    static constexpr float worthGradient = 1.0f / 128;
+    /// A reference step is lit as a surface where it adds at least that much to its pixel's opacity.
+    static constexpr double worthGradient = 1.0 / 128;
 
     std::array<float, 3> towardsLight{};  ///< unit, grid mm
     std::array<double, 3> reach{};        ///< voxels
@@ -37,10 +37,10 @@ struct DepthTint {
 };
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first, all rays' second, ...; each the table position times 4, or noData.
+/// follow each other: all rays' first, all rays' second, ...; each the table position times 32, or noData.
 struct KeptSamples {
     static constexpr std::uint16_t noData = 0xFFFF;
-    static constexpr float perTablePosition = 4.0f;
+    static constexpr float perTablePosition = 32.0f;
     struct Packet {
         std::int64_t first = 0;  ///< number of the first sample kept
         std::vector<std::uint16_t> samples;
@@ -57,6 +57,7 @@ struct KernelJob {
     const TransferTable* table = nullptr;
     const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed
+    float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null: nothing may be jumped over
     const std::uint8_t* missing = nullptr;    ///< BrickRanges; null: all voxels carry data
@@ -69,7 +70,7 @@ struct KernelJob {
     Picture* picture = nullptr;
 };
 
-/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones multiples of 4.
+/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones at the corner of a packet.
 struct Tile {
     int firstColumn, lastColumn, firstRow, lastRow;
 };

@@ -32,29 +32,27 @@ struct Source {
 };
 
 /// Writes one row of cells; `rows` are offsets of the first voxels of the rows whose voxels each cell holds.
-template <typename Out, int voxels, typename Read>
-void packRow(const std::array<std::int64_t, voxels>& rows, std::int64_t size, Out* out, const Read& read) {
+template <typename Out, typename Read>
+void packRow(const std::array<std::int64_t, voxelsPerCell>& rows, std::int64_t size, Out* out, const Read& read) {
     const auto write = [&](std::int64_t cell, std::int64_t x) {
-        for (std::size_t i = 0; i < voxels; ++i)
-            out[static_cast<std::size_t>(cell) * voxels + i] = read(rows[i] + x);
+        for (std::size_t i = 0; i < voxelsPerCell; ++i)
+            out[static_cast<std::size_t>(cell) * voxelsPerCell + i] = read(rows[i] + x);
     };
     write(0, 0);
     for (std::int64_t x = 0; x < size; ++x) write(x + cellShift, x);
     write(size + 1, size - 1);
 }
 
-template <typename Out, int voxels, typename Voxel, typename Read>
+template <typename Out, typename Voxel, typename Read>
 std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
     const std::int64_t columns = source.size[0] + extraCells, rows = source.size[1] + extraCells,
                        slices = source.size[2] + extraCells;
-    auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxels));
+    auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
             const std::int64_t y = row % rows - cellShift, z = row / rows - cellShift;
-            std::array<std::int64_t, voxels> from;
-            for (std::size_t i = 0; i < voxels; ++i)
-                from[i] = source.rowOf(y + static_cast<std::int64_t>(i & 1), z + static_cast<std::int64_t>(i >> 1));
-            packRow<Out, voxels>(from, source.size[0], cells.get() + row * columns * voxels, read);
+            packRow<Out>({source.rowOf(y, z), source.rowOf(y + 1, z)}, source.size[0],
+                         cells.get() + row * columns * voxelsPerCell, read);
         }
     });
     return cells;
@@ -76,13 +74,12 @@ PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
       m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCells)) {
     const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
                                volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size};
-    constexpr int voxels = CellWord<Voxel>::voxels;
     if (!anyMissing(source, volume.geometry().voxelCount())) {
-        m_cells = packAll<Voxel, voxels>(source, [&](std::int64_t offset) { return source.voxels[offset]; });
+        m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.voxels[offset]; });
         return;
     }
-    m_cells = packAll<Voxel, voxels>(source, [&](std::int64_t offset) { return source.value(offset); });
-    m_mask = packAll<std::uint8_t, CellWord<std::uint8_t>::voxels>(source, [&](std::int64_t offset) {
+    m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });
+    m_mask = packAll<std::uint8_t>(source, [&](std::int64_t offset) {
         return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0);
     });
 }

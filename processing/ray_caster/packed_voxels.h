@@ -15,23 +15,9 @@ namespace echolucent::ray_casting {
 inline constexpr int cellShift = 1;
 inline constexpr int extraCells = 2;
 
-/// What is stored of each cell, so that one load of eight bytes brings two cells along x:
-/// bytes: four voxels (y,z), (y+1,z), (y,z+1), (y+1,z+1) of the cell's lower x, 4 times the volume's memory;
-/// 16 bits: two voxels (y,z), (y+1,z), 2 times; float: the same two, of which one load brings one cell.
-template <typename Voxel>
-struct CellWord;
-template <>
-struct CellWord<std::uint8_t> {
-    static constexpr int voxels = 4;
-};
-template <>
-struct CellWord<std::uint16_t> {
-    static constexpr int voxels = 2;
-};
-template <>
-struct CellWord<float> {
-    static constexpr int voxels = 2;
-};
+/// Of each cell the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So one
+/// load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cell in one slice, of floats two.
+inline constexpr int voxelsPerCell = 2;
 
 /// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask.
 template <typename Voxel>

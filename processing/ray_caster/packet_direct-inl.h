@@ -38,40 +38,84 @@ struct Blend {
     FloatVector half;  ///< the sample at which the pixel's opacity reaches one half
 };
 
+/// A packet of rays on its way.
+template <typename Voxel>
+struct DirectRays {
+    Packet<Voxel> packet;
+    KeptSamples::Packet* kept;  ///< null: samples are not kept
+    std::optional<Light<Voxel>> light;
+    Gathered gathered;
+
+    DirectRays(const KernelJob<Voxel>& job, int column, int row, KeptSamples::Packet* keptSamples)
+        : packet(job, column, row), kept(keptSamples) {
+        if (job.light != nullptr && !packet.empty()) light.emplace(job, packet.rays());
+    }
+};
+
 template <typename Voxel>
 class DirectKernel {
 public:
-    DirectKernel(const KernelJob<Voxel>& job, Packet<Voxel>& packet, KeptSamples::Packet* kept)
-        : m_job(job), m_packet(packet), m_colours(job.table->colours()), m_kept(kept) {
-        if (job.light != nullptr) m_light.emplace(job, packet.rays());
-        m_rich = job.light != nullptr || job.depthTint != nullptr || job.picture->depthMm.size() > 0;
+    explicit DirectKernel(const KernelJob<Voxel>& job) : m_job(job), m_colours(job.table->colours()) {
+        m_rich = job.light != nullptr || job.depthTint != nullptr || !job.picture->depthMm.empty();
     }
 
-    void cast() {
-        const std::int64_t common = m_packet.longestCommonRun();
-        for (std::int64_t first = m_packet.first(); first < m_packet.last();) {
-            const std::int64_t empty = mayJump() ? m_packet.emptyFrom(first) : 0;
+    void cast(DirectRays<Voxel>& rays) {
+        m_rays = &rays;
+        const Packet<Voxel>& packet = rays.packet;
+        const std::int64_t common = packet.longestCommonRun();
+        castCut(packet.rays().head);
+        for (std::int64_t next = packet.first(); next < packet.last();) {
+            const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
-                first += empty;
+                next += empty;
             } else if (common > 0) {
-                first += castRun(m_packet.run(first, common, -1));
+                next += castRun(packet.run(next, common, -1));
             } else {
-                const std::int64_t single = m_packet.longestSingleRun();
-                for (int lane = 0; lane < lanes; ++lane) castRun(m_packet.run(first, single, lane));
-                first += single;
+                const std::int64_t single = packet.longestSingleRun();
+                for (int lane = 0; lane < lanes; ++lane) castRun(packet.run(next, single, lane));
+                next += single;
             }
             if (!anyAlive()) return;
         }
+        castCut(packet.rays().tail);
     }
 
-    [[nodiscard]] const Gathered& gathered() const { return m_gathered; }
-
 private:
-    [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_kept == nullptr; }
+    [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_rays->kept == nullptr; }
+
+    /// The part of a step at the begin or the end of each ray.
+    void castCut(const CutSteps<lanes>& cut) {
+        bool any = false;
+        for (int i = 0; i < lanes; ++i) any = any || cut.length[i] > 0.0;
+        if (!any) return;
+        if (m_rays->packet.longestCommonRun() > 0) {
+            blendCut(m_rays->packet.run(cut, -1), cut);
+            return;
+        }
+        for (int lane = 0; lane < lanes; ++lane)
+            if (cut.length[lane] > 0.0) blendCut(m_rays->packet.run(cut, lane), cut);
+    }
+
+    HWY_NOINLINE void blendCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) {
+        prepareLanes(cut.at, 0.0);
+        const Floats floats;
+        alignas(64) float length[lanes];
+        for (int i = 0; i < lanes; ++i) length[i] = static_cast<float>(cut.length[i]);
+        Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
+        const auto number = set(0.0f);
+        const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
+        const auto position = sampled(run, run.at(number), run.inRange(number));
+        const auto whole = opacityAt(hn::Max(position, number));
+        // 1 - (1 - opacity)^length.
+        const auto part = hn::Neg(hn::Expm1(floats, hn::Mul(hn::Load(floats, length), hn::Log1p(floats, hn::Neg(whole)))));
+        blendRich(run, number, position, hn::IfThenElse(hn::Ge(whole, set(1.0f)), whole, part), alive, blend);
+        add(blend);
+    }
 
     /// The number of samples done: all of the run, or up to where nothing more of it shows.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
-        prepareLanes(run);
+        for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
+        prepareLanes(m_middle, 1.0);
         const Floats floats;
         const bool stored = prepareKept(run);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
@@ -84,60 +128,73 @@ private:
             if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
             // Shorter jumps cost more than they save.
             const bool atCheck = block % (2 * blockSize) == 0 && block > 0;
-            if (atCheck && mayJump() && m_packet.emptyFrom(run.first + block) > 0) break;
+            if (atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + block) > 0) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
             const bool full = run.full && hn::AllTrue(floats, alive);
             if (m_job.preIntegration != nullptr)
                 for (std::int64_t i = block; i < last; ++i) blendSegment(run, i, alive, before, blend);
             else if (m_rich)
-                for (std::int64_t i = block; i < last; ++i) blendRich(run, i, alive, stored, blend);
+                for (std::int64_t i = block; i < last; ++i) {
+                    const auto number = set(static_cast<float>(i));
+                    const auto position = positionOf(run, i, number, stored);
+                    blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
+                }
             else if (full)
                 for (std::int64_t i = block; i < last; ++i) blendSample<true>(run, i, alive, stored, blend);
             else
                 for (std::int64_t i = block; i < last; ++i) blendSample<false>(run, i, alive, stored, blend);
         }
-        add(run, blend);
+        add(blend);
         const std::int64_t done = std::min(block, run.count);
-        if (m_kept != nullptr && !stored)
-            m_kept->samples.resize(static_cast<std::size_t>((run.first + done - m_kept->first) * lanes));
+        if (m_rays->kept != nullptr && !stored)
+            m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
         return block == 0 ? run.count : done;
     }
 
-    /// A run's opacity above which a ray ends, and at which the pixel's opacity is one half.
-    void prepareLanes(const Run<Voxel>& run) {
+    /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's opacity is
+    /// one half; depths.
+    void prepareLanes(const double (&at)[lanes], double perSample) {
+        const double (&transmittance)[lanes] = m_rays->gathered.transmittance;
         for (int i = 0; i < lanes; ++i) {
-            const double transmittance = m_gathered.transmittance[i];
-            const bool ended = transmittance <= 0.0 || transmittance < m_job.endTransmittance;
-            m_limit[i] = ended ? -1.0f : static_cast<float>(1.0 - m_job.endTransmittance / transmittance);
-            m_half[i] = transmittance > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance) : 2.0f;
-            m_before[i] = static_cast<float>(transmittance);
+            const bool ended = transmittance[i] <= 0.0 || transmittance[i] < m_job.endTransmittance;
+            const double limit = 1.0 - m_job.endTransmittance / (ended ? 1.0 : transmittance[i]);
+            m_limit[i] = static_cast<float>(ended ? -1.0 : limit);
+        }
+        if (!m_rich && m_job.preIntegration == nullptr) return;
+        const RayBundle<lanes>& rays = m_rays->packet.rays();
+        for (int i = 0; i < lanes; ++i) {
+            m_half[i] = transmittance[i] > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance[i]) : 2.0f;
+            m_before[i] = static_cast<float>(transmittance[i]);
+            m_depthMm[i] = rays.depthMm[i] + rays.depthStepMm[i] * at[i];
+            m_depthStepMm[i] = rays.depthStepMm[i] * perSample;
         }
         if (m_job.depthTint == nullptr) return;
         const DepthTint& depth = *m_job.depthTint;
-        const RayBundle<lanes>& rays = m_packet.rays();
         for (int i = 0; i < lanes; ++i) {
-            const double from = rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + 0.5);
-            m_tintStart[i] = static_cast<float>((from - depth.nearDepthMm) * depth.perMm);
-            m_tintStep[i] = static_cast<float>(rays.depthStepMm[i] * depth.perMm);
+            m_tintStart[i] = static_cast<float>((m_depthMm[i] - depth.nearDepthMm) * depth.perMm);
+            m_tintStep[i] = static_cast<float>(m_depthStepMm[i] * depth.perMm);
         }
     }
     [[nodiscard]] bool anyAlive() const {
-        for (int i = 0; i < lanes; ++i)
-            if (m_gathered.transmittance[i] > 0.0 && m_gathered.transmittance[i] >= m_job.endTransmittance) return true;
-        return false;
+        double most = 0.0;
+        for (int i = 0; i < lanes; ++i) {
+            const bool isRay = m_rays->packet.rays().enter[i] < m_rays->packet.rays().leave[i];
+            most = std::max(most, isRay ? m_rays->gathered.transmittance[i] : 0.0);
+        }
+        return most > 0.0 && most >= m_job.endTransmittance;
     }
 
     /// True where all samples of the run are kept already; else makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
-        if (m_kept == nullptr) return false;
-        if (m_kept->samples.empty()) m_kept->first = run.first;
-        const auto last = static_cast<std::size_t>((run.first + run.count - m_kept->first) * lanes);
-        if (m_kept->samples.size() >= last) return true;
-        m_kept->samples.resize(last);
+        if (m_rays->kept == nullptr) return false;
+        if (m_rays->kept->samples.empty()) m_rays->kept->first = run.first;
+        const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
+        if (m_rays->kept->samples.size() >= last) return true;
+        m_rays->kept->samples.resize(last);
         return false;
     }
     [[nodiscard]] std::uint16_t* keptAt(const Run<Voxel>& run, std::int64_t i) const {
-        return m_kept->samples.data() + (run.first + i - m_kept->first) * lanes;
+        return m_rays->kept->samples.data() + (run.first + i - m_rays->kept->first) * lanes;
     }
 
     HWY_INLINE FloatVector sampled(const Run<Voxel>& run, const Position& at, LaneMask active) const {
@@ -145,7 +202,7 @@ private:
     }
     /// Table positions of sample i, -1 where there is no data.
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
-        if (m_kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
+        if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
         const Floats floats;
         const Ints ints;
         const hn::Rebind<std::uint16_t, Floats> words;
@@ -164,23 +221,25 @@ private:
         return position;
     }
 
+    /// position: 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
-        return hn::GatherIndex(Floats(), m_job.table->opacities(),
-                               hn::NearestInt(hn::Max(position, set(0.0f))));
+        const Floats floats;
+        const auto left = hn::ConvertTo(Ints(), position);
+        const float* opacities = m_job.table->opacities();
+        return between(hn::GatherIndex(floats, opacities, left), hn::GatherIndex(floats, opacities + 1, left),
+                       hn::Sub(position, hn::ConvertTo(floats, left)));
     }
 
     template <bool full>
     HWY_INLINE void blendSample(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
         const auto number = set(static_cast<float>(i));
-        auto position = positionOf(run, i, number, stored);
-        auto opacity = opacityAt(position);
-        if (m_job.missing != nullptr) {
-            opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
-            position = hn::Max(position, set(0.0f));
-        }
+        const auto position = positionOf(run, i, number, stored);
+        const auto known = hn::Max(position, set(0.0f));
+        auto opacity = opacityAt(known);
+        if (m_job.missing != nullptr) opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
         if constexpr (!full) opacity = hn::IfThenElseZero(hn::And(alive, run.inRange(number)), opacity);
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
-        const Colour colour = m_colours.at(position);
+        const Colour colour = m_colours.at(known);
         blend.opacity = hn::Add(blend.opacity, added);
         blend.red = hn::MulAdd(added, colour.red, blend.red);
         blend.green = hn::MulAdd(added, colour.green, blend.green);
@@ -188,23 +247,23 @@ private:
     }
 
     /// The same with light, tint and depth.
-    HWY_INLINE void blendRich(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
+    HWY_INLINE void blendRich(const Run<Voxel>& run, FloatVector number, FloatVector position, FloatVector stepOpacity,
+                              LaneMask alive, Blend& blend) {
         const Floats floats;
-        const auto number = set(static_cast<float>(i));
-        auto position = positionOf(run, i, number, stored);
         const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Ge(position, set(0.0f)));
         position = hn::Max(position, set(0.0f));
-        const auto opacity = hn::IfThenElseZero(active, opacityAt(position));
+        const auto opacity = hn::IfThenElseZero(active, stepOpacity);
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         Colour colour = m_colours.at(position);
-        if (m_light) {
+        if (m_rays->light) {
+            const Light<Voxel>& light = *m_rays->light;
             const auto seen = hn::Mul(added, hn::Load(floats, m_before));
-            const auto worth = hn::Ge(seen, set(LightSource::worthGradient));
-            auto factor = set(m_light->even());
+            const auto worth = hn::Ge(seen, set(m_job.worthGradient));
+            auto factor = set(light.even());
             if (!hn::AllFalse(floats, worth))
-                factor = hn::IfThenElse(worth, m_light->factorAt(run, run.at(number), worth), factor);
-            colour = {m_light->lit(colour.red, factor, 0), m_light->lit(colour.green, factor, 1),
-                      m_light->lit(colour.blue, factor, 2)};
+                factor = hn::IfThenElse(worth, light.factorAt(run, run.at(number), worth), factor);
+            colour = {light.lit(colour.red, factor, 0), light.lit(colour.green, factor, 1),
+                      light.lit(colour.blue, factor, 2)};
         }
         if (m_job.depthTint != nullptr) tint(number, colour);
         addSample(added, colour, number, blend);
@@ -276,26 +335,23 @@ private:
         const auto mean = [&](int component) {
             return hn::Mul(hn::Sub(integralAt(b, component), integralAt(a, component)), perInterval);
         };
-        const auto extinction = hn::Max(mean(3), set(0.0f));
+        const auto extinction = hn::Max(mean(0), set(0.0f));
         const auto visible = hn::And(far, hn::Gt(extinction, set(1e-12f)));
-        const auto perExtinction = hn::Div(set(1.0f), hn::IfThenElse(visible, extinction, set(1.0f)));
-        const auto channel = [&](int c, FloatVector otherwise) {
-            return hn::IfThenElse(visible, hn::Min(hn::Max(hn::Mul(mean(c), perExtinction), set(0.0f)), set(1.0f)), otherwise);
-        };
-        colour = {channel(0, colour.red), channel(1, colour.green), channel(2, colour.blue)};
+        const auto seen = hn::Div(mean(1), hn::IfThenElse(visible, extinction, set(1.0f)));
+        const auto inside = hn::Min(hn::Max(hn::Mul(seen, set(1.0f / scale)), hn::Min(front, back)), hn::Max(front, back));
+        colour = m_colours.at(hn::IfThenElse(visible, inside, middle));
         return hn::IfThenElse(far, hn::Neg(hn::Expm1(floats, hn::Neg(extinction))), point);
     }
     HWY_INLINE FloatVector integralAt(FloatVector position, int component) const {
         const Floats floats;
         const auto left = hn::ConvertTo(Ints(), position);
-        const auto index = hn::Add(hn::ShiftLeft<2>(left), set(std::int32_t{component}));
-        const float* integrals = m_job.preIntegration->integrals();
-        return between(hn::GatherIndex(floats, integrals, index), hn::GatherIndex(floats, integrals + 4, index),
+        const float* integrals = m_job.preIntegration->integrals(component);
+        return between(hn::GatherIndex(floats, integrals, left), hn::GatherIndex(floats, integrals + 1, left),
                        hn::Sub(position, hn::ConvertTo(floats, left)));
     }
 
     /// Puts a run behind what the rays have gathered.
-    void add(const Run<Voxel>& run, const Blend& blend) {
+    void add(const Blend& blend) {
         const Floats floats;
         alignas(64) float opacity[lanes], colour[3][lanes], half[lanes];
         hn::Store(blend.opacity, floats, opacity);
@@ -304,27 +360,24 @@ private:
         hn::Store(blend.blue, floats, colour[2]);
         for (int channel = 0; channel < 3; ++channel)
             for (int i = 0; i < lanes; ++i)
-                m_gathered.colour[channel][i] +=
-                    m_gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
+                m_rays->gathered.colour[channel][i] +=
+                    m_rays->gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
         for (int i = 0; i < lanes; ++i)
-            m_gathered.transmittance[i] -= m_gathered.transmittance[i] * static_cast<double>(opacity[i]);
+            m_rays->gathered.transmittance[i] -= m_rays->gathered.transmittance[i] * static_cast<double>(opacity[i]);
         if (!m_rich && m_job.preIntegration == nullptr) return;
         hn::Store(blend.half, floats, half);
-        const RayBundle<lanes>& rays = m_packet.rays();
         for (int i = 0; i < lanes; ++i)
             if (half[i] >= 0.0f)
-                m_gathered.depthMm[i] = static_cast<float>(
-                    rays.depthMm[i] + rays.depthStepMm[i] * (static_cast<double>(run.first) + static_cast<double>(half[i]) + 0.5));
+                m_rays->gathered.depthMm[i] =
+                    static_cast<float>(m_depthMm[i] + m_depthStepMm[i] * static_cast<double>(half[i]));
     }
 
     const KernelJob<Voxel>& m_job;
-    Packet<Voxel>& m_packet;
     Colours m_colours;
-    std::optional<Light<Voxel>> m_light;
-    KeptSamples::Packet* m_kept;
     bool m_rich = false;
-    Gathered m_gathered;
+    DirectRays<Voxel>* m_rays = nullptr;
     alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];
+    alignas(64) double m_middle[lanes], m_depthMm[lanes], m_depthStepMm[lanes];
 };
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

@@ -16,7 +16,7 @@ namespace echolucent::ray_casting::HWY_NAMESPACE {
 /// What rays have seen so far.
 struct Seen {
     alignas(64) double value[lanes];  ///< table position: largest, smallest, or sum
-    alignas(64) double count[lanes];  ///< samples with data
+    alignas(64) double count[lanes];  ///< steps with data
     alignas(64) float depthMm[lanes];
 };
 
@@ -33,19 +33,40 @@ public:
     void cast() {
         const std::int64_t common = m_packet.longestCommonRun();
         const std::int64_t length = common > 0 ? common : m_packet.longestSingleRun();
+        addCut(m_packet.rays().head);
+        for (int i = 0; i < lanes; ++i) m_weight[i] = 1.0f;
         for (std::int64_t first = m_packet.first(); first < m_packet.last(); first += length) {
+            for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(first) + 0.5;
             if (common > 0)
-                add(m_packet.run(first, length, -1));
+                add(m_packet.run(first, length, -1), m_middle);
             else
-                for (int lane = 0; lane < lanes; ++lane) add(m_packet.run(first, length, lane));
+                for (int lane = 0; lane < lanes; ++lane) add(m_packet.run(first, length, lane), m_middle);
             if (m_job.mode == RenderMode::maximum && allWhite()) return;
         }
+        addCut(m_packet.rays().tail);
     }
 
     [[nodiscard]] const Seen& seen() const { return m_seen; }
 
 private:
-    HWY_NOINLINE void add(const Run<Voxel>& run) {
+    /// The part of a step at the begin or the end of each ray; in a mean it counts with its length.
+    void addCut(const CutSteps<lanes>& cut) {
+        bool any = false;
+        for (int i = 0; i < lanes; ++i) {
+            any = any || cut.length[i] > 0.0;
+            m_weight[i] = static_cast<float>(cut.length[i]);
+        }
+        if (!any) return;
+        if (m_packet.longestCommonRun() > 0) {
+            add(m_packet.run(cut, -1), cut.at);
+            return;
+        }
+        for (int lane = 0; lane < lanes; ++lane)
+            if (cut.length[lane] > 0.0) add(m_packet.run(cut, lane), cut.at);
+    }
+
+    /// middle: of the first samples, steps.
+    HWY_NOINLINE void add(const Run<Voxel>& run, const double (&middle)[lanes]) {
         const Floats floats;
         const bool sums = m_job.mode == RenderMode::mean;
         const float sign = m_job.mode == RenderMode::minimum ? -1.0f : 1.0f;
@@ -62,8 +83,9 @@ private:
             const auto better = hn::And(active, hn::Gt(signedPosition, best));
             best = hn::IfThenElse(better, signedPosition, best);
             at = hn::IfThenElse(better, number, at);
-            if (sums) sum = hn::Add(sum, hn::IfThenElseZero(active, position));
-            count = hn::Add(count, hn::IfThenElseZero(active, set(1.0f)));
+            const auto weight = hn::IfThenElseZero(active, hn::Load(floats, m_weight));
+            if (sums) sum = hn::MulAdd(weight, position, sum);
+            count = hn::Add(count, weight);
         }
         alignas(64) float bests[lanes], sums_[lanes], counts[lanes], numbers[lanes];
         hn::Store(hn::Mul(best, set(sign)), floats, bests);
@@ -81,14 +103,14 @@ private:
             if (!sums && better) m_seen.value[i] = value;
             if (sums ? !first : !better) continue;
             const RayBundle<lanes>& rays = m_packet.rays();
-            const double number = static_cast<double>(run.first) + static_cast<double>(numbers[i]) + 0.5;
+            const double number = middle[i] + static_cast<double>(numbers[i]);
             m_seen.depthMm[i] = static_cast<float>(rays.depthMm[i] + rays.depthStepMm[i] * number);
         }
     }
 
     [[nodiscard]] bool allWhite() const {
         for (int i = 0; i < lanes; ++i) {
-            const bool isRay = m_packet.rays().first[i] < m_packet.rays().last[i];
+            const bool isRay = m_packet.rays().enter[i] < m_packet.rays().leave[i];
             if (isRay && m_seen.value[i] < TransferTable::intervals) return false;
         }
         return true;
@@ -97,6 +119,8 @@ private:
     const KernelJob<Voxel>& m_job;
     const Packet<Voxel>& m_packet;
     Seen m_seen;
+    alignas(64) float m_weight[lanes];
+    alignas(64) double m_middle[lanes];
 };
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

@@ -39,6 +39,25 @@ struct Run {
     HWY_INLINE LaneMask inRange(FloatVector i) const { return hn::And(hn::Ge(i, begin), hn::Lt(i, end)); }
 };
 
+/// Between which positions and steps, in cells, the rays of neighbouring pixels lie.
+struct Extent {
+    double lowOrigin[3], highOrigin[3], lowStep[3], highStep[3];  ///< origins: at sample -0.5
+
+    Extent() {
+        for (int axis = 0; axis < 3; ++axis) {
+            lowOrigin[axis] = lowStep[axis] = 1e300;
+            highOrigin[axis] = highStep[axis] = -1e300;
+        }
+    }
+    /// A box that holds all samples from `first` to before `last`.
+    void findBox(double first, double last, double (&low)[3], double (&high)[3]) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = lowOrigin[axis] + std::min(lowStep[axis] * first, lowStep[axis] * last);
+            high[axis] = highOrigin[axis] + std::max(highStep[axis] * first, highStep[axis] * last);
+        }
+    }
+};
+
 /// The rays of neighbouring pixels on their way through the volume.
 template <typename Voxel>
 class Packet {
@@ -48,17 +67,14 @@ public:
         // Pixels beyond the picture's edge cast nothing.
         for (int i = 0; i < lanes; ++i)
             if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
-                m_rays.first[i] = m_rays.last[i] = 0.0;
+                m_rays.remove(i);
         findExtent();
     }
 
-    [[nodiscard]] bool empty() const { return m_first >= m_last; }
+    [[nodiscard]] bool empty() const { return !m_any; }
     [[nodiscard]] std::int64_t first() const { return m_first; }
     [[nodiscard]] std::int64_t last() const { return m_last; }
     [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
-
-    /// Ends a ray at a sample.
-    void endRay(int lane, std::int64_t sample) { m_rays.last[lane] = std::min(m_rays.last[lane], static_cast<double>(sample)); }
 
     /// Samples from `sample` on, a multiple of blockSize, that show nothing on any ray; a multiple of blockSize too.
     [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
@@ -66,8 +82,8 @@ public:
         double low[3], high[3];
         std::int64_t brick[3];
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = m_lowOrigin[axis] + m_lowStep[axis] * (number + (m_lowStep[axis] < 0.0 ? 1.0 : 0.0));
-            high[axis] = m_highOrigin[axis] + m_highStep[axis] * (number + (m_highStep[axis] < 0.0 ? 0.0 : 1.0));
+            low[axis] = m_extent.lowOrigin[axis] + m_extent.lowStep[axis] * (number + (m_extent.lowStep[axis] < 0.0 ? 1.0 : 0.0));
+            high[axis] = m_extent.highOrigin[axis] + m_extent.highStep[axis] * (number + (m_extent.highStep[axis] < 0.0 ? 0.0 : 1.0));
             const auto cell = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
             brick[axis] = std::clamp<std::int64_t>(cell >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
         }
@@ -82,8 +98,8 @@ public:
             const double lowest = static_cast<double>(before * BrickGrid::edge) + margin;
             const double highest = static_cast<double>(behind * BrickGrid::edge) - margin;
             if ((endsBefore && low[axis] < lowest) || (endsBehind && high[axis] >= highest)) return 0;
-            if (endsBehind && m_highStep[axis] > 0.0) steps = std::min(steps, (highest - high[axis]) / m_highStep[axis]);
-            if (endsBefore && m_lowStep[axis] < 0.0) steps = std::min(steps, (lowest - low[axis]) / m_lowStep[axis]);
+            if (endsBehind && m_extent.highStep[axis] > 0.0) steps = std::min(steps, (highest - high[axis]) / m_extent.highStep[axis]);
+            if (endsBefore && m_extent.lowStep[axis] < 0.0) steps = std::min(steps, (lowest - low[axis]) / m_extent.lowStep[axis]);
         }
         return static_cast<std::int64_t>(steps) / blockSize * blockSize;
     }
@@ -95,14 +111,44 @@ public:
         run.count = std::min(count, m_last - first);
         double low[3], high[3];
         findBox(first, lane, run.count, low, high);
-        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        locate(run, low, high);
         setLanes(run, lane);
-        const PackedVoxels<Voxel>& voxels = *m_job.voxels;
-        const std::int64_t offset =
-            run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
-        run.volume = {voxels.cells() + offset * CellWord<Voxel>::voxels, nullptr, voxels.rowStride(), voxels.sliceStride()};
-        if (m_job.missing != nullptr && touchesMissing(low, high))
-            run.volume.mask = voxels.mask() + offset * CellWord<std::uint8_t>::voxels;
+        return run;
+    }
+
+    /// Cut steps as a run of one sample. lane: of that ray alone; -1: of all.
+    [[nodiscard]] Run<Voxel> run(const CutSteps<lanes>& cut, int lane) const {
+        Run<Voxel> run{};
+        run.count = 1;
+        double low[3], high[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = 1e300;
+            high[axis] = 0.0;
+            for (int i = 0; i < lanes; ++i) {
+                if (cut.length[i] <= 0.0 || (lane >= 0 && i != lane)) continue;
+                const double at = m_rays.origin[axis][i] + m_rays.step[axis][i] * cut.at[i] + cellShift;
+                low[axis] = std::max(0.0, std::min(low[axis], at));
+                high[axis] = std::max(high[axis], at);
+            }
+        }
+        locate(run, low, high);
+        const Floats floats;
+        const auto along = [&](int axis) {
+            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            return inFloats([&](auto doubles, int i) {
+                const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
+                const auto steps = hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Load(doubles, cut.at + i));
+                return hn::Mul(hn::Add(hn::Add(origin, steps), hn::Set(doubles, shift)), hn::Set(doubles, double{oneCell}));
+            });
+        };
+        run.startX = along(0);
+        run.startY = along(1);
+        run.startZ = along(2);
+        run.stepX = run.stepY = run.stepZ = run.begin = set(0.0f);
+        const auto length = inFloats([&](auto doubles, int i) { return hn::Load(doubles, cut.length + i); });
+        run.end = hn::IfThenElseZero(hn::Gt(length, set(0.0f)), set(1.0f));
+        if (lane >= 0)
+            run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
         return run;
     }
 
@@ -113,31 +159,33 @@ public:
 
 private:
     void findExtent() {
-        double first = 1e18, last = -1.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            m_lowOrigin[axis] = m_lowStep[axis] = 1e300;
-            m_highOrigin[axis] = m_highStep[axis] = -1e300;
-        }
+        double first = 1e18, last = 0.0, farthest = 0.0;
         for (int i = 0; i < lanes; ++i) {
-            if (m_rays.first[i] >= m_rays.last[i]) continue;
-            first = std::min(first, m_rays.first[i]);
-            last = std::max(last, m_rays.last[i]);
+            if (m_rays.enter[i] >= m_rays.leave[i]) continue;
+            m_any = true;
+            farthest = std::max(farthest, m_rays.leave[i]);
+            if (m_rays.first[i] < m_rays.last[i]) {
+                first = std::min(first, m_rays.first[i]);
+                last = std::max(last, m_rays.last[i]);
+            }
             for (int axis = 0; axis < 3; ++axis) {
-                // In cells, at sample -0.5.
+                // In cells, at the begin of step 0.
                 const double origin = m_rays.origin[axis][i] + cellShift, step = m_rays.step[axis][i];
-                m_lowOrigin[axis] = std::min(m_lowOrigin[axis], origin);
-                m_highOrigin[axis] = std::max(m_highOrigin[axis], origin);
-                m_lowStep[axis] = std::min(m_lowStep[axis], step);
-                m_highStep[axis] = std::max(m_highStep[axis], step);
+                m_extent.lowOrigin[axis] = std::min(m_extent.lowOrigin[axis], origin);
+                m_extent.highOrigin[axis] = std::max(m_extent.highOrigin[axis], origin);
+                m_extent.lowStep[axis] = std::min(m_extent.lowStep[axis], step);
+                m_extent.highStep[axis] = std::max(m_extent.highStep[axis], step);
             }
         }
-        if (last < 0.0) return;
-        m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
-        m_last = static_cast<std::int64_t>(last);
+        if (!m_any) return;
+        if (last > 0.0) {
+            m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
+            m_last = static_cast<std::int64_t>(last);
+        }
         double widest = 0.0;
         for (int axis = 0; axis < 3; ++axis)
-            widest = std::max(widest, m_highOrigin[axis] - m_lowOrigin[axis] +
-                                          (m_highStep[axis] - m_lowStep[axis]) * static_cast<double>(m_last));
+            widest = std::max(widest, m_extent.highOrigin[axis] - m_extent.lowOrigin[axis] +
+                                          (m_extent.highStep[axis] - m_extent.lowStep[axis]) * farthest);
         m_longestRun = runWithin(widest);
     }
 
@@ -148,7 +196,7 @@ private:
         room = std::min(room, 0x1p29 / slice);
         double fastest = 1e-9;
         for (int axis = 0; axis < 3; ++axis)
-            fastest = std::max({fastest, std::abs(m_lowStep[axis]), std::abs(m_highStep[axis])});
+            fastest = std::max({fastest, std::abs(m_extent.lowStep[axis]), std::abs(m_extent.highStep[axis])});
         const double samples = (room - widest) / fastest;
         if (samples < 1.0) return 0;
         return samples >= longestRun ? longestRun : std::max<std::int64_t>(static_cast<std::int64_t>(samples), 1);
@@ -157,14 +205,12 @@ private:
     /// A box, in cells, that holds all samples of a run.
     void findBox(std::int64_t first, int lane, std::int64_t count, double (&low)[3], double (&high)[3]) const {
         const double a = static_cast<double>(first), b = static_cast<double>(first + count);
+        m_extent.findBox(a, b, low, high);
         for (int axis = 0; axis < 3; ++axis) {
             if (lane >= 0) {
                 const double origin = m_rays.origin[axis][lane] + cellShift, step = m_rays.step[axis][lane];
                 low[axis] = origin + std::min(step * a, step * b);
                 high[axis] = origin + std::max(step * a, step * b);
-            } else {
-                low[axis] = m_lowOrigin[axis] + std::min(m_lowStep[axis] * a, m_lowStep[axis] * b);
-                high[axis] = m_highOrigin[axis] + std::max(m_highStep[axis] * a, m_highStep[axis] * b);
             }
             // Nothing is sampled outside.
             const double cells = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)] + 1);
@@ -173,37 +219,58 @@ private:
         }
     }
 
+    /// The corner from which a run in a box, in cells, is counted.
+    void locate(Run<Voxel>& run, const double (&low)[3], const double (&high)[3]) const {
+        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        const PackedVoxels<Voxel>& voxels = *m_job.voxels;
+        const std::int64_t offset =
+            run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
+        run.volume = {voxels.cells() + offset * voxelsPerCell, nullptr, voxels.rowStride(), voxels.sliceStride()};
+        if (m_job.missing != nullptr && touchesMissing(low, high)) run.volume.mask = voxels.mask() + offset * voxelsPerCell;
+    }
+
     void setLanes(Run<Voxel>& run, int lane) const {
-        alignas(64) float start[3][lanes], step[3][lanes], begin[lanes], end[lanes];
-        const double number = static_cast<double>(run.first) + 0.5;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
-            for (int i = 0; i < lanes; ++i) {
-                start[axis][i] = static_cast<float>(
-                    (m_rays.origin[axis][i] + m_rays.step[axis][i] * number + shift) * oneCell);
-                step[axis][i] = static_cast<float>(m_rays.step[axis][i] * oneCell);
-            }
-        }
-        const double count = static_cast<double>(run.count), first = static_cast<double>(run.first);
-        for (int i = 0; i < lanes; ++i) {
-            const double from = m_rays.first[i] - first, to = m_rays.last[i] - first;
-            begin[i] = static_cast<float>(std::min(std::max(from, 0.0), count));
-            end[i] = static_cast<float>(std::min(std::max(to, 0.0), count));
-        }
-        if (lane >= 0)
-            for (int i = 0; i < lanes; ++i) end[i] = i == lane ? end[i] : 0.0f;
-        run.full = true;
-        for (int i = 0; i < lanes; ++i)
-            run.full = run.full && begin[i] == 0.0f && end[i] == static_cast<float>(run.count);
         const Floats floats;
-        run.startX = hn::Load(floats, start[0]);
-        run.startY = hn::Load(floats, start[1]);
-        run.startZ = hn::Load(floats, start[2]);
-        run.stepX = hn::Load(floats, step[0]);
-        run.stepY = hn::Load(floats, step[1]);
-        run.stepZ = hn::Load(floats, step[2]);
-        run.begin = hn::Load(floats, begin);
-        run.end = hn::Load(floats, end);
+        const auto along = [&](int axis, FloatVector& start, FloatVector& step) {
+            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            start = inFloats([&](auto doubles, int i) {
+                const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
+                const auto perSample = hn::Load(doubles, m_rays.step[axis] + i);
+                const auto number = hn::Set(doubles, static_cast<double>(run.first) + 0.5);
+                const auto cells = hn::Add(hn::Add(origin, hn::Mul(perSample, number)), hn::Set(doubles, shift));
+                return hn::Mul(cells, hn::Set(doubles, double{oneCell}));
+            });
+            step = inFloats([&](auto doubles, int i) {
+                return hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Set(doubles, double{oneCell}));
+            });
+        };
+        along(0, run.startX, run.stepX);
+        along(1, run.startY, run.stepY);
+        along(2, run.startZ, run.stepZ);
+        const auto count = set(static_cast<float>(run.count));
+        const auto inRun = [&](const double (&samples)[lanes]) {
+            const auto relative = inFloats([&](auto doubles, int i) {
+                return hn::Sub(hn::Load(doubles, samples + i), hn::Set(doubles, static_cast<double>(run.first)));
+            });
+            return hn::Min(hn::Max(relative, set(0.0f)), count);
+        };
+        run.begin = inRun(m_rays.first);
+        run.end = inRun(m_rays.last);
+        if (lane >= 0)
+            run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
+        run.full = hn::AllTrue(floats, hn::And(hn::Eq(run.begin, set(0.0f)), hn::Eq(run.end, count)));
+    }
+
+    /// Lanes computed in double, from(tag, first lane), as floats.
+    template <typename From>
+    static HWY_INLINE FloatVector inFloats(const From& from) {
+#if HWY_TARGET == HWY_SCALAR
+        return set(static_cast<float>(hn::GetLane(from(hn::CappedTag<double, 1>(), 0))));
+#else
+        const hn::Repartition<double, Floats> doubles;
+        const hn::Half<Floats> half;
+        return hn::Combine(Floats(), hn::DemoteTo(half, from(doubles, lanes / 2)), hn::DemoteTo(half, from(doubles, 0)));
+#endif
     }
 
     [[nodiscard]] bool touchesMissing(const double (&low)[3], const double (&high)[3]) const {
@@ -228,9 +295,10 @@ private:
 
     const KernelJob<Voxel>& m_job;
     RayBundle<lanes> m_rays;
+    bool m_any = false;
     std::int64_t m_first = 0, m_last = 0;
     std::int64_t m_longestRun = longestRun;
-    double m_lowOrigin[3], m_highOrigin[3], m_lowStep[3], m_highStep[3];
+    Extent m_extent;
 };
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

@@ -38,7 +38,7 @@ struct Position {
 };
 constexpr std::int32_t oneCell = 1 << 16;
 
-/// Two dwords for each lane, which stand beside each other in memory, `bytesPerCell` times `offset` after `base`.
+/// Two dwords for each lane, which stand beside each other in memory, `offset` times 2^shift bytes after `base`.
 struct DwordPair {
     IntVector low, high;
 };
@@ -60,14 +60,16 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, IntVector offset, const Position& at) {
-    const std::uint8_t* const cell = cells + (static_cast<std::ptrdiff_t>(offset.raw) << 2);
+HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at) {
+    const std::uint8_t* const first = cells + static_cast<std::ptrdiff_t>(offset.raw) * voxelsPerCell;
+    const std::uint8_t* const second = first + sliceStride * voxelsPerCell;
     const auto share = [](IntVector position) { return (position.raw & 0xFFFF) >> 1; };
     const auto mean = [](int left, int right, int part) { return left + (((right - left) * part + (1 << 14)) >> 15); };
     const int x = share(at.x), y = share(at.y), z = share(at.z);
-    const auto alongX = [&](int voxel) { return mean(cell[voxel] << 7, cell[voxel + 4] << 7, x); };
-    const int front = mean(alongX(0), alongX(1), y), back = mean(alongX(2), alongX(3), y);
-    return set(static_cast<float>(front * (32767 - z) + back * z));
+    const auto alongZ = [&](int voxel) { return mean(first[voxel] << 7, second[voxel] << 7, z); };
+    const int left = mean(alongZ(0), alongZ(1), y), right = mean(alongZ(2), alongZ(3), y);
+    return set(static_cast<float>(left * (32767 - x) + right * x));
 }
 
 #else
@@ -100,19 +102,23 @@ HWY_INLINE hn::Vec<Words> wordShares(IntVector position) {
 HWY_INLINE hn::Vec<Words> between(hn::Vec<Words> left, hn::Vec<Words> right, hn::Vec<Words> share) {
     return hn::Add(left, hn::MulFixedPoint15(hn::Sub(right, left), share));
 }
-HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, IntVector offset, const Position& at) {
+HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at) {
     const Ints ints;
     const Words words;
-    const DwordPair cell = loadPairs<2>(cells, offset);
+    const auto bytes = hn::ShiftLeft<1>(offset);
+    const auto load = [&](const std::uint8_t* base) {
+        return hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(base), bytes);
+    };
+    const auto first = load(cells), second = load(cells + sliceStride * voxelsPerCell);
     const auto every = hn::Set(ints, 0x7F807F80);
     const auto even = [&](IntVector four) { return hn::BitCast(words, hn::And(hn::ShiftLeft<7>(four), every)); };
     const auto odd = [&](IntVector four) { return hn::BitCast(words, hn::And(hn::ShiftRight<1>(four), every)); };
-    const auto shareX = wordShares(at.x), shareY = wordShares(at.y);
-    const auto above = between(even(cell.low), even(cell.high), shareX);
-    const auto below = between(odd(cell.low), odd(cell.high), shareX);
-    // The low half of each dword is of slice z, the high one of slice z + 1.
-    const auto slices = between(above, below, shareY);
-    const auto weights = hn::Xor(wordShares(at.z), hn::BitCast(words, hn::Set(ints, 0x00007FFF)));
+    const auto shareZ = wordShares(at.z);
+    const auto above = between(even(first), even(second), shareZ), below = between(odd(first), odd(second), shareZ);
+    // The low half of each dword is of x, the high one of x + 1.
+    const auto slices = between(above, below, wordShares(at.y));
+    const auto weights = hn::Xor(wordShares(at.x), hn::BitCast(words, hn::Set(ints, 0x00007FFF)));
     auto rest = hn::Zero(ints);
     const auto sum = hn::ReorderWidenMulAccumulate(ints, slices, weights, hn::Zero(ints), rest);
     return hn::ConvertTo(Floats(), hn::RearrangeToOddPlusEven(sum, rest));
@@ -139,12 +145,12 @@ struct Cells {
 };
 
 HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at) {
-    return hn::Mul(meanOfBytes(volume.cells, offset, at), set(1.0f / byteScale));
+    return hn::Mul(meanOfBytes(volume.cells, volume.sliceStride, offset, at), set(1.0f / byteScale));
 }
 HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at) {
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto slice = [&](std::int64_t first) {
-        const DwordPair cell = loadPairs<2>(volume.cells + first * CellWord<std::uint16_t>::voxels, offset);
+        const DwordPair cell = loadPairs<2>(volume.cells + first * voxelsPerCell, offset);
         const auto above = [](IntVector two) { return hn::ConvertTo(Floats(), hn::And(two, set(0xFFFF))); };
         const auto below = [](IntVector two) {
             const hn::RebindToUnsigned<Ints> bits;
@@ -158,7 +164,7 @@ HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offs
 HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, const Position& at) {
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto column = [&](std::int64_t first) {
-        const DwordPair cell = loadPairs<3>(volume.cells + first * CellWord<float>::voxels, offset);
+        const DwordPair cell = loadPairs<3>(volume.cells + first * voxelsPerCell, offset);
         return between(hn::BitCast(Floats(), cell.low), hn::BitCast(Floats(), cell.high), shareY);
     };
     const auto slice = [&](std::int64_t first) { return between(column(first), column(first + 1), shareX); };
@@ -175,7 +181,7 @@ HWY_INLINE Sample sampleAt(const Cells<Voxel>& volume, const Position& at, LaneM
     const auto offset = hn::IfThenElseZero(hn::RebindMask(Ints(), active), volume.offsetOf(at));
     Sample sample{meanOf(volume, offset, at), set(1.0f)};
     if (volume.mask != nullptr)
-        sample.weight = hn::Mul(meanOfBytes(volume.mask, offset, at), set(1.0f / (byteScale * 255.0f)));
+        sample.weight = hn::Mul(meanOfBytes(volume.mask, volume.sliceStride, offset, at), set(1.0f / (byteScale * 255.0f)));
     return sample;
 }
 

@@ -25,17 +25,16 @@ void forEachPixel(const Picture& picture, int column, int row, const Write& writ
 }
 
 template <typename Voxel>
-void castDirect(const KernelJob<Voxel>& job, Packet<Voxel>& packet, int column, int row) {
+KeptSamples::Packet* keptOf(const KernelJob<Voxel>& job, int column, int row) {
+    if (job.kept == nullptr) return nullptr;
+    const int packetsInRow = (job.picture->width + packetColumns - 1) / packetColumns;
+    return &job.kept->packets[static_cast<std::size_t>(row / packetRows) * static_cast<std::size_t>(packetsInRow) +
+                              static_cast<std::size_t>(column / packetColumns)];
+}
+
+template <typename Voxel>
+void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int column, int row) {
     Picture& picture = *job.picture;
-    KeptSamples::Packet* kept = nullptr;
-    if (job.kept != nullptr) {
-        const int packetsInRow = (picture.width + packetColumns - 1) / packetColumns;
-        kept = &job.kept->packets[static_cast<std::size_t>(row / packetRows) * static_cast<std::size_t>(packetsInRow) +
-                                  static_cast<std::size_t>(column / packetColumns)];
-    }
-    DirectKernel<Voxel> kernel(job, packet, kept);
-    kernel.cast();
-    const Gathered& gathered = kernel.gathered();
     forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
         float* out = &picture.rgba[pixel * 4];
         for (int channel = 0; channel < 3; ++channel)
@@ -43,6 +42,14 @@ void castDirect(const KernelJob<Voxel>& job, Packet<Voxel>& packet, int column, 
         out[3] = static_cast<float>(1.0 - gathered.transmittance[lane]);
         if (!picture.depthMm.empty()) picture.depthMm[pixel] = gathered.depthMm[lane];
     });
+}
+
+template <typename Voxel>
+void castDirect(const KernelJob<Voxel>& job, DirectKernel<Voxel>& kernel, int column, int row) {
+    DirectRays<Voxel> rays(job, column, row, keptOf(job, column, row));
+    if (rays.packet.empty()) return;
+    kernel.cast(rays);
+    writeDirect(job, rays.gathered, column, row);
 }
 
 template <typename Voxel>
@@ -64,14 +71,15 @@ void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, Colo
 
 template <typename Voxel>
 void castPackets(const KernelJob<Voxel>& job, const Tile& tile) {
+    DirectKernel<Voxel> kernel(job);
     for (int row = tile.firstRow; row < tile.lastRow; row += packetRows)
         for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns) {
-            Packet<Voxel> packet(job, column, row);
-            if (packet.empty()) continue;
-            if (job.mode == RenderMode::direct)
-                castDirect(job, packet, column, row);
-            else
-                castExtremes(job, packet, job.colourMap, column, row);
+            if (job.mode == RenderMode::direct) {
+                castDirect(job, kernel, column, row);
+                continue;
+            }
+            const Packet<Voxel> packet(job, column, row);
+            if (!packet.empty()) castExtremes(job, packet, job.colourMap, column, row);
         }
 }
 

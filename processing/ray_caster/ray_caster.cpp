@@ -37,18 +37,21 @@ private:
     std::atomic<int> m_done{0};
 };
 
-/// False where it was cancelled.
+/// False where it was cancelled. Tiles start at the first packets that may see the volume.
 template <typename Voxel>
 bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
-    const int width = job.picture->width, height = job.picture->height;
-    const int columns = (width + tileEdge - 1) / tileEdge, rows = (height + tileEdge - 1) / tileEdge;
+    const RayGeometry::PixelBox box = job.rays->visiblePixels();
+    const PacketShape shape = packetShape();
+    const int left = box.firstColumn / shape.columns * shape.columns, top = box.firstRow / shape.rows * shape.rows;
+    const int columns = (std::max(0, box.lastColumn - left) + tileEdge - 1) / tileEdge;
+    const int rows = (std::max(0, box.lastRow - top) + tileEdge - 1) / tileEdge;
     TileCount count(progress, columns * rows);
     tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
         for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
             for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
                 if (progress.cancelled()) return;
-                castTile(job, {column * tileEdge, std::min((column + 1) * tileEdge, width), row * tileEdge,
-                               std::min((row + 1) * tileEdge, height)});
+                const int x = left + column * tileEdge, y = top + row * tileEdge;
+                castTile(job, {x, std::min(x + tileEdge, box.lastColumn), y, std::min(y + tileEdge, box.lastRow)});
                 count.oneDone();
             }
     });
@@ -121,6 +124,7 @@ private:
         job.rays = &rays;
         job.toTable = static_cast<float>(TransferTable::intervals / volume->whiteLevel());
         job.table = &table;
+        job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
         job.missing = m_ranges.missing().empty() ? nullptr : m_ranges.missing().data();
         job.mode = settings.mode;
@@ -138,7 +142,7 @@ private:
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
             if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
             if (settings.preIntegrated)
-                job.preIntegration = &preIntegration.emplace(curve, settings.colourMap, settings.step);
+                job.preIntegration = &preIntegration.emplace(curve, settings.step);
         }
         if (direct && settings.skipEmptySpace) {
             m_empty.update(m_ranges, table);

@@ -58,6 +58,8 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_stepMm(settings.step * geometry.unit()),
       m_nearDepth(settings.nearPlaneDepthMm),
       m_forward(settings.camera.frame.forward),
+      m_right(settings.camera.frame.right),
+      m_down(settings.camera.frame.down),
       m_jittered(settings.jittered),
       m_opaqueDepth(settings.opaqueDepth) {
     requireSensible(settings);
@@ -96,6 +98,32 @@ void RayGeometry::limit(const VolumeGeometry& geometry, const RayCastSettings& s
         m_halfSpaces.push_back({plane.normal.mul(geometry.spacing), -plane.normal.dot(plane.point)});
 }
 
+RayGeometry::PixelBox RayGeometry::visiblePixels() const {
+    const PixelBox whole{0, m_width, 0, m_height};
+    double low[2] = {1e30, 1e30}, high[2] = {-1e30, -1e30};
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 point;
+        for (int axis = 0; axis < 3; ++axis)
+            point[axis] = ((corner >> axis & 1) != 0 ? m_high[axis] : m_low[axis]) / m_inverseSpacing[axis];
+        Vec3 seen = point - m_eye;
+        const double depth = seen.dot(m_forward);
+        if (!m_parallel && !(depth > 1e-9 * length(seen))) return whole;  // around or behind the eye
+        // Where the ray of pixel (0,0) is, and from there on in pixels.
+        seen = m_parallel ? point - m_first : seen * (1.0 / depth) - m_first;
+        const double across[2] = {seen.dot(m_right) / length(m_perColumn), seen.dot(m_down) / length(m_perRow)};
+        for (int i = 0; i < 2; ++i) {
+            low[i] = std::min(low[i], across[i]);
+            high[i] = std::max(high[i], across[i]);
+        }
+    }
+    const auto limited = [](double pixel, int pixels) {
+        return static_cast<int>(std::clamp(pixel, 0.0, static_cast<double>(pixels)));
+    };
+    // One pixel more on each side, for rounding.
+    return {limited(std::floor(low[0]) - 1.0, m_width), limited(std::ceil(high[0]) + 2.0, m_width),
+            limited(std::floor(low[1]) - 1.0, m_height), limited(std::ceil(high[1]) + 2.0, m_height)};
+}
+
 Ray RayGeometry::rayThrough(int column, int row) const {
     RayBundle<1> bundle;
     fill(bundle, column, row, 1);
@@ -105,6 +133,8 @@ Ray RayGeometry::rayThrough(int column, int row) const {
         ray.step[axis] = bundle.step[axis][0];
         ray.direction[axis] = ray.step[axis] / (m_inverseSpacing[axis] * m_stepMm);
     }
+    ray.enter = bundle.enter[0];
+    ray.leave = bundle.leave[0];
     ray.first = static_cast<std::int64_t>(bundle.first[0]);
     ray.last = static_cast<std::int64_t>(bundle.last[0]);
     ray.depthMm = bundle.depthMm[0];

@@ -13,11 +13,15 @@
 
 namespace echolucent::ray_casting {
 
-/// Sample k of a ray, k = first ... last - 1, lies at voxel position origin + (k + 0.5) * step.
+/// A ray in steps: step k is the part from voxel position origin + k * step to origin + (k + 1) * step, and is sampled in
+/// its middle. What is rendered lies between `enter` and `leave` (steps; none where leave <= enter). Steps first ...
+/// last - 1 lie in it whole; those before and behind are cut where it begins and ends, count with what is left of them,
+/// and are sampled in the middle of that.
 struct Ray {
     Vec3 origin;
     Vec3 step;
     Vec3 direction;  ///< unit, grid mm
+    double enter = 0.0, leave = 0.0;
     std::int64_t first = 0, last = 0;
     double depthMm = 0.0;      ///< along camera.frame.forward from the grid origin, of origin
     double depthStepMm = 1.0;  ///< and of a step
@@ -28,13 +32,41 @@ struct Ray {
     }
 };
 
-/// Rays of neighbouring pixels; everything as in Ray, one lane a ray. Rays without samples have first >= last.
+/// Part of a step at the begin or end of a ray: sampled at `at` steps, `length` (0: none) below 1.
+template <int lanes>
+struct CutSteps {
+    alignas(64) double at[lanes], length[lanes];
+};
+
+/// Rays of neighbouring pixels; everything as in Ray, one lane a ray.
 template <int lanes>
 struct RayBundle {
     alignas(64) double origin[3][lanes];
     alignas(64) double step[3][lanes];
+    alignas(64) double enter[lanes], leave[lanes];
     alignas(64) double first[lanes], last[lanes];
+    CutSteps<lanes> head, tail;
     alignas(64) double depthMm[lanes], depthStepMm[lanes];
+
+    /// Sets first, last, head and tail from enter and leave.
+    __attribute__((always_inline)) inline void cut() {
+        for (int i = 0; i < lanes; ++i) {
+            const bool any = enter[i] < leave[i];
+            const double begin = any ? enter[i] : 0.0, end = any ? leave[i] : 0.0;
+            const double up = std::ceil(begin), down = std::floor(end);
+            const bool whole = up <= down;
+            first[i] = whole ? up : 0.0;
+            last[i] = whole ? down : 0.0;
+            head.length[i] = (whole ? up : end) - begin;
+            head.at[i] = 0.5 * (begin + (whole ? up : end));
+            tail.length[i] = whole ? end - down : 0.0;
+            tail.at[i] = 0.5 * (down + end);
+        }
+    }
+    /// Nothing is rendered on this ray.
+    void remove(int lane) {
+        enter[lane] = leave[lane] = first[lane] = last[lane] = head.length[lane] = tail.length[lane] = 0.0;
+    }
 };
 
 /// The rays of one picture.
@@ -49,6 +81,12 @@ public:
     /// instruction set: its loops over lanes become vectors there.
     template <int lanes>
     __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+
+    /// Pixels outside cast no ray through what is rendered: [firstColumn, lastColumn) x [firstRow, lastRow).
+    struct PixelBox {
+        int firstColumn, lastColumn, firstRow, lastRow;
+    };
+    [[nodiscard]] PixelBox visiblePixels() const;
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
@@ -77,6 +115,7 @@ private:
     double m_farDepth;
     Vec3 m_first, m_perColumn, m_perRow;  ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
     Vec3 m_eye, m_forward;                ///< grid mm
+    Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
     Vec3 m_low, m_high;  ///< voxels; what is rendered of the volume's box
     bool m_jittered;
@@ -126,6 +165,7 @@ inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int
         }
     clip(bundle, enter);
     if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);
+    bundle.cut();
 }
 
 template <int lanes>
@@ -143,8 +183,8 @@ inline void RayGeometry::clip(RayBundle<lanes>& bundle, const double (&enter)[la
             first = std::max(first, near);
             last = std::min(last, far);
         }
-        bundle.first[i] = first;
-        bundle.last[i] = last;
+        bundle.enter[i] = first;
+        bundle.leave[i] = last;
     }
     for (const HalfSpace& space : m_halfSpaces)
         for (int i = 0; i < lanes; ++i) {
@@ -154,16 +194,10 @@ inline void RayGeometry::clip(RayBundle<lanes>& bundle, const double (&enter)[la
                 slope += space.normal[axis] * bundle.step[axis][i];
             }
             const double crossing = slope == 0.0 ? 0.0 : -value / slope;
-            if (slope > 0.0) bundle.first[i] = std::max(bundle.first[i], crossing);
-            if (slope < 0.0) bundle.last[i] = std::min(bundle.last[i], crossing);
-            if (slope == 0.0 && value < 0.0) bundle.last[i] = -endless;
+            if (slope > 0.0) bundle.enter[i] = std::max(bundle.enter[i], crossing);
+            if (slope < 0.0) bundle.leave[i] = std::min(bundle.leave[i], crossing);
+            if (slope == 0.0 && value < 0.0) bundle.leave[i] = -endless;
         }
-    for (int i = 0; i < lanes; ++i) {
-        // The samples k whose k + 0.5 lies in [first, last).
-        const double first = std::ceil(bundle.first[i] - 0.5), last = std::ceil(bundle.last[i] - 0.5);
-        bundle.first[i] = first < last ? first : 0.0;
-        bundle.last[i] = first < last ? last : 0.0;
-    }
 }
 
 template <int lanes>
@@ -176,8 +210,7 @@ void RayGeometry::endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int
         const int x = place(column + i % columns, m_width, map.width), y = place(row + i / columns, m_height, map.height);
         const double depth = static_cast<double>(
             map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)]);
-        const double last = std::ceil((depth - bundle.depthMm[i]) / bundle.depthStepMm[i] - 0.5);
-        bundle.last[i] = std::min(bundle.last[i], last);
+        bundle.leave[i] = std::min(bundle.leave[i], (depth - bundle.depthMm[i]) / bundle.depthStepMm[i]);
     }
 }
 

@@ -17,17 +17,17 @@ struct ColourRanges {
     std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
 };
 
-/// Opacities of one step of the ray at `intervals` + 1 intensities; an intensity takes the nearest one.
+/// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. Small, so that it stays in the nearest
+/// cache beside the voxels: neighbouring rays through speckle read all of it.
 class TransferTable {
 public:
-    /// 64 entries for each step between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is
-    /// an entry. The error in intensity is at most 1/128 of an 8-bit step.
-    static constexpr int intervals = 255 * 64;
+    /// Eight steps between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is an entry.
+    static constexpr int intervals = 255 * 8;
 
     /// stepRatio: the ray's step in reference steps, > 0.
     TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio);
 
-    /// At normalised intensity i / intervals, i = 0 ... intervals.
+    /// At normalised intensity i / intervals, i = 0 ... intervals; and the last once more.
     [[nodiscard]] const float* opacities() const { return m_opacities.data(); }
     [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
 

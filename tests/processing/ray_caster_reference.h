@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "processing/ray_caster.h"
@@ -21,7 +22,12 @@ public:
     ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
         : m_volume(volume), m_geometry(volume.geometry()), m_curve(curve), m_settings(settings) {}
 
+    /// Of the pixel before: whether a sample with data at half its weight, to the precision of the kernel's positions,
+    /// may be in the picture or not.
+    [[nodiscard]] bool undecided() const { return m_closestToHalf < 5e-5; }
+
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
+        m_closestToHalf = 1.0;
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -58,16 +64,35 @@ private:
         return std::max(foremost, m_settings.nearPlaneDepthMm);
     }
 
+    /// What is rendered of a ray, in steps from its origin.
+    [[nodiscard]] std::pair<double, double> partInside(const Vec3& origin, const Vec3& direction, double stepMm) const {
+        double enter = 0.0, leave = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = m_geometry.boxMinMm()[axis] - origin[axis];
+            const double high = m_geometry.boxMaxMm()[axis] - origin[axis];
+            if (direction[axis] == 0.0) {
+                if (low > 0.0 || high <= 0.0) leave = 0.0;
+                continue;
+            }
+            const double a = low / direction[axis] / stepMm, b = high / direction[axis] / stepMm;
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        }
+        const Vec3 forward = m_settings.camera.frame.forward;
+        return {std::max(enter, (m_settings.nearPlaneDepthMm - origin.dot(forward)) / direction.dot(forward) / stepMm),
+                leave};
+    }
+
     [[nodiscard]] ReferencePixel alongRay(const Vec3& origin, const Vec3& direction) const {
         const double stepMm = m_settings.step * m_geometry.unit();
-        const Vec3 size = m_geometry.boxMaxMm() - m_geometry.boxMinMm();
-        const double reach = length(size) + length(origin - m_geometry.centreMm());
+        const auto [enter, leave] = partInside(origin, direction, stepMm);
         std::vector<Sample> samples;
         double before = 1.0;
-        for (int k = 0; (k + 0.5) * stepMm <= reach; ++k) {
-            const Vec3 point = origin + direction * ((k + 0.5) * stepMm);
-            if (point.dot(m_settings.camera.frame.forward) < m_settings.nearPlaneDepthMm) continue;
-            const auto sample = sampleAt(point, direction, before);
+        for (double step = std::floor(enter); step < leave; step += 1.0) {
+            // Steps are cut where what is rendered begins and ends.
+            const double begin = std::max(step, enter), end = std::min(step + 1.0, leave);
+            if (!(begin < end)) continue;
+            const auto sample = sampleAt(origin + direction * ((begin + end) / 2 * stepMm), direction, before, end - begin);
             if (!sample) continue;
             samples.push_back(*sample);
             before *= 1.0 - sample->alpha;
@@ -81,15 +106,13 @@ private:
         return out;
     }
 
-    [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before) const {
-        const Vec3 low = m_geometry.boxMinMm(), high = m_geometry.boxMaxMm();
-        for (int axis = 0; axis < 3; ++axis)
-            if (point[axis] < low[axis] || point[axis] >= high[axis]) return std::nullopt;
+    [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before,
+                                                 double length) const {
         const Vec3 voxel = m_geometry.voxelFromGridMm(point);
         const auto stored = m_settings.interpolation == Interpolation::nearest ? nearest(voxel) : trilinear(voxel);
         if (!stored) return std::nullopt;
         const double intensity = std::clamp(*stored / m_volume.whiteLevel(), 0.0, 1.0);
-        const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step);
+        const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * length);
         Vec3 colour = colourOf(m_settings.colourMap, intensity);
         if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha);
         return Sample{colour, alpha};
@@ -125,13 +148,14 @@ private:
                 *complete = false;
             }
         }
+        m_closestToHalf = std::min(m_closestToHalf, std::abs(weights - 0.5));
         if (weights < 0.5) return std::nullopt;
         return sum / weights;
     }
 
     [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& direction, double seen) const {
         const Shading& shading = *m_settings.shading;
-        bool complete = seen >= 1.0 / 128;
+        bool complete = seen >= std::min(1.0, m_settings.step) / 128;
         Vec3 gradient{0, 0, 0};
         for (int axis = 0; axis < 3 && complete; ++axis) {
             const double last = static_cast<double>(m_geometry.size[static_cast<std::size_t>(axis)] - 1);
@@ -173,6 +197,7 @@ private:
     const VolumeGeometry& m_geometry;
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
+    mutable double m_closestToHalf = 1.0;
 };
 
 /// The largest difference of any channel of any pixel.
@@ -180,9 +205,11 @@ inline double largestDifference(const Volume& volume, const OpacityCurve& curve,
     const auto picture = castRays(volume, curve, settings);
     const ReferenceCaster reference(volume, curve, settings);
     double largest = 0.0;
+    int undecided = 0;
     for (int row = 0; row < settings.height; ++row)
         for (int column = 0; column < settings.width; ++column) {
             const ReferencePixel expected = reference.pixel(column, row);
+            if (reference.undecided() && ++undecided < settings.width * settings.height / 100) continue;
             const float* actual = &picture->rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
             for (std::size_t channel = 0; channel < 4; ++channel) {
                 const double difference = std::abs(expected[channel] - static_cast<double>(actual[channel]));

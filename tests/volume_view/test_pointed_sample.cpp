@@ -77,6 +77,50 @@ private slots:
         QVERIFY(sample->gridMm[2] >= 29);
     }
 
+    void limitsHideWhatLiesBeyondThem() {
+        const OpacityCurve opaque = ManualCurve{{{0.0, 1.0}}};
+        for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+            const PictureRequest whole = requestFor(slabs(), opaque, {}, projection);
+            PictureRequest request = whole;
+            request.settings.box = RenderBox{{-10, -10, 25}, {50, 50, 50}};
+            QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 25) < 1.1);
+            request.settings.box = RenderBox{{-10, -10, 60}, {50, 50, 90}};
+            QVERIFY(!samplePointedAt(request, 150, 100));
+            request = whole;
+            request.settings.clippingPlanes = {{{0, 0, 23}, {0, 0, 5}}};
+            QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 23) < 1.1);
+            request.settings.clippingPlanes.push_back({{0, 0, 22}, {0, 0, -1}});
+            QVERIFY(!samplePointedAt(request, 150, 100));
+
+            request = whole;
+            request.curve = ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}};  // the slab from z = 19 on
+            QVERIFY(samplePointedAt(request, 150, 100));
+            auto map = std::make_shared<DepthMap>(DepthMap{3, 2, std::vector<float>(6, 100.0f)});
+            map->depthMm[4] = 15.0f;  // an actor before the slab, in the middle third of the lower half
+            request.settings.opaqueDepth = map;
+            QVERIFY(!samplePointedAt(request, 150, 110));
+            QVERIFY(samplePointedAt(request, 150, 90));
+        }
+    }
+
+    void modesWithoutACurvePointAtWhatTheyShow() {
+        const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
+            return z == 8 ? 200 : z == 20 ? 10 : 100;
+        });
+        PictureRequest request = requestFor(volume, ManualCurve{{{0.0, 0.0}, {1.0, 1.0}}});
+        request.settings.interpolation = Interpolation::nearest;
+        request.settings.mode = RenderMode::maximum;
+        QCOMPARE(samplePointedAt(request, 150, 100)->intensity, 200 / 255.0);
+        QCOMPARE(samplePointedAt(request, 150, 100)->opacity, 200 / 255.0);
+        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 8) <= 0.5);
+        request.settings.mode = RenderMode::minimum;
+        QCOMPARE(samplePointedAt(request, 150, 100)->intensity, 10 / 255.0);
+        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 20) <= 0.5);
+        request.settings.mode = RenderMode::mean;
+        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->intensity - (28 * 100 + 200 + 10) / 30.0 / 255.0) < 1e-9);
+        QVERIFY(!samplePointedAt(request, 1, 100));
+    }
+
     void thePixelChoosesTheRay() {
         // One bright voxel column; right is +x, down is +y.
         const auto volume = volumeOf(geometryOf(21, 11, 5), [](double x, double y, double) {

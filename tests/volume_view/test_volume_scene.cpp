@@ -2,69 +2,37 @@
 #include <QTest>
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkSphereSource.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkVolume.h>
-#include <vtkVolumeMapper.h>
-#include <vtkVolumeProperty.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
 
 #include <array>
 #include <cmath>
 
-#include "tests/volume_view/test_volumes.h"
-#include "widgets/volume_view/scene/camera_pose.h"
+#include "tests/volume_view/drawn_scene.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
-#include "widgets/volume_view/scene/volume_scene.h"
 
 using namespace echolucent;
 using echolucent::testing::ballInTheCorner;
+using echolucent::testing::cameraOn;
+using echolucent::testing::DrawnScene;
 using echolucent::testing::geometryOf;
+using echolucent::testing::Level;
+using echolucent::testing::plainPicture;
+using echolucent::testing::sphereAt;
 using echolucent::testing::volumeOf;
 
 namespace {
 
-using Level = std::array<int, 3>;
-
-/// A scene in an off-screen window.
-struct DrawnScene {
-    DrawnScene(int width, int height) {
-        window->SetOffScreenRendering(1);
-        window->SetMultiSamples(0);
-        window->SetSize(width, height);
-        window->AddRenderer(scene.renderer());
-        scene.setAnnotationsVisible(false);
-    }
-    ~DrawnScene() { window->RemoveRenderer(scene.renderer()); }
-    void draw() {
-        window->Render();
-        window->GetPixelData(0, 0, width() - 1, height() - 1, 0, pixels.Get(), 0);
-    }
-    int width() { return window->GetSize()[0]; }
-    int height() { return window->GetSize()[1]; }
-    /// Pixel in column x and row y from the top left.
-    Level at(int x, int y) {
-        const unsigned char* pixel = pixels->GetPointer(3 * (static_cast<vtkIdType>(height() - 1 - y) * width() + x));
-        return {pixel[0], pixel[1], pixel[2]};
-    }
-    VolumeScene scene;
-    vtkNew<vtkRenderWindow> window;
-    vtkNew<vtkUnsignedCharArray> pixels;
-};
-
 /// Different in every pixel, half transparent in places.
 ScreenPicture speckledPicture(int width, int height) {
-    ScreenPicture picture{width, height, {}};
+    ScreenPicture picture;
+    picture.width = width;
+    picture.height = height;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const int alpha = 55 + (x * 37 + y * 91) % 200;
@@ -75,31 +43,6 @@ ScreenPicture speckledPicture(int width, int height) {
         }
     }
     return picture;
-}
-
-ScreenPicture plainPicture(int width, int height, std::array<std::uint8_t, 4> rgba) {
-    ScreenPicture picture{width, height, {}};
-    for (int i = 0; i < width * height; ++i) picture.rgba.insert(picture.rgba.end(), rgba.begin(), rgba.end());
-    return picture;
-}
-
-vtkNew<vtkActor> sphereAt(const Vec3& centre, double radius, const std::array<double, 3>& colour) {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(centre[0], centre[1], centre[2]);
-    sphere->SetRadius(radius);
-    sphere->SetThetaResolution(32);
-    sphere->SetPhiResolution(32);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    actor->GetProperty()->LightingOff();
-    return actor;
-}
-
-Camera cameraOn(const Volume& volume, const View& view, Projection projection = Projection::parallel) {
-    return cameraFor(fittedPose(volume.geometry(), view, projection, 1.0));
 }
 
 }  // namespace

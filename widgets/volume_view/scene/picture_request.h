@@ -24,9 +24,16 @@ struct PictureRequest {
 struct ScreenPicture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
+    /// Picture::depthMm, or empty: what VTK's depth buffer is told about the volume.
+    std::vector<float> depthMm{};
+    /// Rays ended at the scene's opaque actors: the picture covers them only where the volume lies before them. False:
+    /// it is drawn as if all of it lay at the volume's centre.
+    bool endsAtOpaqueProps = false;
 };
 
 /// Rounded to the nearest of 256 levels.
 [[nodiscard]] ScreenPicture screenPicture(const Picture& picture);
+/// With what the settings that it was made with say about it.
+[[nodiscard]] ScreenPicture screenPicture(const Picture& picture, const RayCastSettings& settings);
 
 }  // namespace echolucent

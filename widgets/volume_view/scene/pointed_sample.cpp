@@ -10,18 +10,20 @@ namespace echolucent {
 
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 struct Ray {
     Vec3 origin;
-    Vec3 direction;  // unit
+    Vec3 direction;                 // unit
     double begin = 0.0, end = 0.0;  // mm along the direction
 };
 
 Ray rayThrough(const RayCastSettings& settings, double x, double y) {
     const Camera& camera = settings.camera;
     const bool parallel = camera.projection == Projection::parallel;
-    const double height = parallel ? camera.heightMm
-                                   : 2.0 * camera.distanceMm *
-                                         std::tan(camera.viewAngleDegrees / 2.0 * std::numbers::pi / 180.0);
+    const double height =
+        parallel ? camera.heightMm
+                 : 2.0 * camera.distanceMm * std::tan(camera.viewAngleDegrees / 2.0 * std::numbers::pi / 180.0);
     const double mmPerPixel = height / settings.height;
     const Vec3 inFocalPlane = camera.frame.right * ((x - settings.width / 2.0) * mmPerPixel) +
                               camera.frame.down * ((y - settings.height / 2.0) * mmPerPixel);
@@ -30,14 +32,10 @@ Ray rayThrough(const RayCastSettings& settings, double x, double y) {
             normalized(camera.frame.forward * camera.distanceMm + inFocalPlane)};
 }
 
-/// Limits the ray to the box, to what lies behind the near cut and, in perspective, before the eye's front.
-void clip(Ray& ray, const VolumeGeometry& geometry, const RayCastSettings& settings) {
-    ray.begin = settings.camera.projection == Projection::parallel ? -std::numeric_limits<double>::infinity() : 0.0;
-    ray.end = std::numeric_limits<double>::infinity();
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
+void clipToBox(Ray& ray, const Vec3& low, const Vec3& high) {
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.direction[axis] == 0.0) {
-            if (ray.origin[axis] < low[axis] || ray.origin[axis] > high[axis]) ray.end = -ray.end;
+            if (ray.origin[axis] < low[axis] || ray.origin[axis] > high[axis]) ray.end = -infinite;
             continue;
         }
         const auto [near, far] = std::minmax({(low[axis] - ray.origin[axis]) / ray.direction[axis],
@@ -45,8 +43,41 @@ void clip(Ray& ray, const VolumeGeometry& geometry, const RayCastSettings& setti
         ray.begin = std::max(ray.begin, near);
         ray.end = std::min(ray.end, far);
     }
+}
+
+void clipToPlane(Ray& ray, const ClippingPlane& plane) {
+    const double slope = plane.normal.dot(ray.direction), inside = plane.normal.dot(ray.origin - plane.point);
+    if (slope > 0.0) {
+        ray.begin = std::max(ray.begin, -inside / slope);
+    } else if (slope < 0.0) {
+        ray.end = std::min(ray.end, -inside / slope);
+    } else if (inside < 0.0) {
+        ray.end = -infinite;
+    }
+}
+
+/// Depth of the opaque actor at a point of the picture, mm; infinite where there is none.
+double opaqueDepthAt(const RayCastSettings& settings, double x, double y) {
+    const DepthMap& map = *settings.opaqueDepth;
+    if (map.width < 1 || map.height < 1) return infinite;
+    const int column = std::clamp(static_cast<int>(x / settings.width * map.width), 0, map.width - 1);
+    const int row = std::clamp(static_cast<int>(y / settings.height * map.height), 0, map.height - 1);
+    return map.depthMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                       static_cast<std::size_t>(column)];
+}
+
+/// Limits the ray to the volume's box, to what lies behind the near cut and, in perspective, before the eye's front,
+/// and to what the settings leave of that.
+void clip(Ray& ray, const VolumeGeometry& geometry, const RayCastSettings& settings, double x, double y) {
+    ray.begin = settings.camera.projection == Projection::parallel ? -infinite : 0.0;
+    ray.end = infinite;
+    clipToBox(ray, geometry.boxMinMm(), geometry.boxMaxMm());
+    if (settings.box) clipToBox(ray, settings.box->low, settings.box->high);
+    for (const ClippingPlane& plane : settings.clippingPlanes) clipToPlane(ray, plane);
     const Vec3& forward = settings.camera.frame.forward;
-    ray.begin = std::max(ray.begin, (settings.nearPlaneDepthMm - forward.dot(ray.origin)) / forward.dot(ray.direction));
+    const auto alongRay = [&](double depth) { return (depth - forward.dot(ray.origin)) / forward.dot(ray.direction); };
+    ray.begin = std::max(ray.begin, alongRay(settings.nearPlaneDepthMm));
+    if (settings.opaqueDepth) ray.end = std::min(ray.end, alongRay(opaqueDepthAt(settings, x, y)));
 }
 
 /// As castRays(): the nearest voxel, or the mean of the data voxels around by their trilinear weights; empty at a voxel
@@ -78,75 +109,66 @@ std::optional<double> intensityAt(const Volume& volume, const Vec3& gridMm, Inte
     return sum / weightOfData;
 }
 
-/// Calls visit(intensity, place) for each sample of the ray that has data, from front to back, until it returns false.
+/// Calls back with position and intensity of every sample with data, front to back, until it returns false.
 template <typename Visit>
-void forEachSample(const PictureRequest& request, const Ray& ray, const Visit& visit) {
-    const double stepMm = request.settings.step * request.volume->geometry().unit();
-    for (std::int64_t i = 0; ray.begin + (static_cast<double>(i) + 0.5) * stepMm < ray.end; ++i) {
-        const Vec3 place = ray.origin + ray.direction * (ray.begin + (static_cast<double>(i) + 0.5) * stepMm);
-        const auto intensity = intensityAt(*request.volume, place, request.settings.interpolation);
-        if (intensity && !visit(*intensity, place)) return;
+void followRay(const PictureRequest& request, double x, double y, const Visit& visit) {
+    const RayCastSettings& settings = request.settings;
+    const VolumeGeometry& geometry = request.volume->geometry();
+    Ray ray = rayThrough(settings, x, y);
+    clip(ray, geometry, settings, x, y);
+    const double stepMm = settings.step * geometry.unit();
+    for (std::int64_t i = 0;; ++i) {
+        const double along = ray.begin + (static_cast<double>(i) + 0.5) * stepMm;
+        if (!(along < ray.end)) return;
+        const Vec3 position = ray.origin + ray.direction * along;
+        const auto intensity = intensityAt(*request.volume, position, settings.interpolation);
+        if (intensity && !visit(position, *intensity)) return;
     }
 }
 
-/// Of direct volume rendering.
-std::optional<PointedSample> sampleSeen(const PictureRequest& request, const Ray& ray) {
+std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, double x, double y) {
     constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
     double transmittance = 1.0, largest = 0.0;
     std::optional<PointedSample> pointed;
-    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
+    followRay(request, x, y, [&](const Vec3& position, double intensity) {
         const double opacity = opacityAt(request.curve, intensity);
         const double share = opacityForStep(opacity, request.settings.step);
-        const bool decides = transmittance * (1.0 - share) <= 0.5;
-        if (decides || transmittance * share > largest) {
+        const bool half = transmittance * (1.0 - share) <= 0.5;
+        if (half || transmittance * share > largest) {
             largest = transmittance * share;
-            pointed = PointedSample{intensity, opacity, place};
+            pointed = PointedSample{intensity, opacity, position};
         }
         transmittance *= 1.0 - share;
-        return !decides;
+        return !half;
     });
     return 1.0 - transmittance < visible ? std::nullopt : pointed;
 }
 
-std::optional<PointedSample> extremeSample(const PictureRequest& request, const Ray& ray) {
-    const bool maximum = request.settings.mode == RenderMode::maximum;
-    std::optional<PointedSample> extreme;
-    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
-        if (!extreme || (maximum ? intensity > extreme->intensity : intensity < extreme->intensity))
-            extreme = PointedSample{intensity, opacityAt(request.curve, intensity), place};
-        return true;
-    });
-    return extreme;
-}
-
-std::optional<PointedSample> meanOfSamples(const PictureRequest& request, const Ray& ray) {
+std::optional<PointedSample> sampleByIntensity(const PictureRequest& request, double x, double y) {
+    const RenderMode mode = request.settings.mode;
+    std::optional<PointedSample> pointed;
     double sum = 0.0;
-    std::int64_t count = 0;
-    std::optional<PointedSample> mean;
-    forEachSample(request, ray, [&](double intensity, const Vec3& place) {
+    int count = 0;
+    followRay(request, x, y, [&](const Vec3& position, double intensity) {
+        const bool chosen = !pointed || (mode == RenderMode::maximum && intensity > pointed->intensity) ||
+                            (mode == RenderMode::minimum && intensity < pointed->intensity);
+        if (chosen) pointed = PointedSample{intensity, 0.0, position};
         sum += intensity;
-        if (++count == 1) mean = PointedSample{0.0, 0.0, place};
+        ++count;
         return true;
     });
-    if (!mean) return std::nullopt;
-    mean->intensity = sum / static_cast<double>(count);
-    mean->opacity = opacityAt(request.curve, mean->intensity);
-    return mean;
+    if (!pointed) return std::nullopt;
+    if (mode == RenderMode::mean) pointed->intensity = sum / count;
+    pointed->opacity = opacityAt(request.curve, pointed->intensity);
+    return pointed;
 }
 
 }  // namespace
 
 std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y) {
     if (!request.volume) return std::nullopt;
-    Ray ray = rayThrough(request.settings, x, y);
-    clip(ray, request.volume->geometry(), request.settings);
-    switch (request.settings.mode) {
-        case RenderMode::direct: return sampleSeen(request, ray);
-        case RenderMode::maximum:
-        case RenderMode::minimum: return extremeSample(request, ray);
-        case RenderMode::mean: return meanOfSamples(request, ray);
-    }
-    return std::nullopt;
+    return request.settings.mode == RenderMode::direct ? sampleByOpacity(request, x, y)
+                                                       : sampleByIntensity(request, x, y);
 }
 
 }  // namespace echolucent

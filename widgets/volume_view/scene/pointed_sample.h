@@ -14,11 +14,11 @@ struct PointedSample {
     Vec3 gridMm{0, 0, 0};
 };
 
-/// Follows the ray through a point of the picture (pixels from the top left corner; pixel centres at halves). Direct
-/// mode: the sample at which the accumulated opacity reaches one half, or, on a ray that never does, the one that
-/// contributes most; empty where the ray meets nothing that is visible. Maximum and minimum: the foremost sample of the
-/// intensity shown; mean: the mean of all, at the place of the first; empty where the ray meets no data. Takes one ray's
-/// time, well below a millisecond.
+/// Follows the ray through a point of the picture (pixels from the top left corner; pixel centres at halves) as far as
+/// the settings let it go and gives the sample at which the accumulated opacity reaches one half, or, on a ray that
+/// never does, the one that contributes most. Modes without a curve: the largest or the smallest sample; the mean, at
+/// the place of the first. Empty where the ray meets nothing that is visible. Takes one ray's time, well below a
+/// millisecond.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y);
 
 }  // namespace echolucent

@@ -1,5 +1,7 @@
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
 
+#include <vtkHardwareSelector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLRenderUtilities.h>
@@ -13,6 +15,10 @@
 #include <vtkVolume.h>
 
 #include <algorithm>
+#include <array>
+
+#include "widgets/volume_view/scene/graphics_card_volume.h"
+#include "widgets/volume_view/scene/window_depth.h"
 
 namespace echolucent {
 
@@ -25,11 +31,39 @@ out vec2 tcoordVC;
 void main() { tcoordVC = tcoordMC; gl_Position = vertexMC; }
 )";
 
-constexpr const char* fragmentShader = R"(//VTK::System::Dec
+constexpr const char* colourShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 tcoordVC;
 uniform sampler2D picture;
 void main() { gl_FragData[0] = texture2D(picture, tcoordVC); }
+)";
+
+// Where the volume's surface is, at its depth (see WindowDepth), in one colour.
+constexpr const char* surfaceShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 tcoordVC;
+uniform sampler2D picture;
+uniform sampler2D depths;
+uniform int hasDepths;
+uniform int parallelProjection;
+uniform float eyeMm;
+uniform float nearMm;
+uniform float farMm;
+uniform vec3 marker;
+void main() {
+    float windowDepth = gl_FragCoord.z;
+    if (hasDepths == 1) {
+        float mm = texture2D(depths, tcoordVC).r;
+        if (!(mm < 1e30)) discard;
+        float before = mm - eyeMm;
+        windowDepth = (before - nearMm) / (farMm - nearMm);
+        if (parallelProjection == 0) windowDepth *= farMm / before;
+    } else if (texture2D(picture, tcoordVC).a < 0.5) {
+        discard;
+    }
+    gl_FragDepth = clamp(windowDepth, 0.0, 1.0);
+    gl_FragData[0] = vec4(marker, 1.0);
+}
 )";
 
 /// Depth of the volume's centre in normalised device coordinates, kept off the far plane's end.
@@ -40,76 +74,166 @@ float depthOfCentre(vtkRenderer* renderer, vtkVolume* volume) {
     return static_cast<float>(2.0 * std::clamp(renderer->GetDisplayPoint()[2], 1e-6, 1.0) - 1.0);
 }
 
+bool prepare(std::unique_ptr<vtkOpenGLHelper>& program, vtkOpenGLRenderWindow* window, const char* fragmentShader) {
+    if (program) return window->GetShaderCache()->ReadyShaderProgram(program->Program) != nullptr;
+    program = std::make_unique<vtkOpenGLHelper>();
+    program->Program = window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader, "");
+    if (program->Program) program->VAO->ShaderProgramChanged();
+    return program->Program != nullptr;
+}
+
+void release(std::unique_ptr<vtkOpenGLHelper>& program, vtkWindow* window) {
+    if (program) program->ReleaseGraphicsResources(window);
+    program.reset();
+}
+
+/// VTK's signature is not const; what it is given is only read.
+template <typename Component>
+void fill(vtkTextureObject& texture, vtkOpenGLRenderWindow* window, const ScreenPicture& picture, int components,
+          int type, const std::vector<Component>& pixels) {
+    texture.SetContext(window);
+    texture.SetWrapS(vtkTextureObject::ClampToEdge);
+    texture.SetWrapT(vtkTextureObject::ClampToEdge);
+    texture.Create2DFromRaw(static_cast<unsigned>(picture.width), static_cast<unsigned>(picture.height), components,
+                            type, const_cast<Component*>(pixels.data()));
+}
+
 }  // namespace
+
+struct RayCastMapper::OpenGl {
+    std::unique_ptr<vtkOpenGLHelper> colours, surface;
+    vtkNew<vtkTextureObject> picture, depths;
+};
 
 vtkStandardNewMacro(RayCastMapper);
 
-RayCastMapper::RayCastMapper() : m_texture(vtkTextureObject::New()) {}
+RayCastMapper::RayCastMapper() : m_openGl(std::make_unique<OpenGl>()) {}
 
-RayCastMapper::~RayCastMapper() { m_texture->Delete(); }
+RayCastMapper::~RayCastMapper() = default;
 
 void RayCastMapper::setPicture(std::shared_ptr<const ScreenPicture> picture) {
+    if (picture == m_picture) return;
     m_picture = std::move(picture);
     m_uploaded = false;
     Modified();
 }
 
-void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
-    const int filter = filtered ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
-    m_texture->SetMinificationFilter(filter);
-    m_texture->SetMagnificationFilter(filter);
-    if (m_uploaded) return;
-    m_texture->SetContext(window);
-    m_texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    m_texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    // VTK's signature is not const; the bytes are only read.
-    m_texture->Create2DFromRaw(static_cast<unsigned>(m_picture->width), static_cast<unsigned>(m_picture->height), 4,
-                               VTK_UNSIGNED_CHAR, const_cast<std::uint8_t*>(m_picture->rgba.data()));
-    m_uploaded = true;
+void RayCastMapper::setGraphicsCardVolume(GraphicsCardVolume* volume) {
+    if (volume == m_card) return;
+    m_card = volume;
+    Modified();
 }
 
-bool RayCastMapper::prepareProgram(vtkOpenGLRenderWindow* window) {
-    if (m_program) return window->GetShaderCache()->ReadyShaderProgram(m_program->Program) != nullptr;
-    m_program = std::make_unique<vtkOpenGLHelper>();
-    m_program->Program = window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader, "");
-    if (m_program->Program) m_program->VAO->ShaderProgramChanged();
-    return m_program->Program != nullptr;
+void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
+    vtkTextureObject& texture = *m_openGl->picture;
+    const int filter = filtered ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+    texture.SetMinificationFilter(filter);
+    texture.SetMagnificationFilter(filter);
+    if (m_uploaded) return;
+    fill(texture, window, *m_picture, 4, VTK_UNSIGNED_CHAR, m_picture->rgba);
+    if (!m_picture->depthMm.empty()) {
+        vtkTextureObject& depths = *m_openGl->depths;
+        // Between a surface and nothing there is nothing to interpolate.
+        depths.SetMinificationFilter(vtkTextureObject::Nearest);
+        depths.SetMagnificationFilter(vtkTextureObject::Nearest);
+        fill(depths, window, *m_picture, 1, VTK_FLOAT, m_picture->depthMm);
+    }
+    m_uploaded = true;
+    ++m_uploads;
 }
 
 void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!m_picture || m_picture->rgba.empty() || !window || !prepareProgram(window)) return;
+    if (!window || m_drawn) return;
+    if (m_card) {
+        m_card->draw(*renderer, *window);
+        return;
+    }
+    if (!m_picture || m_picture->rgba.empty()) return;
     const int* viewport = renderer->GetSize();
     upload(window, m_picture->width != viewport[0] || m_picture->height != viewport[1]);
 
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
+    vtkOpenGLState::ScopedglColorMask keepColourMask(state);
     vtkOpenGLState::ScopedglBlendFuncSeparate keepBlending(state);
     vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GL_BLEND);
     vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    const float centre = depthOfCentre(renderer, volume);
+    if (vtkHardwareSelector* selector = renderer->GetSelector()) {
+        selector->BeginRenderProp();
+        drawSurface(renderer, window, centre);
+        selector->EndRenderProp();
+        return;
+    }
+    drawColours(renderer, window, centre);
+    if (m_picture->depthMm.empty()) return;
+    // A pass of its own: one with the colours would be cut by the depth test, or wipe out the depths of what is seen
+    // where the volume has no surface.
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawSurface(renderer, window, centre);
+}
+
+void RayCastMapper::drawColours(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth) {
+    if (!prepare(m_openGl->colours, window, colourShader)) return;
+    vtkOpenGLState* state = window->GetState();
     state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_DEPTH_TEST);
+    state->SetEnumState(GL_DEPTH_TEST, !m_picture->endsAtOpaqueProps);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    vtkTextureObject& picture = *m_openGl->picture;
+    picture.Activate();
+    m_openGl->colours->Program->SetUniformi("picture", picture.GetTextureUnit());
+    drawRectangle(renderer, *m_openGl->colours, depth);
+    picture.Deactivate();
+}
 
-    const float depth = depthOfCentre(renderer, volume);
+void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth) {
+    if (!prepare(m_openGl->surface, window, surfaceShader)) return;
+    vtkOpenGLState* state = window->GetState();
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_BLEND);
+    vtkTextureObject& picture = *m_openGl->picture;
+    vtkTextureObject& depths = m_picture->depthMm.empty() ? picture : *m_openGl->depths;
+    picture.Activate();
+    depths.Activate();
+    const WindowDepth scale(*renderer->GetActiveCamera());
+    vtkHardwareSelector* selector = renderer->GetSelector();
+    const bool namesProp = selector && selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS;
+    std::array<float, 3> marker{0, 0, 0};  // of a cell or point: none
+    if (namesProp) selector->GetPropColorValue(marker.data());
+    vtkShaderProgram& program = *m_openGl->surface->Program;
+    program.SetUniformi("picture", picture.GetTextureUnit());
+    program.SetUniformi("depths", depths.GetTextureUnit());
+    program.SetUniformi("hasDepths", !m_picture->depthMm.empty());
+    program.SetUniformi("parallelProjection", scale.parallel());
+    program.SetUniformf("eyeMm", static_cast<float>(scale.eyeMm()));
+    program.SetUniformf("nearMm", static_cast<float>(scale.nearMm()));
+    program.SetUniformf("farMm", static_cast<float>(scale.farMm()));
+    program.SetUniform3f("marker", marker.data());
+    drawRectangle(renderer, *m_openGl->surface, depth);
+    depths.Deactivate();
+    picture.Deactivate();
+}
+
+void RayCastMapper::drawRectangle(vtkRenderer* renderer, vtkOpenGLHelper& program, float depth) {
+    const int* viewport = renderer->GetSize();
     const float x = static_cast<float>((static_cast<double>(m_picture->width) / m_picture->height) /
                                        (static_cast<double>(viewport[0]) / viewport[1]));
-    float vertices[] = {-x, -1, depth, x, -1, depth, x, 1, depth, -x, 1, depth};
-    float textureCoordinates[] = {0, 1, 1, 1, 1, 0, 0, 0};  // the picture's first row is at the top
-    m_texture->Activate();
-    m_program->Program->SetUniformi("picture", m_texture->GetTextureUnit());
-    vtkOpenGLRenderUtilities::RenderQuad(vertices, textureCoordinates, m_program->Program, m_program->VAO);
-    m_texture->Deactivate();
+    std::array<float, 12> vertices{-x, -1, depth, x, -1, depth, x, 1, depth, -x, 1, depth};
+    std::array<float, 8> textureCoordinates{0, 1, 1, 1, 1, 0, 0, 0};  // the picture's first row is at the top
+    vtkOpenGLRenderUtilities::RenderQuad(vertices.data(), textureCoordinates.data(), program.Program, program.VAO);
 }
 
 void RayCastMapper::ReleaseGraphicsResources(vtkWindow* window) {
-    m_texture->ReleaseGraphicsResources(window);
+    m_openGl->picture->ReleaseGraphicsResources(window);
+    m_openGl->depths->ReleaseGraphicsResources(window);
     m_uploaded = false;
-    if (m_program) {
-        m_program->ReleaseGraphicsResources(window);
-        m_program.reset();
-    }
+    release(m_openGl->colours, window);
+    release(m_openGl->surface, window);
     vtkVolumeMapper::ReleaseGraphicsResources(window);
 }
 

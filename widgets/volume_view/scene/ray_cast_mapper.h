@@ -13,20 +13,37 @@ class vtkTextureObject;
 
 namespace echolucent {
 
-/// A vtkVolumeMapper that casts no ray: it blends the newest finished picture over what is behind the volume's centre
-/// and under what is in front of it, by one textured rectangle. A picture of the viewport's own size is drawn pixel by
-/// pixel, unfiltered. (vtkRayCastImageDisplayHelper cannot: it stretches n-1 pixels over n, which blurs.)
-/// A picture of another size or shape keeps its centre and fills the height, as its camera saw it.
+class GraphicsCardVolume;
+
+/// A vtkVolumeMapper that casts no ray: it blends the newest finished picture over what VTK has drawn before, by one
+/// textured rectangle. A picture of the viewport's own size is drawn pixel by pixel, unfiltered.
+/// (vtkRayCastImageDisplayHelper cannot: it stretches n-1 pixels over n, which blurs.) A picture of another size or
+/// shape keeps its centre and fills the height, as its camera saw it.
+///
+/// A picture with depths is also written into the depth buffer, so that what is drawn later lies behind it and what
+/// reads the depth buffer finds the surface. While a vtkHardwareSelector draws, the volume is where its surface is: at
+/// a depth, or, without depths, where the picture covers at least half.
+///
+/// Instead of the picture a GraphicsCardVolume may be drawn in this mapper's place.
 class RayCastMapper : public vtkVolumeMapper {
 public:
     static RayCastMapper* New();
     vtkTypeMacro(RayCastMapper, vtkVolumeMapper)
 
-    /// The picture drawn from now on; none: nothing is drawn.
-    void setPicture(std::shared_ptr<const ScreenPicture> picture);
+        /// The picture drawn from now on; none: nothing is drawn.
+        void setPicture(std::shared_ptr<const ScreenPicture> picture);
+    /// What is drawn instead of the picture; null: the picture. It must outlive this mapper's next drawing.
+    void setGraphicsCardVolume(GraphicsCardVolume* volume);
 
     void Render(vtkRenderer* renderer, vtkVolume* volume) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
+
+    /// True where the picture hides what is drawn after it and lies behind it.
+    [[nodiscard]] bool writesDepth() const { return !m_card && m_picture && !m_picture->depthMm.empty(); }
+    /// True: this frame has the volume already, Render() draws nothing.
+    void setDrawn(bool drawn) { m_drawn = drawn; }
+    /// How often a picture was handed to OpenGL.
+    [[nodiscard]] int uploads() const { return m_uploads; }
 
     RayCastMapper(const RayCastMapper&) = delete;
     RayCastMapper& operator=(const RayCastMapper&) = delete;
@@ -36,13 +53,18 @@ protected:
     ~RayCastMapper() override;
 
 private:
+    struct OpenGl;
     void upload(vtkOpenGLRenderWindow* window, bool filtered);
-    bool prepareProgram(vtkOpenGLRenderWindow* window);
+    void drawColours(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth);
+    void drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth);
+    void drawRectangle(vtkRenderer* renderer, vtkOpenGLHelper& program, float depth);
 
     std::shared_ptr<const ScreenPicture> m_picture;
+    GraphicsCardVolume* m_card = nullptr;
+    bool m_drawn = false;
     bool m_uploaded = false;
-    std::unique_ptr<vtkOpenGLHelper> m_program;
-    vtkTextureObject* m_texture;
+    int m_uploads = 0;
+    std::unique_ptr<OpenGl> m_openGl;
 };
 
 }  // namespace echolucent

@@ -1,13 +1,20 @@
 #include "widgets/volume_view/scene/volume_scene.h"
 
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
+#include <array>
+
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
+#include "widgets/volume_view/scene/scene_renderer.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
 
@@ -22,18 +29,28 @@ VolumeScene::VolumeScene() {
     m_volumeProp->SetMapper(m_mapper);
     m_volumeProp->SetProperty(m_property);
     m_renderer->AddVolume(m_volumeProp);
+    m_renderer->setPictureProp(m_volumeProp);
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
     // The window's size is known for certain only when it is drawn.
-    m_startObserver = m_renderer->AddObserver(vtkCommand::StartEvent, this, &VolumeScene::layOutAnnotations);
+    m_startObserver = m_renderer->AddObserver(vtkCommand::StartEvent, this, &VolumeScene::prepareDrawing);
     updateVisibility();
 }
 
-VolumeScene::~VolumeScene() { m_renderer->RemoveObserver(m_startObserver); }
+VolumeScene::~VolumeScene() {
+    m_renderer->RemoveObserver(m_startObserver);
+    m_renderer->setPictureProp(nullptr);
+    m_mapper->setGraphicsCardVolume(nullptr);
+}
+
+vtkRenderer* VolumeScene::renderer() { return m_renderer; }
 
 void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     m_mapper->setPicture(nullptr);
+    m_mapper->setGraphicsCardVolume(nullptr);
+    m_cardVolume.setVolume(nullptr);
     m_hasPicture = false;
+    m_transfer.reset();
     if (volume) {
         m_mapper->SetInputData(imageOn(*volume));
     } else {
@@ -44,15 +61,42 @@ void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
 }
 
 void VolumeScene::setTransfer(const OpacityCurve& curve, ColourMap colourMap) {
-    if (m_volume) echolucent::setTransfer(*m_property, *m_volume, curve, colourMap);
+    const Transfer transfer{curve, colourMap};
+    if (!m_volume || m_transfer == transfer) return;
+    echolucent::setTransfer(*m_property, *m_volume, curve, colourMap);
+    m_transfer = transfer;
 }
 
 void VolumeScene::show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera) {
+    m_mapper->setGraphicsCardVolume(nullptr);
     m_mapper->setPicture(std::move(picture));
+    lookThrough(camera);
+}
+
+void VolumeScene::showLive(const Camera& camera, const RayCastSettings& look) {
+    m_cardVolume.setVolume(m_volume);
+    RayCastSettings seen = look;
+    seen.camera = camera;
+    m_cardVolume.setLook(seen, *m_property);
+    m_mapper->setPicture(nullptr);
+    m_mapper->setGraphicsCardVolume(&m_cardVolume);
+    lookThrough(camera);
+}
+
+void VolumeScene::lookThrough(const Camera& camera) {
     m_hasPicture = true;
-    echolucent::setCamera(*m_renderer->GetActiveCamera(), camera);
-    m_renderer->ResetCameraClippingRange();
     updateVisibility();
+    vtkCamera& vtk = *m_renderer->GetActiveCamera();
+    echolucent::setCamera(vtk, camera);
+    vtkBoundingBox box(m_renderer->ComputeVisiblePropBounds());
+    if (m_volume) {
+        // VTK's bounds end at voxel centres.
+        for (Vec3 corner : {m_volume->geometry().boxMinMm(), m_volume->geometry().boxMaxMm()}) box.AddPoint(corner.val);
+    }
+    if (!box.IsValid()) return;
+    std::array<double, 6> bounds{};
+    box.GetBounds(bounds.data());
+    setClippingRange(vtk, bounds);
 }
 
 Camera VolumeScene::camera() { return cameraOf(*m_renderer->GetActiveCamera()); }
@@ -62,11 +106,65 @@ void VolumeScene::setAnnotationsVisible(bool visible) {
     updateVisibility();
 }
 
+bool VolumeScene::hasOpaqueProps() { return !opaqueProps(*m_renderer).empty(); }
+
+std::shared_ptr<const DepthMap> VolumeScene::opaqueDepth(const Camera& camera, int width, int height) {
+    return m_opaqueDepth.read(*m_renderer, camera, width, height);
+}
+
+bool VolumeScene::wantsDepth() { return m_depthWanted || hasOpaqueProps() || hasTranslucentProps(*m_renderer); }
+
+RayCastSettings VolumeScene::withSceneLimits(RayCastSettings settings) {
+    vtkPlaneCollection* planes = m_mapper->GetClippingPlanes();
+    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i) {
+        vtkPlane* plane = planes->GetItem(i);
+        settings.clippingPlanes.push_back({Vec3(plane->GetOrigin()), Vec3(plane->GetNormal())});
+    }
+    if (!m_mapper->GetCropping() || m_mapper->GetCroppingRegionFlags() != VTK_CROP_SUBVOLUME) return settings;
+    const double* from = m_mapper->GetCroppingRegionPlanes();
+    RenderBox box{{from[0], from[2], from[4]}, {from[1], from[3], from[5]}};
+    if (settings.box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            box.low[axis] = std::max(box.low[axis], settings.box->low[axis]);
+            box.high[axis] = std::min(box.high[axis], settings.box->high[axis]);
+        }
+    }
+    settings.box = box;
+    return settings;
+}
+
+bool VolumeScene::graphicsCardAtHand() const { return !m_card.renderer.empty() && !isSoftwareOpenGl(m_card.renderer); }
+
+RendererChoice VolumeScene::rendererFor(const RayCastSettings& look) const {
+    const bool software = m_choice == RendererChoice::software || !whySoftware(look).empty();
+    return software ? RendererChoice::software : RendererChoice::graphicsCard;
+}
+
+std::string VolumeScene::whySoftware(const RayCastSettings& look) const {
+    if (m_choice == RendererChoice::software) return {};
+    if (m_card.renderer.empty()) return "The graphics card is not known before the first picture.";
+    if (m_choice == RendererChoice::automatic && !graphicsCardAtHand()) {
+        return "OpenGL is software here (" + m_card.renderer + "): the software ray caster is faster.";
+    }
+    if (!m_cardVolume.failure().empty()) return m_cardVolume.failure();
+    if (m_volume) {
+        const std::string tooLarge = whyTooLarge(m_volume->geometry(), bytesOnCard(*m_volume), m_card);
+        if (!tooLarge.empty()) return tooLarge;
+    }
+    return GraphicsCardVolume::whyNot(look);
+}
+
 void VolumeScene::updateVisibility() {
     const bool visible = m_annotationsVisible && m_volume && m_hasPicture;
     m_volumeProp->SetVisibility(m_volume != nullptr);
     m_orientationMarker.setVisible(visible);
     m_scaleBar.setVisible(visible);
+}
+
+void VolumeScene::prepareDrawing() {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(m_renderer->GetRenderWindow());
+    if (m_card.renderer.empty() && window) m_card = graphicsCardOf(*window);
+    layOutAnnotations();
 }
 
 void VolumeScene::layOutAnnotations() {

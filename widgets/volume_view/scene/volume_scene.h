@@ -4,7 +4,11 @@
 #include <vtkNew.h>
 
 #include <memory>
+#include <string>
 
+#include "widgets/volume_view/scene/graphics_card.h"
+#include "widgets/volume_view/scene/graphics_card_volume.h"
+#include "widgets/volume_view/scene/opaque_depth.h"
 #include "widgets/volume_view/scene/orientation_marker.h"
 #include "widgets/volume_view/scene/picture_request.h"
 #include "widgets/volume_view/scene/scale_bar.h"
@@ -16,6 +20,7 @@ class vtkVolumeProperty;
 namespace echolucent {
 
 class RayCastMapper;
+class SceneRenderer;
 
 /// One vtkRenderer in grid mm on black. To be used in one thread, the one that renders. Nothing here casts rays or
 /// starts a rendering: show() and the setters only change the scene.
@@ -27,8 +32,9 @@ public:
     VolumeScene& operator=(const VolumeScene&) = delete;
 
     /// For a render window; further actors may be added to it, in grid mm.
-    [[nodiscard]] vtkRenderer* renderer() { return m_renderer; }
-    /// The volume's prop, for pickers: its property carries the curve and the colours in use.
+    [[nodiscard]] vtkRenderer* renderer();
+    /// The volume's prop, for pickers and widgets: its property carries the curve and the colours in use, its mapper
+    /// the clipping planes and the cropping that withSceneLimits() reads.
     [[nodiscard]] vtkVolume* volumeProp() { return m_volumeProp; }
     [[nodiscard]] const ScaleBar& scaleBar() const { return m_scaleBar; }
 
@@ -37,22 +43,76 @@ public:
     void setTransfer(const OpacityCurve& curve, ColourMap colourMap);
     /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
+    /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing
+    /// of the window. Only where rendererFor(look) says graphicsCard; the curve is that of setTransfer(). Of the look,
+    /// size and opaqueDepth play no part.
+    void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
 
+    // ---- What a picture for this scene needs
+
+    /// True where something opaque with a place in space is visible beside the volume (marker and scale bar have none).
+    [[nodiscard]] bool hasOpaqueProps();
+    /// For RayCastSettings::opaqueDepth: where these actors stand, seen with this camera. See OpaqueDepth::read(): null
+    /// where there are none, the same pointer where nothing changed; needs the window drawn once before.
+    [[nodiscard]] std::shared_ptr<const DepthMap> opaqueDepth(const Camera& camera, int width, int height);
+    /// How often opaqueDepth() had to read OpenGL's depth buffer.
+    [[nodiscard]] int depthReads() const { return m_opaqueDepth.reads(); }
+    /// For RayCastSettings::findDepth: something is hidden by the volume's surface or looks for it.
+    [[nodiscard]] bool wantsDepth();
+    /// For pickers that read the depth buffer (vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector).
+    void setDepthWanted(bool wanted) { m_depthWanted = wanted; }
+    /// The settings with what VTK limits the volume to: the clipping planes of volumeProp()'s mapper, and its cropping
+    /// where that is on and shows the middle region only (VTK_CROP_SUBVOLUME; other regions are not rendered so).
+    [[nodiscard]] RayCastSettings withSceneLimits(RayCastSettings settings);
+
+    // ---- Who renders
+
+    void setRenderer(RendererChoice choice) { m_choice = choice; }
+    [[nodiscard]] RendererChoice rendererChoice() const { return m_choice; }
+    /// software or graphicsCard, for the volume in the scene. The graphics card is known once the window was drawn, and
+    /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after
+    /// each.
+    [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
+    /// The same for a look: some only the software ray caster has.
+    [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look) const;
+    /// Why rendererFor() says software although that was not the choice, as a sentence; else empty.
+    [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {}) const;
+    /// OpenGL's name for what draws; empty until the window was drawn once.
+    [[nodiscard]] const std::string& openGlRenderer() const { return m_card.renderer; }
+    /// True where OpenGL is known and no software.
+    [[nodiscard]] bool graphicsCardAtHand() const;
+    /// What the graphics card took for the last drawing of showLive().
+    [[nodiscard]] double liveMilliseconds() const { return m_cardVolume.milliseconds(); }
+
 private:
+    void lookThrough(const Camera& camera);
+    void prepareDrawing();
     void layOutAnnotations();
     void updateVisibility();
 
     std::shared_ptr<const Volume> m_volume;
-    vtkNew<vtkRenderer> m_renderer;
+    vtkNew<SceneRenderer> m_renderer;
     vtkNew<RayCastMapper> m_mapper;
     vtkNew<vtkVolume> m_volumeProp;
     vtkNew<vtkVolumeProperty> m_property;
     OrientationMarker m_orientationMarker;
     ScaleBar m_scaleBar;
+    OpaqueDepth m_opaqueDepth;
+    GraphicsCard m_card;
+    GraphicsCardVolume m_cardVolume;
+    RendererChoice m_choice = RendererChoice::automatic;
+    /// What the property was set from.
+    struct Transfer {
+        OpacityCurve curve;
+        ColourMap colourMap;
+        friend bool operator==(const Transfer&, const Transfer&) = default;
+    };
+    std::optional<Transfer> m_transfer;
     bool m_annotationsVisible = true;
     bool m_hasPicture = false;
+    bool m_depthWanted = false;
     unsigned long m_startObserver = 0;
 };
 

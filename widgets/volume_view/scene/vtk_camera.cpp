@@ -2,7 +2,9 @@
 
 #include <vtkCamera.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace echolucent {
@@ -32,6 +34,28 @@ void setCamera(vtkCamera& vtk, const Camera& camera) {
     vtk.SetParallelProjection(camera.projection == Projection::parallel);
     vtk.SetParallelScale(camera.heightMm / 2.0);
     vtk.SetViewAngle(camera.viewAngleDegrees);
+}
+
+void setClippingRange(vtkCamera& vtk, const std::array<double, 6>& bounds) {
+    constexpr double margin = 0.01;         // of the range
+    constexpr double nearestShare = 0.001;  // of the far plane's distance: nearer, the depth buffer is too coarse
+    const Vec3 forward(vtk.GetDirectionOfProjection()), position(vtk.GetPosition());
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const Vec3 point(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]);
+        const double depth = forward.dot(point - position);
+        from = std::min(from, depth);
+        to = std::max(to, depth);
+    }
+    // What is flat across the view needs a range too.
+    const double reach = std::max({margin * (to - from), 1e-6 * std::abs(to), 1e-6});
+    from -= reach;
+    to += reach;
+    if (!vtk.GetParallelProjection()) {
+        to = std::max(to, reach);
+        from = std::max(from, nearestShare * to);
+    }
+    vtk.SetClippingRange(from, to);
 }
 
 }  // namespace echolucent

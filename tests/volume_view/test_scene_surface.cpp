@@ -1,0 +1,214 @@
+// The volume's surface in VTK's depth buffer: what it hides, who finds it; and VTK's limits of the volume.
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkHardwareSelector.h>
+#include <vtkPlane.h>
+#include <vtkPropPicker.h>
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+#include <vtkWorldPointPicker.h>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "tests/volume_view/drawn_scene.h"
+#include "widgets/volume_view/scene/ray_cast_mapper.h"
+#include "widgets/volume_view/scene/window_depth.h"
+
+using namespace echolucent;
+using echolucent::testing::ballInTheCorner;
+using echolucent::testing::cameraOn;
+using echolucent::testing::DrawnScene;
+using echolucent::testing::Level;
+using echolucent::testing::plainPicture;
+using echolucent::testing::sphereAt;
+
+namespace {
+
+RayCastMapper* mapperOf(VolumeScene& scene) { return RayCastMapper::SafeDownCast(scene.volumeProp()->GetMapper()); }
+
+/// A picture with a tilted surface in its left half: depth by column, none in the right half.
+ScreenPicture tiltedSurface(int size, double nearest, double mmPerColumn) {
+    ScreenPicture picture = plainPicture(size, size, {200, 0, 0, 255});
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            picture.depthMm.push_back(x < size / 2 ? static_cast<float>(nearest + mmPerColumn * x)
+                                                   : std::numeric_limits<float>::infinity());
+            if (x >= size / 2)
+                std::fill_n(&picture.rgba[4 * static_cast<std::size_t>(y * size + x)], 4, std::uint8_t{0});
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+class SceneSurfaceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anUnchangedSceneIsNotHandedOverAgain() {
+        const auto volume = ballInTheCorner();
+        DrawnScene drawn(50, 50);
+        drawn.scene.setVolume(volume);
+        const auto picture = std::make_shared<const ScreenPicture>(tiltedSurface(50, 3, 0.2));
+        const OpacityCurve curve = PowerCurve{2, 1.0};
+        for (int i = 0; i < 3; ++i) {
+            drawn.scene.setTransfer(curve, ColourMap::sepia);
+            drawn.scene.show(picture, cameraOn(*volume, {}));
+            drawn.draw();
+        }
+        QCOMPARE(mapperOf(drawn.scene)->uploads(), 1);
+        QCOMPARE(drawn.scene.depthReads(), 0);
+    }
+
+    void firstHitDepthIsInTheDepthBuffer_data() { projections(); }
+    void firstHitDepthIsInTheDepthBuffer() {
+        QFETCH(View, view);
+        QFETCH(Projection, projection);
+        constexpr int size = 64;
+        const auto volume = ballInTheCorner();
+        const Camera camera = cameraOn(*volume, view, projection);
+        const double middle = camera.frame.forward.dot(camera.focalPoint);
+        DrawnScene drawn(size, size);
+        drawn.scene.setVolume(volume);
+        const auto picture = std::make_shared<const ScreenPicture>(tiltedSurface(size, middle - 10, 0.3));
+        drawn.scene.show(picture, camera);
+        drawn.draw();
+        vtkCamera& vtk = *drawn.scene.renderer()->GetActiveCamera();
+        const WindowDepth scale(vtk);
+        vtkNew<vtkWorldPointPicker> picker;
+        for (const int y : {0, 20, 63}) {
+            for (int x = 0; x < size; ++x) {
+                const double depth = drawn.windowDepthAt(x, y);
+                if (x >= size / 2) {
+                    QCOMPARE(depth, 1.0);
+                    continue;
+                }
+                // The buffer has at least 24 bits; a shader's floats lose a few of them on the way.
+                const double tolerance = 0.001 + 16 * (scale.mmOf(depth + 6e-8) - scale.mmOf(depth));
+                const double expected = picture->depthMm[static_cast<std::size_t>(y * size + x)];
+                QVERIFY2(tolerance < 0.01, qPrintable(QString::number(tolerance)));
+                QVERIFY2(std::abs(scale.mmOf(depth) - expected) < tolerance,
+                         qPrintable(QString("%1 instead of %2").arg(scale.mmOf(depth)).arg(expected)));
+                picker->Pick(x, size - 1 - y, 0, drawn.scene.renderer());
+                QVERIFY(std::abs(camera.frame.forward.dot(Vec3(picker->GetPickPosition())) - expected) < 0.02);
+            }
+        }
+    }
+
+    void withoutDepthsTheDepthBufferStaysAsItWas() {
+        const auto volume = ballInTheCorner();
+        DrawnScene drawn(40, 40);
+        drawn.scene.setVolume(volume);
+        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(40, 40, {90, 90, 90, 255})),
+                         cameraOn(*volume, {}));
+        drawn.draw();
+        QCOMPARE(drawn.windowDepthAt(20, 20), 1.0);
+    }
+
+    void theSurfaceHidesTranslucentActorsBehindItOnly() {
+        const auto volume = ballInTheCorner();
+        const Vec3 centre = volume->geometry().centreMm();
+        DrawnScene drawn(64, 64);
+        drawn.scene.setVolume(volume);
+        vtkNew<vtkActor> glass = sphereAt(centre, 6, {0, 1, 0});
+        glass->GetProperty()->SetOpacity(0.5);
+        glass->GetProperty()->BackfaceCullingOn();
+        drawn.scene.renderer()->AddActor(glass);
+        // The ball's front is at 9.5 mm, the surface in the left half before it, then behind it; seen a little left of
+        // the middle and a little right of it, where there is no surface.
+        for (const auto& [surface, seenLeft] :
+             {std::pair{5.0, Level{200, 0, 0}}, std::pair{12.0, Level{100, 128, 0}}}) {
+            ScreenPicture picture = tiltedSurface(64, surface, 0.0);
+            picture.endsAtOpaqueProps = true;  // so that no depth test would hide that it is drawn twice
+            drawn.scene.show(std::make_shared<const ScreenPicture>(std::move(picture)), cameraOn(*volume, {}));
+            drawn.draw();
+            const Level left = drawn.at(30, 32), right = drawn.at(33, 32);
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                QVERIFY2(std::abs(left[channel] - seenLeft[channel]) <= 2,
+                         qPrintable(QString("%1 instead of %2").arg(left[channel]).arg(seenLeft[channel])));
+            }
+            QVERIFY(std::abs(right[1] - 128) <= 2 && right[0] == 0);
+        }
+    }
+
+    void pickersFindTheVolumeOrTheActorThatIsSeen() {
+        const auto volume = ballInTheCorner();
+        const Vec3 centre = volume->geometry().centreMm();
+        DrawnScene drawn(64, 64);
+        drawn.scene.setVolume(volume);
+        vtkNew<vtkActor> ball = sphereAt(centre, 6, {0, 1, 0});
+        drawn.scene.renderer()->AddActor(ball);
+        // Left half: a surface, before the ball, then behind it; right half: the ball alone.
+        for (const double surface : {5.0, 12.0}) {
+            ScreenPicture picture = tiltedSurface(64, surface, 0.0);
+            picture.endsAtOpaqueProps = true;
+            drawn.scene.show(std::make_shared<const ScreenPicture>(std::move(picture)), cameraOn(*volume, {}));
+            drawn.draw();
+            vtkProp* const inFront = surface < 9 ? static_cast<vtkProp*>(drawn.scene.volumeProp()) : ball.Get();
+            QCOMPARE(selectedAt(drawn, 30, 32), inFront);
+            QCOMPARE(selectedAt(drawn, 33, 32), static_cast<vtkProp*>(ball.Get()));
+            QCOMPARE(selectedAt(drawn, 4, 4), static_cast<vtkProp*>(drawn.scene.volumeProp()));
+            QCOMPARE(selectedAt(drawn, 60, 4), static_cast<vtkProp*>(nullptr));
+            vtkNew<vtkPropPicker> picker;
+            picker->PickProp(30, 64 - 1 - 32, drawn.scene.renderer());
+            QCOMPARE(picker->GetViewProp(), inFront);
+            // Selecting draws ids; what is on the screen afterwards is the picture again.
+            drawn.draw();
+            QCOMPARE(drawn.at(4, 4), (Level{200, 0, 0}));
+        }
+    }
+
+    void vtksClippingAndCroppingLimitTheRays() {
+        const auto volume = ballInTheCorner();
+        VolumeScene scene;
+        scene.setVolume(volume);
+        RayCastSettings settings;
+        settings.clippingPlanes = {{{1, 2, 3}, {0, 0, 1}}};
+        QVERIFY(scene.withSceneLimits(settings) == settings);
+        auto* mapper = vtkVolumeMapper::SafeDownCast(scene.volumeProp()->GetMapper());
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(4, 5, 6);
+        plane->SetNormal(1, 0, 0);
+        mapper->AddClippingPlane(plane);
+        mapper->SetCroppingRegionPlanes(1, 20, 2, 25, 3, 30);
+        mapper->SetCroppingRegionFlagsToSubVolume();
+        RayCastSettings limited = scene.withSceneLimits(settings);
+        QCOMPARE(limited.clippingPlanes.size(), 2u);
+        QVERIFY(limited.clippingPlanes[0] == settings.clippingPlanes[0]);
+        QVERIFY((limited.clippingPlanes[1] == ClippingPlane{{4, 5, 6}, {1, 0, 0}}));
+        QVERIFY(!limited.box);  // cropping is off
+        mapper->CroppingOn();
+        QVERIFY((scene.withSceneLimits(settings).box == RenderBox{{1, 2, 3}, {20, 25, 30}}));
+        settings.box = RenderBox{{5, 0, 0}, {50, 10, 50}};
+        QVERIFY((scene.withSceneLimits(settings).box == RenderBox{{5, 2, 3}, {20, 10, 30}}));
+    }
+
+private:
+    static void projections() {
+        QTest::addColumn<View>("view");
+        QTest::addColumn<Projection>("projection");
+        QTest::newRow("parallel +z") << View{} << Projection::parallel;
+        QTest::newRow("parallel turned") << View{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
+        QTest::newRow("perspective +x") << View{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
+        QTest::newRow("perspective turned") << View{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
+    }
+
+    static vtkProp* selectedAt(DrawnScene& drawn, int x, int y) {
+        const auto column = static_cast<unsigned>(x), row = static_cast<unsigned>(drawn.height() - 1 - y);
+        vtkNew<vtkHardwareSelector> selector;
+        selector->SetRenderer(drawn.scene.renderer());
+        selector->SetArea(column, row, column, row);
+        selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+        if (!selector->CaptureBuffers()) return nullptr;
+        const std::array<unsigned, 2> at{column, row};
+        return selector->GetPixelInformation(at.data()).Prop;
+    }
+};
+
+QTEST_APPLESS_MAIN(SceneSurfaceTest)
+#include "test_scene_surface.moc"
