@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <cmath>
 
 #include "widgets/panels/chosen_reading.h"
 
@@ -108,6 +109,31 @@ QString motionSentence(MotionOtf motion) {
     return {};
 }
 
+QString lightSentence(const LightDirection& light) {
+    return tr("Light from %1° to the %2 and %3° %4 shows the shape of surfaces.")
+        .arg(std::abs(light.azimuthDegrees), 0, 'f', 0)
+        .arg(light.azimuthDegrees < 0 ? tr("left") : tr("right"))
+        .arg(std::abs(light.elevationDegrees), 0, 'f', 0)
+        .arg(light.elevationDegrees < 0 ? tr("below") : tr("above"));
+}
+
+/// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
+QStringList whatIsSeen(const PictureFacts& facts) {
+    switch (facts.mode) {
+        case RenderMode::direct: break;
+        case RenderMode::maximum: return {tr("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
+        case RenderMode::minimum: return {tr("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
+        case RenderMode::mean:
+            return {tr("Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
+    }
+    QStringList sentences{curveSentence(facts)};
+    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
+        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
+    if (facts.shaded) sentences << lightSentence(facts.light);
+    if (facts.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
+    return sentences;
+}
+
 }  // namespace
 
 QString explainPicture(const PictureFacts& facts) {
@@ -120,10 +146,7 @@ QString explainPicture(const PictureFacts& facts) {
     if (facts.view.nearCutMm > 0)
         sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(facts.view.nearCutMm, 0, 'f', 1);
-    sentences << curveSentence(facts);
-    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
-        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
-    if (facts.shaded) sentences << tr("Light from the upper left in front shows the shape of surfaces.");
+    sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)

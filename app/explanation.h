@@ -5,6 +5,8 @@
 
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
+#include "processing/light_direction.h"
+#include "processing/ray_caster.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/motion_mode.h"
 
@@ -18,7 +20,10 @@ struct PictureFacts {
     MotionOtf motion;        ///< which OTF the frames of a motion show
     View view;
     CurveKind active;
+    RenderMode mode;
     bool shaded;
+    LightDirection light;
+    bool depthColoured;
     bool simulated;
 };
 

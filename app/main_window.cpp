@@ -122,45 +122,6 @@ void MainWindow::connectSession() {
     });
 }
 
-void MainWindow::connectPicture() {
-    connect(m_volumeView, &VolumeViewWidget::cameraChanged, this, &MainWindow::cameraMovedByPerson);
-    connect(m_volumeView, &VolumeViewWidget::busyChanged, this, [this] {
-        announceShownFrame();
-        updateIdle();
-    });
-    connect(m_volumeView, &VolumeViewWidget::pointed, this, [this](auto intensity, auto opacity) {
-        m_runStatus->setPointed(intensity, opacity);
-        m_otfEditor->setCursorIntensity(intensity);
-    });
-    connect(m_volumeView, &VolumeViewWidget::filesDropped, this,
-            [this](const QStringList& files) { open(files.first()); });
-    connect(m_volumeView, &VolumeViewWidget::pictureDelivered, this, [this](bool, double milliseconds) {
-        m_runStatus->setRenderer(m_volumeView->rendererName(), milliseconds);
-        announceShownFrame();
-        updateIdle();
-    });
-
-    connect(m_viewPanel, &ViewPanel::nearCutChanged, this, &MainWindow::setNearCut);
-    connect(m_viewPanel, &ViewPanel::nearCutSuggestionRequested, this, &MainWindow::suggestNearCut);
-    connect(m_viewPanel, &ViewPanel::beamAxisChanged, this, &MainWindow::setBeamAxis);
-    connect(m_viewPanel, &ViewPanel::phaseChanged, &m_session, &Session::setPhase);
-    connect(m_viewPanel, &ViewPanel::resetRequested, this, &MainWindow::resetView);
-    connect(m_viewPanel, &ViewPanel::savePictureRequested, this, &MainWindow::chooseAndSavePicture);
-    const auto showLook = [this] {
-        Look look = m_volumeView->look();
-        look.shaded = m_viewPanel->shaded();
-        look.colourMap = m_viewPanel->colourMap();
-        look.interpolation = m_viewPanel->interpolation();
-        look.projection = m_viewPanel->projection();
-        m_volumeView->setLook(look);
-        keepSettings();
-    };
-    connect(m_viewPanel, &ViewPanel::shadedChanged, this, showLook);
-    connect(m_viewPanel, &ViewPanel::colourMapChanged, this, showLook);
-    connect(m_viewPanel, &ViewPanel::interpolationChanged, this, showLook);
-    connect(m_viewPanel, &ViewPanel::projectionChanged, this, showLook);
-}
-
 void MainWindow::connectMethod() {
     connect(m_otfEditor, &OtfEditor::activeCurveChanged, m_volumeView, &VolumeViewWidget::setCurve);
     connect(m_otfEditor, &OtfEditor::openCurveRequested, this, &MainWindow::chooseAndOpenCurve);
@@ -176,18 +137,9 @@ void MainWindow::connectMethod() {
 }
 
 void MainWindow::restoreSettings() {
-    m_viewPanel->setColourMap(m_settings.colourMap());
-    m_viewPanel->setInterpolation(m_settings.interpolation());
-    m_viewPanel->setProjection(m_settings.projection());
-    m_viewPanel->setShaded(m_settings.shaded());
+    restoreLook();
     m_motionPanel->setPingPong(m_settings.motionPingPong());
     m_motionPlayer.setPingPong(m_settings.motionPingPong());
-    Look look = m_volumeView->look();
-    look.shaded = m_viewPanel->shaded();
-    look.colourMap = m_viewPanel->colourMap();
-    look.interpolation = m_viewPanel->interpolation();
-    look.projection = m_viewPanel->projection();
-    m_volumeView->setLook(look);
     if (auto* logarithmic = m_otfEditor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
@@ -195,10 +147,7 @@ void MainWindow::restoreSettings() {
 }
 
 void MainWindow::keepSettings() {
-    m_settings.setColourMap(m_viewPanel->colourMap());
-    m_settings.setInterpolation(m_viewPanel->interpolation());
-    m_settings.setProjection(m_viewPanel->projection());
-    m_settings.setShaded(m_viewPanel->shaded());
+    keepLook();
     m_settings.setMotionPingPong(m_motionPanel->pingPong());
     m_settings.setHistogramLogarithmic(m_otfEditor->canvas().histogramScale() == HistogramScale::logarithmic);
 }

@@ -12,6 +12,7 @@
 #include "processing/view.h"
 #include "widgets/motion/otf_course.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/volume_view/volume_view_widget.h"
 
 class QAction;
 class QDockWidget;
@@ -26,7 +27,6 @@ class OtfEditor;
 class RunStatus;
 class StudyPanel;
 class ViewPanel;
-class VolumeViewWidget;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -74,11 +74,17 @@ private:
     void createParts();
     QDockWidget* addDock(const QString& title, const QString& name, QWidget* content);
     void connectSession();
-    void connectPicture();
     void connectMethod();
     void restoreSettings();
     void keepSettings();
     void updateIdle();
+
+    // main_window_picture.cpp: the 3D view and its panel
+    void connectPicture();
+    void connectLook();
+    void showLook();
+    void restoreLook();
+    void keepLook();
 
     // main_window_study.cpp: what follows when something was opened, computed or turned
     void studyOpened();
@@ -163,6 +169,7 @@ private:
         friend bool operator==(const CourseKey&, const CourseKey&) = default;
     };
     std::optional<CourseKey> m_courseKey;
+    std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
     bool m_newStudy = false;              ///< the next OTF is the first of a study: the camera is set with it
     const Study* m_shownStudy = nullptr;  ///< told apart by address only
     QElapsedTimer m_frameClock;           ///< since the frame of the motion shown last

@@ -152,7 +152,7 @@ void MainWindow::chooseAndSavePicture() {
 }
 
 bool MainWindow::savePicture(const QString& path) {
-    const QImage image = m_volumeView->screenImage().convertToFormat(QImage::Format_RGB888);
+    const QImage image = m_volumeView->convergedImage().convertToFormat(QImage::Format_RGB888);
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()) * 3);
     for (int y = 0; y < image.height(); ++y)

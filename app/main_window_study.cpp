@@ -190,7 +190,10 @@ QString MainWindow::explanation() const {
                            .motion = m_motionPanel->otf(),
                            .view = m_volumeView->view(),
                            .active = m_otfEditor->state().active,
+                           .mode = m_viewPanel->mode(),
                            .shaded = m_viewPanel->shaded(),
+                           .light = m_viewPanel->light(),
+                           .depthColoured = m_viewPanel->depthColoured(),
                            .simulated = m_session.isSimulatedScan()});
 }
 

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <cmath>
 #include <string_view>
 
 namespace echolucent {
@@ -14,7 +15,12 @@ constexpr auto stateKey = "window/state";
 constexpr auto colourMapKey = "picture/colourMap";
 constexpr auto interpolationKey = "picture/interpolation";
 constexpr auto projectionKey = "picture/projection";
+constexpr auto modeKey = "picture/mode";
 constexpr auto shadedKey = "picture/shaded";
+constexpr auto lightAzimuthKey = "picture/lightAzimuth";
+constexpr auto lightElevationKey = "picture/lightElevation";
+constexpr auto depthColouredKey = "picture/depthColoured";
+constexpr auto rendererKey = "picture/renderer";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
 
@@ -27,6 +33,13 @@ bool boolOr(const QVariant& value, bool otherwise) {
     const QString text = value.toString();
     if (text == "true") return true;
     return text == "false" ? false : otherwise;
+}
+
+/// A number of degrees within +- largest.
+double degreesOr(const QVariant& value, double largest, double otherwise) {
+    bool understood = false;
+    const double degrees = value.toDouble(&understood);
+    return understood && std::abs(degrees) <= largest ? degrees : otherwise;
 }
 
 }  // namespace
@@ -88,6 +101,30 @@ Projection Settings::projection() const {
 void Settings::setProjection(Projection projection) {
     m_store.setValue(projectionKey, projection == Projection::perspective ? "perspective" : "parallel");
 }
+
+RenderMode Settings::mode() const {
+    return renderModeFromName(m_store.value(modeKey).toString().toStdString()).value_or(RenderMode::direct);
+}
+void Settings::setMode(RenderMode mode) { m_store.setValue(modeKey, asText(nameOf(mode))); }
+
+LightDirection Settings::light() const {
+    const LightDirection usual;
+    return {degreesOr(m_store.value(lightAzimuthKey), 180.0, usual.azimuthDegrees),
+            degreesOr(m_store.value(lightElevationKey), 90.0, usual.elevationDegrees)};
+}
+void Settings::setLight(const LightDirection& light) {
+    m_store.setValue(lightAzimuthKey, light.azimuthDegrees);
+    m_store.setValue(lightElevationKey, light.elevationDegrees);
+}
+
+bool Settings::depthColoured() const { return boolOr(m_store.value(depthColouredKey), false); }
+void Settings::setDepthColoured(bool coloured) { m_store.setValue(depthColouredKey, coloured); }
+
+PreferredRenderer Settings::renderer() const {
+    return preferredRendererFromName(m_store.value(rendererKey).toString().toStdString())
+        .value_or(PreferredRenderer::automatic);
+}
+void Settings::setRenderer(PreferredRenderer renderer) { m_store.setValue(rendererKey, asText(nameOf(renderer))); }
 
 bool Settings::shaded() const { return boolOr(m_store.value(shadedKey), true); }
 void Settings::setShaded(bool shaded) { m_store.setValue(shadedKey, shaded); }

@@ -6,7 +6,9 @@
 #include <QString>
 #include <QStringList>
 
+#include "processing/light_direction.h"
 #include "processing/ray_caster.h"
+#include "widgets/panels/preferred_renderer.h"
 
 namespace echolucent {
 
@@ -41,8 +43,16 @@ public:
     void setInterpolation(Interpolation interpolation);
     [[nodiscard]] Projection projection() const;  ///< [parallel]
     void setProjection(Projection projection);
+    [[nodiscard]] RenderMode mode() const;  ///< [direct]
+    void setMode(RenderMode mode);
     [[nodiscard]] bool shaded() const;  ///< [true]
     void setShaded(bool shaded);
+    [[nodiscard]] LightDirection light() const;  ///< [LightDirection{}], each angle by itself
+    void setLight(const LightDirection& light);
+    [[nodiscard]] bool depthColoured() const;  ///< [false]
+    void setDepthColoured(bool coloured);
+    [[nodiscard]] PreferredRenderer renderer() const;  ///< [automatic]
+    void setRenderer(PreferredRenderer renderer);
     [[nodiscard]] bool histogramLogarithmic() const;  ///< [true]
     void setHistogramLogarithmic(bool logarithmic);
     [[nodiscard]] bool motionPingPong() const;  ///< [true]

@@ -41,11 +41,11 @@ void printStartTimes(MainWindow& window) {
     onlyOnce(&window.session(), &Session::otfComputed, "otf");
     auto first = std::make_shared<bool>(true);
     QObject::connect(&window.volumeView(), &VolumeViewWidget::pictureDelivered, &window,
-                     [print, first, &window](bool fine, double) {
+                     [print, first, &window](const PictureReport& report) {
                          if (!window.session().otf()) return;
                          if (std::exchange(*first, false)) print("first picture");
-                         if (!fine) return;
-                         print("fine picture");
+                         if (!report.converged) return;
+                         print("converged picture");
                          QApplication::quit();
                      });
     QObject::connect(&window.session(), &Session::openFailed, &window,

@@ -1,10 +1,11 @@
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/cli/command.h"
 #include "app/cli/picture_words.h"
 #include "io/picture_file.h"
+#include "processing/light_direction.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {
@@ -17,16 +18,51 @@ struct RenderOptions {
     MethodOptions method;
     std::string otf = "adaptive";
     std::string size = "512x512";
+    std::string mode = "direct";
     std::string colourMap = "sepia";
     std::string interpolation = "trilinear";
     std::string background = "0,0,0";
     std::string output;
     double step = 1.0;
+    std::string light;
     bool shade = false;
+    bool depthColour = false;
     bool perspective = false;
 };
 
 constexpr double largestPictureEdge = 16384;
+
+/// "AZ,EL" in degrees.
+Result<LightDirection> lightFrom(const std::string& text) {
+    const auto angles = parseNumbers(text, 2, "--light");
+    if (!angles) return tl::unexpected<Failure>(angles.error());
+    const double azimuth = (*angles)[0], elevation = (*angles)[1];
+    if (!(std::abs(azimuth) <= 180) || !(std::abs(elevation) <= 90))
+        return fail(FailureKind::wrongUsage, "", "--light", "must be an azimuth of -180 to 180 and an elevation of -90 "
+                    "to 90 degrees", "Write it as -33,33.");
+    return LightDirection{azimuth, elevation};
+}
+
+/// Mode, light and depth colours.
+Result<void> addAppearance(const RenderOptions& options, RayCastSettings& settings) {
+    const auto mode = renderModeFromName(options.mode);
+    if (!mode)
+        return fail(FailureKind::wrongUsage, "", "--mode", "is \"" + options.mode + "\"",
+                    "Use direct, maximum, minimum or mean.");
+    settings.mode = *mode;
+    const bool lit = options.shade || !options.light.empty();
+    if (settings.mode != RenderMode::direct && (lit || options.depthColour))
+        return fail(FailureKind::wrongUsage, "", "--shade, --light and --depth-colour",
+                    "need direct volume rendering", "Leave them out, or use --mode direct.");
+    if (lit) settings.shading = Shading{};
+    if (!options.light.empty()) {
+        const auto light = lightFrom(options.light);
+        if (!light) return tl::unexpected<Failure>(light.error());
+        settings.shading->towardsLight = towardsLight(*light);
+    }
+    if (options.depthColour) settings.depthColouring = DepthColouring{};
+    return {};
+}
 
 /// Size, step, colours and projection; the camera follows once the volume is there.
 Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
@@ -51,7 +87,7 @@ Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
         return fail(FailureKind::wrongUsage, "", "--interpolation", "is \"" + options.interpolation + "\"",
                     "Use trilinear or nearest.");
     settings.interpolation = options.interpolation == "nearest" ? Interpolation::nearest : Interpolation::trilinear;
-    if (options.shade) settings.shading = Shading{};
+    if (const auto added = addAppearance(options, settings); !added) return tl::unexpected<Failure>(added.error());
     return settings;
 }
 
@@ -94,6 +130,7 @@ Result<void> render(const RenderOptions& options) {
     }
     auto settings = settingsFrom(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
+    if (settings->mode != RenderMode::direct) named = PowerCurve{};  // none is looked for that plays no part
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
 
@@ -124,7 +161,14 @@ void addRenderCommand(CLI::App& program, Action& action) {
         ->capture_default_str();
     options->view.addTo(command);
     options->method.addTo(command);
+    command.add_option("--mode", options->mode, "direct, maximum, minimum or mean; the OTF counts in direct only")
+        ->capture_default_str();
     command.add_flag("--shade", options->shade, "Gradient shading: light from the upper left in front");
+    command
+        .add_option("--light", options->light,
+                    "Shades with a light so many degrees to the right of and above the viewer")
+        ->type_name("AZ,EL");
+    command.add_flag("--depth-colour", options->depthColour, "Tints what is near warm and what is far blue");
     command.add_flag("--perspective", options->perspective, "Perspective instead of parallel projection");
     command.add_option("--size", options->size, "Pixels")->type_name("WxH")->capture_default_str();
     command.add_option("--step", options->step, "Units (smallest spacing) between samples on a ray")->capture_default_str();

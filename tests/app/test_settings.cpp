@@ -24,6 +24,10 @@ private slots:
         QCOMPARE(settings.interpolation(), Interpolation::trilinear);
         QCOMPARE(settings.projection(), Projection::parallel);
         QVERIFY(settings.shaded() && settings.histogramLogarithmic() && settings.motionPingPong());
+        QCOMPARE(settings.mode(), RenderMode::direct);
+        QCOMPARE(settings.light(), LightDirection{});
+        QCOMPARE(settings.depthColoured(), false);
+        QCOMPARE(settings.renderer(), PreferredRenderer::automatic);
     }
 
     void everythingComesBackFromTheFile() {
@@ -39,6 +43,10 @@ private slots:
             settings.setInterpolation(Interpolation::nearest);
             settings.setProjection(Projection::perspective);
             settings.setShaded(false);
+            settings.setMode(RenderMode::mean);
+            settings.setLight({71, -12.5});
+            settings.setDepthColoured(true);
+            settings.setRenderer(PreferredRenderer::graphicsCard);
             settings.setHistogramLogarithmic(false);
             settings.setMotionPingPong(false);
             QVERIFY(settings.save());
@@ -52,19 +60,28 @@ private slots:
         QCOMPARE(settings.interpolation(), Interpolation::nearest);
         QCOMPARE(settings.projection(), Projection::perspective);
         QVERIFY(!settings.shaded() && !settings.histogramLogarithmic() && !settings.motionPingPong());
+        QCOMPARE(settings.mode(), RenderMode::mean);
+        QCOMPARE(settings.light(), (LightDirection{71, -12.5}));
+        QCOMPARE(settings.depthColoured(), true);
+        QCOMPARE(settings.renderer(), PreferredRenderer::graphicsCard);
     }
 
     void whatIsNotUnderstoodGivesTheDefault() {
         {
             QFile file(store());
             QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write("[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n");
+            file.write("[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n"
+                       "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
         }
         const Settings settings(store());
         QCOMPARE(settings.colourMap(), ColourMap::sepia);
         QCOMPARE(settings.interpolation(), Interpolation::trilinear);
         QCOMPARE(settings.projection(), Projection::parallel);
         QCOMPARE(settings.shaded(), true);
+        QCOMPARE(settings.mode(), RenderMode::direct);
+        QCOMPARE(settings.light(), LightDirection{});
+        QCOMPARE(settings.depthColoured(), false);
+        QCOMPARE(settings.renderer(), PreferredRenderer::automatic);
     }
 
     void recentFilesAreNewestFirstWithoutDoubles() {

@@ -1,3 +1,4 @@
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,50 @@ TEST(Render, SaysWhatItCannotDo) {
     EXPECT_EQ(runProgram("render \"" + folder / "missing.mha" + "\" -o \"" + folder / "p.png" + "\"").status, 3);
     EXPECT_EQ(runProgram("render \"" + shapesFile() + "\" --size 16x16 -o \"" + folder / "none/p.png" + "\"").status,
               4);
+}
+
+/// The check sum of a picture made with these options: what differs is not worth printing.
+std::size_t rendered(const Folder& folder, const std::string& options) {
+    const std::string path = folder / "picture.png";
+    const Outcome outcome = runProgram("render \"" + shapesFile() + "\" --size 64x48 " + options + " -o \"" + path + "\"");
+    EXPECT_EQ(outcome.status, 0) << options << ": " << outcome.errors;
+    return std::hash<std::string>{}(contentsOf(path));
+}
+
+TEST(Render, ALightFromElsewhereMakesAnotherPicture) {
+    const Folder folder;
+    const std::size_t unlit = rendered(folder, "--otf parabolic");
+    const std::size_t usual = rendered(folder, "--otf parabolic --shade");
+    const std::size_t left = rendered(folder, "--otf parabolic --light -80,0");
+    const std::size_t right = rendered(folder, "--otf parabolic --light 80,0 --shade");
+    EXPECT_NE(unlit, left) << "a light is a light, also without --shade";
+    EXPECT_NE(usual, left);
+    EXPECT_NE(left, right);
+    EXPECT_EQ(right, rendered(folder, "--otf parabolic --light 80,0"));
+}
+
+TEST(Render, ModesAndDepthColoursMakePicturesOfTheirOwn) {
+    const Folder folder;
+    std::vector<std::size_t> pictures{rendered(folder, "--otf parabolic"), rendered(folder, "--otf parabolic --depth-colour")};
+    for (const std::string mode : {"maximum", "minimum", "mean"}) {
+        pictures.push_back(rendered(folder, "--mode " + mode));
+        EXPECT_EQ(pictures.back(), rendered(folder, "--otf parabolic --mode " + mode)) << "the curve plays no part";
+    }
+    EXPECT_EQ(pictures.front(), rendered(folder, "--otf parabolic --mode direct"));
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(pictures[i], pictures[j]) << i << ", " << j;
+}
+
+TEST(Render, RefusesModesAndLightsThatMakeNoSense) {
+    const Folder folder;
+    const std::string picture = " -o \"" + folder / "p.png" + "\"";
+    for (const std::string options : {"--mode brightest", "--mode maximum --shade", "--mode mean --depth-colour",
+                                      "--mode minimum --light 0,0", "--light 30", "--light 181,0", "--light 0,91",
+                                      "--light nan,0"}) {
+        const Outcome outcome = runProgram("render \"" + shapesFile() + "\" " + options + picture);
+        EXPECT_EQ(outcome.status, 2) << options;
+        EXPECT_FALSE(outcome.errors.empty()) << options;
+    }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace echolucent::testing {
 inline constexpr int patience = 30000;  // ms, a bound for broken programs
 inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
-/// A shown view with the corner ball, its fine picture there.
+/// A shown view with the corner ball, its converged picture there.
 struct ShownView {
     explicit ShownView(std::shared_ptr<const Volume> shown = ballInTheCorner(), const View& from = {})
         : volume(std::move(shown)) {

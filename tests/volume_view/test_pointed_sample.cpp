@@ -137,6 +137,32 @@ private slots:
         QVERIFY(!samplePointedAt(request, x, 200 - y));
     }
 
+    void modesTellWhatTheyShow() {
+        // A ramp along z with one dark and one bright voxel layer; the curve sees nothing of it.
+        const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
+            return z == 8 ? 250 : z == 20 ? 5 : 50 + 2 * z;
+        });
+        PictureRequest request = requestFor(volume, ManualCurve{});
+        request.settings.interpolation = Interpolation::nearest;
+        QVERIFY(!samplePointedAt(request, 150, 100));
+        const auto pointedIn = [&](RenderMode mode) {
+            request.settings.mode = mode;
+            return samplePointedAt(request, 150, 100);
+        };
+        const auto brightest = pointedIn(RenderMode::maximum), darkest = pointedIn(RenderMode::minimum),
+                   mean = pointedIn(RenderMode::mean);
+        QVERIFY(brightest && darkest && mean);
+        QCOMPARE(brightest->intensity, 250 / 255.0);
+        QVERIFY(std::abs(brightest->gridMm[2] - 8) <= 0.5);
+        QCOMPARE(darkest->intensity, 5 / 255.0);
+        QVERIFY(std::abs(darkest->gridMm[2] - 20) <= 0.5);
+        double sum = 250 + 5;
+        for (int z = 0; z < 30; ++z) sum += z == 8 || z == 20 ? 0 : 50 + 2 * z;
+        QVERIFY(std::abs(mean->intensity - sum / 30 / 255) < 1e-12);
+        QVERIFY(mean->gridMm[2] <= 0.5);
+        QVERIFY(!samplePointedAt(request, 1, 100));  // beside the volume
+    }
+
     void nothingWhereNothingIsVisible() {
         QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{}), 150, 100));
         QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{{{0.0, 1.0}}}), 1, 100));  // beside the volume

@@ -1,9 +1,13 @@
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/progressive_caster.h"
@@ -16,34 +20,47 @@ namespace {
 
 constexpr int patience = 20000;  // ms, a bound for broken programs
 
-/// Stands in for castRays(): pictures of one grey, the curve's opacity at full intensity. Can be held up.
+constexpr double convergedStep = qualityLevels[convergedLevel].step;
+
+/// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
 class CommandedCaster {
 public:
-    std::optional<Picture> operator()(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
+    CastResult operator()(const PictureRequest& request, const Progress& progress) {
         std::unique_lock lock(m_mutex);
-        ++m_started;
+        if (!request.volume) {
+            ++m_lettingGo;
+            m_changed.notify_all();
+            return {};
+        }
+        m_started.push_back(request.settings);
         m_changed.notify_all();
         m_changed.wait(lock, [&] { return !m_held; });
-        while (m_untilCancelled && settings.width == m_fineWidth && !progress.cancelled()) {
+        while (request.settings.width == m_endlessWidth && request.settings.step == convergedStep &&
+               !progress.cancelled()) {
             lock.unlock();
             std::this_thread::yield();
             lock.lock();
         }
-        if (progress.cancelled()) return std::nullopt;
-        const auto level = static_cast<float>(opacityAt(curve, 1.0));
-        return Picture{settings.width, settings.height,
-                       std::vector<float>(static_cast<std::size_t>(4 * settings.width * settings.height), level)};
+        if (progress.cancelled()) return {};
+        const int width = request.settings.width, height = request.settings.height;
+        const auto level = static_cast<float>(opacityAt(request.curve, 1.0));
+        return {Picture{width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}},
+                SampleUse::taken};
     }
     void hold() { set([this] { m_held = true; }); }
     void letGo() { set([this] { m_held = false; }); }
-    /// Fine pictures end only when they are cancelled.
-    void fineOnlyEndsCancelled(int fineWidth) {
-        set([&] { m_untilCancelled = true, m_fineWidth = fineWidth; });
+    /// Converged pictures of that width end only when they are cancelled.
+    void convergedOnlyEndsCancelled(int width) {
+        set([&] { m_endlessWidth = width; });
     }
-    void fineEnds() { set([this] { m_untilCancelled = false; }); }
-    int started() {
+    std::vector<RayCastSettings> startedSettings() {
         const std::lock_guard lock(m_mutex);
         return m_started;
+    }
+    int started() { return static_cast<int>(startedSettings().size()); }
+    int lettingGo() {
+        const std::lock_guard lock(m_mutex);
+        return m_lettingGo;
     }
 
 private:
@@ -55,8 +72,9 @@ private:
     }
     std::mutex m_mutex;
     std::condition_variable m_changed;
-    bool m_held = false, m_untilCancelled = false;
-    int m_fineWidth = 0, m_started = 0;
+    bool m_held = false;
+    int m_endlessWidth = 0, m_lettingGo = 0;
+    std::vector<RayCastSettings> m_started;
 };
 
 struct Setup {
@@ -71,12 +89,18 @@ struct Setup {
         made.settings.height = 90;
         return made;
     }
+    /// Of another camera for each level.
+    PictureRequest turned(double level) const {
+        PictureRequest made = request(level);
+        made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0, 0});
+        return made;
+    }
     CommandedCaster commands;
     std::shared_ptr<const Volume> volume = volumeOf(geometryOf(2, 2, 2), [](double, double, double) { return 9; });
     std::vector<std::shared_ptr<const CastPicture>> delivered;
-    ProgressiveCaster caster{[this](const Volume&, const OpacityCurve& curve, const RayCastSettings& settings,
-                                    const Progress& progress) { return commands(curve, settings, progress); },
-                             PreviewQuality{0.0}};  // no budget: always a preview first
+    ProgressiveCaster caster{
+        [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); },
+        PreviewQuality{0.0}};  // no budget: always a preview first
 };
 
 float levelOf(const CastPicture& picture) { return picture.picture->rgba.front(); }
@@ -87,16 +111,33 @@ class ProgressiveCasterTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void coarseThenFine() {
+    void betterAndBetterUntilConverged() {
         Setup s;
         s.caster.request(s.request(0.5));
-        QTRY_COMPARE_WITH_TIMEOUT(s.delivered.size(), std::size_t{2}, patience);
-        QVERIFY(!s.delivered[0]->fine);
+        QTRY_COMPARE_WITH_TIMEOUT(s.delivered.size(), std::size_t{3}, patience);
         QVERIFY(s.delivered[0]->picture->width < 120);
-        QVERIFY(s.delivered[1]->fine);
+        QVERIFY(s.delivered[0]->followsHand && !s.delivered[0]->converged());
+        // In visible steps, each of full size and a finer step.
         QCOMPARE(s.delivered[1]->picture->width, 120);
         QCOMPARE(s.delivered[1]->picture->height, 90);
+        QVERIFY(!s.delivered[1]->followsHand && !s.delivered[1]->converged());
+        QVERIFY(s.delivered[2]->settings.step < s.delivered[1]->settings.step);
+        QCOMPARE(s.delivered[2]->picture->width, 120);
+        QCOMPARE(s.delivered[2]->picture->height, 90);
+        QVERIFY(!s.delivered[2]->followsHand && s.delivered[2]->converged());
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        // No quality is cast twice.
+        QCOMPARE(s.commands.started(), 3);
+    }
+
+    void theStepOfTheLookCounts() {
+        Setup s;
+        PictureRequest fine = s.request(0.5);
+        fine.settings.step = 0.25;
+        s.caster.request(fine);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QCOMPARE(s.delivered.back()->settings.step, 0.25 * convergedStep);
+        QCOMPARE(s.delivered.back()->request.settings.step, 0.25);
     }
 
     void aRequestEqualToTheNewestDoesNothing() {
@@ -111,7 +152,7 @@ private slots:
 
     void everyPartOfARequestMatters_data() {
         QTest::addColumn<int>("part");
-        for (int part = 0; part < 11; ++part) QTest::addRow("%d", part) << part;
+        for (int part = 0; part < 14; ++part) QTest::addRow("%d", part) << part;
     }
     void everyPartOfARequestMatters() {
         QFETCH(int, part);
@@ -130,30 +171,41 @@ private slots:
             case 8: b.settings.height = 91; break;
             case 9: b.settings.camera.projection = Projection::perspective; break;
             case 10: b.settings.interpolation = Interpolation::nearest; break;
+            case 11: b.settings.mode = RenderMode::mean; break;
+            case 12: b.settings.depthColouring = DepthColouring{}; break;
+            case 13: b.settings.step = 0.75; break;
             default: break;
         }
         QVERIFY(samePicture(a, a));
         QVERIFY(!samePicture(a, b));
     }
 
-    void hundredQuickRequestsEndWithTheLastFinePicture() {
+    void theCurveMattersInDirectModeOnly() {
+        Setup s;
+        PictureRequest a = s.request(0.5), b = s.request(0.75);
+        QVERIFY(!samePicture(a, b));
+        a.settings.mode = b.settings.mode = RenderMode::maximum;
+        QVERIFY(samePicture(a, b));
+    }
+
+    void hundredQuickRequestsEndWithTheLastConvergedPicture() {
         Setup s;
         s.commands.hold();
         for (int i = 1; i <= 100; ++i) s.caster.request(s.request(i / 100.0));
         s.commands.letGo();
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
-        QVERIFY(s.delivered.back()->fine);
+        QVERIFY(s.delivered.back()->converged());
         QCOMPARE(levelOf(*s.delivered.back()), 1.0f);
-        QVERIFY2(s.delivered.size() <= 3, "requests in between were cast");
+        QVERIFY2(s.delivered.size() <= 4, "requests in between were cast");
     }
 
-    void coarsePicturesAreShownUnderAStreamOfRequests() {
+    void quickPicturesAreShownUnderAStreamOfRequests() {
         Setup s;
-        s.commands.fineOnlyEndsCancelled(120);
+        s.commands.convergedOnlyEndsCancelled(120);
         int requests = 0;
         QObject::connect(&s.caster, &ProgressiveCaster::delivered, &s.caster, [&](const std::shared_ptr<const CastPicture>& p) {
-            QVERIFY(!p->fine);  // no fine picture ends while newer requests come
-            if (requests < 50) s.caster.request(s.request(++requests / 100.0));
+            QVERIFY(p->followsHand);  // nothing is refined while newer requests come
+            if (requests < 50) s.caster.request(s.turned(++requests / 100.0));
         });
         s.caster.request(s.request(1.0));
         QTRY_COMPARE_WITH_TIMEOUT(s.delivered.size(), std::size_t{51}, patience);
@@ -163,18 +215,49 @@ private slots:
         QCOMPARE(s.delivered.size(), std::size_t{51});
     }
 
-    void aFinePictureInTheMakingGivesWay() {
+    void aPictureThatRefinesGivesWay() {
         Setup s;
-        s.commands.fineOnlyEndsCancelled(120);
+        s.commands.convergedOnlyEndsCancelled(120);
         s.caster.request(s.request(0.25));
-        QTRY_COMPARE_WITH_TIMEOUT(s.commands.started(), 2, patience);  // the fine one runs
+        QTRY_COMPARE_WITH_TIMEOUT(s.commands.started(), 3, patience);  // the converged one runs
         s.caster.request(s.request(0.75, 121));
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
-        QCOMPARE(s.delivered.size(), std::size_t{3});
+        QCOMPARE(s.delivered.size(), std::size_t{5});
+        for (std::size_t i = 0; i < 5; ++i) QCOMPARE(levelOf(*s.delivered[i]), i < 2 ? 0.25f : 0.75f);
+        QVERIFY(s.delivered.back()->converged());
+    }
+
+    void theNextPictureIsCastWhileThisOneIsShown() {
+        Setup s;
+        bool second = false;
+        QObject::connect(&s.caster, &ProgressiveCaster::delivered, &s.caster, [&] {
+            if (std::exchange(second, true)) return;
+            // As long as this thread shows the first picture, nothing is delivered; the second is begun all the same.
+            while (s.commands.started() < 2) std::this_thread::yield();
+        });
+        s.commands.hold();
+        s.caster.request(s.turned(0.25));
+        QTRY_COMPARE_WITH_TIMEOUT(s.commands.started(), 1, patience);
+        s.caster.request(s.turned(0.5));
+        s.commands.letGo();
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
         QCOMPARE(levelOf(*s.delivered[0]), 0.25f);
-        QCOMPARE(levelOf(*s.delivered[1]), 0.75f);
-        QVERIFY(s.delivered[2]->fine);
-        QCOMPARE(levelOf(*s.delivered[2]), 0.75f);
+        QCOMPARE(levelOf(*s.delivered[1]), 0.5f);
+    }
+
+    void editsKeepOneViewsSamples() {
+        // Under one camera every quick picture has the settings of the one before, which the ray caster needs.
+        Setup s;
+        int requests = 0;
+        QObject::connect(&s.caster, &ProgressiveCaster::delivered, &s.caster, [&] {
+            if (requests < 20) s.caster.request(s.request(++requests / 100.0));
+        });
+        s.caster.request(s.request(1.0));
+        QTRY_VERIFY_WITH_TIMEOUT(requests == 20 && !s.caster.busy(), patience);
+        const std::vector<RayCastSettings> started = s.commands.startedSettings();
+        for (std::size_t i = 3; i <= 20; ++i) QVERIFY(started[i] == started[2]);
+        QVERIFY(s.delivered.back()->converged());
+        QCOMPARE(levelOf(*s.delivered.back()), 0.2f);
     }
 
     void noPictureOfTheVolumeBefore() {
@@ -187,7 +270,7 @@ private slots:
         s.caster.request(other);
         s.commands.letGo();
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
-        QCOMPARE(s.delivered.size(), std::size_t{2});
+        QCOMPARE(s.delivered.size(), std::size_t{3});
         for (const auto& picture : s.delivered) QVERIFY(picture->request.volume == other.volume);
     }
 
@@ -197,40 +280,213 @@ private slots:
         s.caster.request(s.request(0.25));
         QTRY_COMPARE_WITH_TIMEOUT(s.commands.started(), 1, patience);
         s.caster.clear();
+        QVERIFY(!s.caster.busy());
         s.commands.letGo();
-        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(s.commands.lettingGo(), 1, patience);  // after what ran
         QVERIFY(s.delivered.empty());
         // And the same request counts as new again.
         s.caster.request(s.request(0.25));
-        QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty() && s.delivered.back()->fine, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty() && s.delivered.back()->converged(), patience);
+        QCOMPARE(s.delivered.size(), std::size_t{3});
     }
 
-    void previewKeepsWithinItsBudget() {
+    void clearLetsGoOfTheVolume() {
+        auto volume = volumeOf(geometryOf(8, 8, 8), [](double x, double, double) { return static_cast<int>(9 * x); });
+        const std::weak_ptr<const Volume> watched = volume;
+        ProgressiveCaster caster;
+        int delivered = 0;
+        QObject::connect(&caster, &ProgressiveCaster::delivered, &caster, [&] { ++delivered; });
+        PictureRequest request{std::move(volume), PowerCurve{}, {}};
+        request.settings.width = request.settings.height = 16;
+        request.settings.camera = defaultCamera(request.volume->geometry(), {}, 1.0);
+        caster.request(request);
+        QTRY_VERIFY_WITH_TIMEOUT(delivered > 0 && !caster.busy(), patience);
+        request.volume.reset();
+        QVERIFY(!watched.expired());
+        caster.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(watched.expired(), patience);
+    }
+
+    void oneRayCasterGivesTheRayCastersPictures() {
+        const auto a = volumeOf(geometryOf(9, 8, 7), [](double x, double y, double) { return static_cast<int>(20 * x + y); });
+        const auto b = volumeOf(geometryOf(9, 8, 7), [](double x, double, double z) { return static_cast<int>(9 * z + x); });
+        const Cast cast = castThroughOneRayCaster();
+        PictureRequest request{a, PowerCurve{}, {}};
+        request.settings.width = request.settings.height = 24;
+        request.settings.camera = defaultCamera(a->geometry(), {}, 1.0);
+        const auto check = [&](SampleUse expected, int line) {
+            const CastResult result = cast(request, {});
+            const auto alone = castRays(*request.volume, request.curve, request.settings);
+            QVERIFY2(result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.25 : 0),
+                     qPrintable(QString::number(line)));
+            QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
+        };
+        check(SampleUse::taken, __LINE__);
+        request.curve = PowerCurve{2, 0.5};
+        check(SampleUse::taken, __LINE__);
+        request.settings.colourMap = ColourMap::ice;
+        check(SampleUse::kept, __LINE__);
+        request.settings.step = 0.5;  // a finer picture of the same view has samples of its own
+        check(SampleUse::taken, __LINE__);
+        request.settings.step = 1;
+        request.curve = PowerCurve{2, 0.25};
+        check(SampleUse::kept, __LINE__);
+        request.settings.camera.heightMm *= 1.1;
+        check(SampleUse::taken, __LINE__);
+        check(SampleUse::taken, __LINE__);
+        check(SampleUse::kept, __LINE__);
+        request.volume = b;
+        check(SampleUse::taken, __LINE__);
+        QVERIFY(!cast({}, {}).picture);
+    }
+
+    void levelsGoFromFineToCoarse() {
+        const RayCastSettings asked;
+        const auto samplesAt = [&](std::size_t level) {
+            const RayCastSettings settings = settingsAt(level, asked);
+            return static_cast<double>(settings.width) * settings.height / settings.step;
+        };
+        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(samplesAt(level) < samplesAt(level - 1));
+        QVERIFY(qualityLevels[convergedLevel].atRest);
+        const RayCastSettings converged = settingsAt(convergedLevel, asked);
+        QCOMPARE(converged.width, asked.width);
+        QVERIFY(converged.step <= asked.step / 2);
+        // From every level the way leads to the converged picture.
+        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(nextAtRest(level) < level);
+    }
+
+    void qualityInMotionKeepsWithinItsBudget() {
         // Made-up machines, from one that needs no preview to one for which no preview is quick enough; cost in ms.
-        for (const double costPerSample : {1e-6, 2e-5, 4e-4, 5e-2}) {
+        for (const double costPerSample : {1e-6, 1e-5, 2e-5, 4e-4, 5e-2}) {
             PreviewQuality quality(40);
-            RayCastSettings fine;
-            fine.width = 1000;
-            fine.height = 800;
-            const auto costOf = [&](const RayCastSettings& settings) {
-                return costPerSample * settings.width * settings.height / settings.step;
-            };
-            RayCastSettings coarse;
+            RayCastSettings asked;
+            asked.width = 1000;
+            asked.height = 800;
+            RayCastSettings shown;
             for (int frame = 0; frame < 8; ++frame) {
-                coarse = quality.coarse(fine);
-                quality.measured(coarse, costOf(coarse));
+                shown = settingsAt(quality.levelInMotion(asked), asked);
+                quality.sampled(shown, costOf(shown, costPerSample));
             }
-            if (costOf(fine) <= 28) {
-                QCOMPARE(coarse.width, fine.width);  // quick enough as it is
-                QCOMPARE(coarse.step, fine.step);
+            const RayCastSettings converged = settingsAt(convergedLevel, asked);
+            if (costOf(converged, costPerSample) <= 28) {
+                QVERIFY(shown == converged);  // quick enough as it is
             } else if (costPerSample < 1e-2) {
-                QVERIFY2(costOf(coarse) <= 40, qPrintable(QString::number(costOf(coarse))));
-                QVERIFY2(costOf(coarse) >= 5, qPrintable(QString::number(costOf(coarse))));  // not needlessly coarse
+                QVERIFY2(costOf(shown, costPerSample) <= 40, qPrintable(QString::number(costOf(shown, costPerSample))));
+                QVERIFY2(costOf(shown, costPerSample) >= 5,  // not needlessly coarse
+                         qPrintable(QString::number(costOf(shown, costPerSample))));
             } else {
-                QCOMPARE(coarse.width, 125);  // the coarsest there is
+                QCOMPARE(shown.width, 125);  // the coarsest there is
             }
-            QVERIFY(std::abs(coarse.width * 800.0 - coarse.height * 1000.0) <= 1000.0);  // proportions
+            QVERIFY(std::abs(shown.width * 800.0 - shown.height * 1000.0) <= 1000.0);  // proportions
         }
+    }
+
+    void drawingTakesItsShareOfTheFrame() {
+        PreviewQuality quality(33);
+        quality.drawn(500);  // prepares OpenGL
+        QCOMPARE(quality.budgetMilliseconds(), 33.0);
+        for (int i = 0; i < 20; ++i) quality.drawn(10);
+        QVERIFY(std::abs(quality.budgetMilliseconds() - 23) < 0.1);
+        const RayCastSettings asked;
+        const double cost = 25.0 / (512 * 512);  // of full size at step 1: 25 ms
+        const auto inMotion = [&](PreviewQuality& chooser) {
+            for (int i = 0; i < 8; ++i) {
+                const RayCastSettings shown = settingsAt(chooser.levelInMotion(asked), asked);
+                chooser.sampled(shown, costOf(shown, cost));
+            }
+            return costOf(settingsAt(chooser.levelInMotion(asked), asked), cost);
+        };
+        QVERIFY(inMotion(quality) <= 23);
+        for (int i = 0; i < 20; ++i) quality.drawn(1000);
+        QVERIFY(quality.budgetMilliseconds() > 5);  // some picture there must be
+        QVERIFY(inMotion(quality) <= quality.budgetMilliseconds());
+    }
+
+    void editsAreShownFinerThanNewViews() {
+        // 60 ms for full size at step 1, a fifth of it from kept samples.
+        const RayCastSettings asked;
+        const double sampling = 60.0 / (512 * 512), reclassifying = sampling / 5;
+        PreviewQuality quality(33);
+        for (int i = 0; i < 8; ++i) {
+            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
+            quality.sampled(moving, costOf(moving, sampling));
+        }
+        std::size_t level = 0;
+        for (int i = 0; i < 8; ++i) {
+            level = quality.levelForEdits(asked, false);
+            quality.reclassified(settingsAt(level, asked), costOf(settingsAt(level, asked), reclassifying));
+        }
+        QVERIFY(costOf(settingsAt(level, asked), reclassifying) <= 33);
+        QVERIFY(level < quality.levelInMotion(asked));
+        QCOMPARE(settingsAt(level, asked).width, 512);
+        // Where its samples cannot be kept, the level costs what a new view costs.
+        quality.couldNotKeep(settingsAt(level, asked));
+        const std::size_t smaller = quality.levelForEdits(asked, false);
+        QVERIFY(smaller > level);
+        QVERIFY(smaller <= quality.levelInMotion(asked));
+    }
+
+    void lightIsLearntApart() {
+        RayCastSettings unlit, lit;
+        lit.shading = Shading{};
+        PreviewQuality quality(33);
+        const auto learn = [&](const RayCastSettings& asked, double cost) {
+            RayCastSettings shown;
+            for (int i = 0; i < 8; ++i) {
+                shown = settingsAt(quality.levelInMotion(asked), asked);
+                quality.sampled(shown, costOf(shown, cost));
+            }
+            return shown.width / shown.step;
+        };
+        const double unlitCost = 30.0 / (512 * 512);
+        const double fine = learn(unlit, unlitCost);
+        // Even the first lit picture is no shock, and back without light the first picture is fine at once.
+        QVERIFY(costOf(settingsAt(quality.levelInMotion(lit), lit), 4 * unlitCost) <= 33);
+        QVERIFY(learn(lit, 8 * unlitCost) < fine);
+        const RayCastSettings back = settingsAt(quality.levelInMotion(unlit), unlit);
+        QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
+    }
+
+    void withinASeriesOfEditsTheLevelStays() {
+        const RayCastSettings asked;
+        PreviewQuality quality(30);
+        quality.sampled(asked, 60);
+        QVERIFY(quality.levelInMotion(asked) > 0);
+        quality.reclassified(asked, 20);
+        const std::size_t level = quality.levelForEdits(asked, false);
+        const RayCastSettings shown = settingsAt(level, asked);
+        for (const double milliseconds : {40.0, 12.0, 40.0, 12.0}) {
+            quality.reclassified(shown, milliseconds);
+            QCOMPARE(quality.levelForEdits(asked, true), level);
+        }
+        for (int i = 0; i < 8; ++i) quality.reclassified(shown, 100);
+        QVERIFY(quality.levelForEdits(asked, true) > level);
+    }
+
+    void noEditBeginsWithALongWait() {
+        // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
+        const RayCastSettings asked;
+        const double sampling = 5000.0 / (512 * 512);
+        PreviewQuality quality(33);
+        const auto learn = [&] {
+            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
+            quality.sampled(moving, costOf(moving, sampling));
+        };
+        for (int i = 0; i < 8; ++i) learn();
+        quality.reclassified(asked, 1e-3);
+        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <= PreviewQuality::warmUpFrames * 33);
+    }
+
+private:
+    /// In 8-bit levels. Kept samples are rounded to 16 bits.
+    static double largestDifference(const Picture& a, const Picture& b) {
+        double largest = a.rgba.size() == b.rgba.size() ? 0 : 255;
+        for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
+            largest = std::max(largest, 255.0 * std::abs(a.rgba[i] - b.rgba[i]));
+        return largest;
+    }
+    static double costOf(const RayCastSettings& settings, double costPerSample) {
+        return costPerSample * settings.width * settings.height / settings.step;
     }
 };
 

@@ -124,6 +124,74 @@ private slots:
         QTest::mouseRelease(s.window(), Qt::LeftButton, {}, {200, 140});
     }
 
+    void controlDragMovesTheLight() {
+        ShownView s;
+        QVERIFY(s.ready);
+        Look lit = s.view.look();
+        lit.shaded = true;
+        s.view.setLook(lit);
+        s.view.setLight({-30, 20});
+        QVERIFY(s.awaitIdle());
+        const View view = s.view.view();
+        QSignalSpy camera(&s.view, &VolumeViewWidget::cameraChanged);
+        QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
+        const auto before = s.view.picture();
+        s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
+        QVERIFY(light.size() > 0);
+        QVERIFY(std::abs(s.view.light().azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);  // to the right
+        QVERIFY(std::abs(s.view.light().elevationDegrees - (20 - 180.0 * 25 / 250)) < 1e-9);  // down
+        QVERIFY(length(s.view.settings().shading->towardsLight - towardsLight(s.view.light())) < 1e-12);
+        QVERIFY(s.awaitIdle());
+        QVERIFY(s.view.picture()->rgba != before->rgba);
+        QCOMPARE(s.view.view(), view);
+        QCOMPARE(camera.size(), 0);
+    }
+
+    void escapeEndsALightDragWithoutChange() {
+        ShownView s;
+        QVERIFY(s.ready);
+        Look lit = s.view.look();
+        lit.shaded = true;
+        s.view.setLook(lit);
+        QVERIFY(s.awaitIdle());
+        const Look before = s.view.look();
+        QTest::mousePress(s.window(), Qt::LeftButton, Qt::ControlModifier, {150, 120});
+        s.moveTo({190, 140}, Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(s.view.look() != before);
+        QTest::keyClick(&s.view, Qt::Key_Escape);
+        QCOMPARE(s.view.look(), before);
+        s.moveTo({200, 140}, Qt::LeftButton, Qt::ControlModifier);
+        QCOMPARE(s.view.look(), before);
+        QTest::mouseRelease(s.window(), Qt::LeftButton, Qt::ControlModifier, {200, 140});
+        QVERIFY(s.awaitIdle());
+    }
+
+    void whereThereIsNoLightNoneIsMoved() {
+        ShownView s;
+        QVERIFY(s.ready);
+        const Look before = s.view.look();
+        QVERIFY(!before.shaded);
+        QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
+        s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
+        QCOMPARE(s.view.look(), before);
+        QCOMPARE(light.size(), 0);
+        QVERIFY(!s.view.busy());
+    }
+
+    void inAModeWithoutCurveNoOpacityIsPointedAt() {
+        ShownView s;
+        QVERIFY(s.ready);
+        Look look = s.view.look();
+        look.mode = RenderMode::maximum;
+        s.view.setLook(look);
+        QVERIFY(s.awaitIdle());
+        QSignalSpy told(&s.view, &VolumeViewWidget::pointed);
+        s.moveTo({165, 125});
+        QCOMPARE(told.size(), 1);
+        QVERIFY(told[0][0].value<std::optional<double>>());
+        QVERIFY(!told[0][1].value<std::optional<double>>());
+    }
+
     void setViewKeepsZoomAndResetDoesNot() {
         ShownView s;
         QVERIFY(s.ready);

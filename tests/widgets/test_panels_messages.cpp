@@ -97,6 +97,9 @@ private slots:
         QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer");
         status.setRenderer("software renderer", 23.7);
         QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 24 ms");
+        status.setRenderer("software renderer", 14, "converged");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 14 ms");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->toolTip(), "converged");
         auto* otf = child<QLabel>(status, "status.otf");
         QVERIFY(!otf->isVisible());
         status.setOtf(1.62, 176, 225);

@@ -93,6 +93,8 @@ private slots:
         QTest::newRow("interpolation") << "view.interpolation" << 1;
         QTest::newRow("projection") << "view.projection" << 1;
         QTest::newRow("beam axis") << "view.beamAxis" << 1;
+        QTest::newRow("mode") << "view.mode" << 3;
+        QTest::newRow("renderer") << "view.renderer" << 1;
     }
     void choicesGiveTheirValueOnce() {
         QFETCH(QString, name);
@@ -155,6 +157,79 @@ private slots:
         QCOMPARE(all.count(), 4);
     }
 
+    void lightDirectionByTwoSliders() {
+        ViewPanel panel;
+        QCOMPARE(panel.light(), LightDirection{});
+        AllSignals all(panel);
+        QSignalSpy light(&panel, &ViewPanel::lightChanged);
+        QTest::keyClick(child<QSlider>(panel, "view.lightAzimuth"), Qt::Key_Right);
+        LightDirection expected;
+        ++expected.azimuthDegrees;
+        QCOMPARE(light.takeFirst().first().value<LightDirection>(), expected);
+        QTest::keyClick(child<QSlider>(panel, "view.lightElevation"), Qt::Key_Home);
+        expected.elevationDegrees = -90;
+        QCOMPARE(light.takeFirst().first().value<LightDirection>(), expected);
+        QTest::keyClick(child<QSlider>(panel, "view.lightAzimuth"), Qt::Key_End);
+        QCOMPARE(panel.light().azimuthDegrees, 180.0);
+        QCOMPARE(all.count(), 3);
+        panel.setLight({12.4, -7.6});
+        QCOMPARE(panel.light(), (LightDirection{12, -8}));
+        QCOMPARE(all.count(), 3);
+    }
+
+    void theLightIsMovedOnlyWhereThereIsOne() {
+        ViewPanel panel;
+        const auto enabled = [&](const char* name) { return child<QWidget>(panel, name)->isEnabled(); };
+        QVERIFY(enabled("view.lightAzimuth") && enabled("view.lightElevation.value"));
+        QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
+        QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.lightElevation.value"));
+        panel.setShaded(true);
+        QVERIFY(enabled("view.lightAzimuth"));
+        panel.setMode(RenderMode::mean);
+        QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.shaded") && !enabled("view.depthColouring"));
+        QVERIFY(panel.shaded());  // as it was, for the way back
+        panel.setMode(RenderMode::direct);
+        QVERIFY(enabled("view.lightAzimuth") && enabled("view.shaded") && enabled("view.depthColouring"));
+    }
+
+    void modesSayThatTheCurvePlaysNoPart() {
+        ViewPanel panel;
+        panel.show();
+        auto* remark = child<QLabel>(panel, "view.mode.remark");
+        QVERIFY(!remark->isVisible());
+        QSignalSpy mode(&panel, &ViewPanel::modeChanged);
+        QTest::keyClicks(child<QComboBox>(panel, "view.mode"), "Max");
+        QCOMPARE(mode.takeFirst().first().value<RenderMode>(), RenderMode::maximum);
+        QVERIFY(remark->isVisible());
+        QVERIFY(remark->text().contains("curve"));
+        panel.setMode(RenderMode::direct);
+        QVERIFY(!remark->isVisible());
+        QCOMPARE(mode.count(), 0);
+    }
+
+    void depthColours() {
+        ViewPanel panel;
+        QVERIFY(!panel.depthColoured());
+        QSignalSpy coloured(&panel, &ViewPanel::depthColouredChanged);
+        QTest::keyClick(child<QCheckBox>(panel, "view.depthColouring"), Qt::Key_Space);
+        QCOMPARE(coloured.takeFirst().first().toBool(), true);
+        QVERIFY(panel.depthColoured());
+    }
+
+    void aGraphicsCardIsChosenOnlyWhereThereIsOne() {
+        ViewPanel panel;
+        QSignalSpy renderer(&panel, &ViewPanel::rendererChanged);
+        auto* comboBox = child<QComboBox>(panel, "view.renderer");
+        QTest::keyClick(comboBox, Qt::Key_End);
+        QCOMPARE(renderer.takeFirst().first().value<PreferredRenderer>(), PreferredRenderer::software);
+        panel.setGraphicsCardUsable(true);
+        QTest::keyClick(comboBox, Qt::Key_Down);
+        QCOMPARE(renderer.takeFirst().first().value<PreferredRenderer>(), PreferredRenderer::graphicsCard);
+        // A wish that cannot be met now is kept for the day when it can.
+        panel.setGraphicsCardUsable(false);
+        QCOMPARE(panel.renderer(), PreferredRenderer::graphicsCard);
+    }
+
     void phaseSelectorAppearsWithPhases() {
         ViewPanel panel;
         panel.show();
@@ -192,12 +267,20 @@ private slots:
         panel.setProjection(Projection::perspective);
         panel.setBeamAxis(BeamAxis::minusY);
         panel.setNearCutMm(5);
+        panel.setMode(RenderMode::minimum);
+        panel.setLight({20, 30});
+        panel.setDepthColoured(true);
+        panel.setRenderer(PreferredRenderer::software);
         QCOMPARE(all.count(), 0);
         QCOMPARE(panel.shaded(), false);
         QCOMPARE(panel.colourMap(), ColourMap::grey);
         QCOMPARE(panel.interpolation(), Interpolation::nearest);
         QCOMPARE(panel.projection(), Projection::perspective);
         QCOMPARE(panel.nearCutMm(), 5.0);
+        QCOMPARE(panel.mode(), RenderMode::minimum);
+        QCOMPARE(panel.light(), (LightDirection{20, 30}));
+        QVERIFY(panel.depthColoured());
+        QCOMPARE(panel.renderer(), PreferredRenderer::software);
     }
 
     void playAsksAndWaitsForTheAnswer() {

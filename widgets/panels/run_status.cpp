@@ -36,7 +36,7 @@ void showText(QLabel* label, const QString& text) {
 
 RunStatus::RunStatus(QWidget* parent)
     : QWidget(parent),
-      m_renderer(createLabel("renderer", tr("Renderer and time of the last picture"))),
+      m_renderer(createLabel("renderer", tr("Renderer and cost of the last picture"))),
       m_otf(createLabel("otf", tr("Time and tube cores of the adaptive OTF"))),
       m_notes(createLabel("notes", tr("About the data"))),
       m_pointed(createLabel("pointed", tr("Intensity and opacity under the cursor"))),
@@ -71,7 +71,8 @@ RunStatus::RunStatus(QWidget* parent)
     layout->addWidget(m_cancel);
 }
 
-void RunStatus::setRenderer(const QString& name, std::optional<double> milliseconds) {
+void RunStatus::setRenderer(const QString& name, std::optional<double> milliseconds, const QString& toolTip) {
+    m_renderer->setToolTip(toolTip);
     showText(m_renderer, milliseconds ? name + QStringLiteral(" · ") + millisecondsText(*milliseconds) : name);
 }
 

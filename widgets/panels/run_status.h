@@ -20,8 +20,9 @@ class RunStatus : public QWidget {
 public:
     explicit RunStatus(QWidget* parent = nullptr);
 
-    /// "software renderer · 24 ms"; without a time yet, the name only.
-    void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt);
+    /// "software renderer · 24 ms"; without a time yet, the name only. toolTip: more about it, plain text.
+    void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt,
+                     const QString& toolTip = {});
     /// "OTF 1.6 ms, 176 of 225 tubes".
     void setOtf(double milliseconds, int tubesWithSurface, int tubesMeetingVolume);
     void clearOtf();

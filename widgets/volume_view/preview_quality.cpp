@@ -1,48 +1,88 @@
 #include "widgets/volume_view/preview_quality.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace echolucent {
 
 namespace {
 
-struct Level {
-    double reduction;  // of width and height
-    double step;       // times the fine step
-};
-constexpr std::array<Level, 8> levels{{{1, 1}, {1, 1.5}, {1.5, 1.5}, {2, 2}, {3, 2}, {4, 2.5}, {6, 3}, {8, 4}}};
-constexpr double newestShare = 0.5;    // of the newest measure in the learnt cost
-constexpr double shareToRefine = 0.7;  // of the budget that the next finer level must keep within
+constexpr double newestShare = 0.5;         // of the newest measure in a learnt cost
+constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
+constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
+constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
 
 double samplesOf(const RayCastSettings& settings) {
     return static_cast<double>(settings.width) * settings.height / settings.step;
 }
 
-double samplesAt(const Level& level, const RayCastSettings& fine) {
-    return samplesOf(fine) / (level.reduction * level.reduction * level.step);
+double samplesAt(std::size_t level, const RayCastSettings& asked) { return samplesOf(settingsAt(level, asked)); }
+
+void learn(double& cost, double measured) { cost = cost > 0.0 ? cost + newestShare * (measured - cost) : measured; }
+
+/// How far from the budget costs must be for another level to be taken.
+struct Reluctance {
+    double toCoarsen;  // the level's cost is above this share
+    double toRefine;   // the next finer one's is not
+};
+constexpr Reluctance usual{1.0, 0.7};
+constexpr Reluctance withinSeries{1.5, 0.35};
+
+/// From a level to the finest within the budget.
+template <typename Cost>
+std::size_t levelWithin(double budget, std::size_t level, const Reluctance& reluctance, const Cost& cost) {
+    while (level + 1 < qualityLevels.size() && cost(level) > reluctance.toCoarsen * budget) ++level;
+    while (level > 0 && cost(level - 1) <= reluctance.toRefine * budget) --level;
+    return level;
 }
 
 }  // namespace
 
-void PreviewQuality::measured(const RayCastSettings& settings, double milliseconds) {
-    const double cost = milliseconds / samplesOf(settings);
-    m_costPerSample = m_costPerSample > 0.0 ? m_costPerSample + newestShare * (cost - m_costPerSample) : cost;
+void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds) {
+    learn(costOf(settings).sampling, milliseconds / samplesOf(settings));
 }
 
-RayCastSettings PreviewQuality::coarse(const RayCastSettings& fine) {
-    if (m_costPerSample > 0.0) {
-        const auto cost = [&](std::size_t level) { return m_costPerSample * samplesAt(levels[level], fine); };
-        while (m_level + 1 < levels.size() && cost(m_level) > m_budget) ++m_level;
-        while (m_level > 0 && cost(m_level - 1) <= shareToRefine * m_budget) --m_level;
-    }
-    const Level& level = levels[m_level];
-    RayCastSettings coarse = fine;
-    coarse.width = std::max(1, static_cast<int>(std::lround(fine.width / level.reduction)));
-    coarse.height = std::max(1, static_cast<int>(std::lround(fine.height / level.reduction)));
-    coarse.step = fine.step * level.step;
-    return coarse;
+void PreviewQuality::reclassified(const RayCastSettings& settings, double milliseconds) {
+    learn(costOf(settings).reclassifying, milliseconds / samplesOf(settings));
+}
+
+void PreviewQuality::couldNotKeep(const RayCastSettings& settings) {
+    m_samplesNotKept = std::min(m_samplesNotKept, samplesOf(settings));
+}
+
+void PreviewQuality::drawn(double milliseconds) {
+    // Drawing that takes longer than a frame says nothing about the next one (a menu opened, the window was moved).
+    if (++m_drawn > 1) learn(m_drawing, std::min(milliseconds, m_frame));
+}
+
+double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
+
+std::size_t PreviewQuality::levelInMotion(const RayCastSettings& asked) {
+    m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
+    if (const double cost = samplingCost(asked); cost > 0.0)
+        m_level = levelWithin(budgetMilliseconds(), m_level, usual,
+                              [&](std::size_t level) { return cost * samplesAt(level, asked); });
+    return m_level;
+}
+
+std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked, bool inSeries) {
+    if (samplingCost(asked) > 0.0)
+        m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel, inSeries ? withinSeries : usual,
+                                  [&](std::size_t level) { return editCost(level, asked); });
+    return std::min(m_editLevel, m_level);
+}
+
+double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
+    if (settings.shading) return m_shaded.sampling > 0.0 ? m_shaded.sampling : shadedRatio * m_unshaded.sampling;
+    return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
+}
+
+double PreviewQuality::editCost(std::size_t level, const RayCastSettings& asked) {
+    const double samples = samplesAt(level, asked);
+    const double sampling = samplingCost(asked) * samples;
+    if (samples >= m_samplesNotKept) return sampling;
+    if (sampling > warmUpFrames * m_frame) return std::max(sampling, 2.0 * m_frame);
+    const double reclassifying = costOf(asked).reclassifying;
+    return reclassifying > 0.0 ? reclassifying * samples : reclassifyShare * sampling;
 }
 
 }  // namespace echolucent

@@ -1,28 +1,60 @@
-// How coarse the picture is while the hand moves.
+// How good the picture is while the hand moves.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
-#include "processing/ray_caster.h"
+#include "widgets/volume_view/quality_levels.h"
 
 namespace echolucent {
 
-/// Learns what a ray's sample costs on this machine and this scene, and chooses the finest picture within a budget.
+/// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs,
+/// and chooses the finest of the qualityLevels within a frame's time. Pictures of a new view and edits (another curve
+/// or colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and
+/// so are pictures with and without light.
 class PreviewQuality {
 public:
-    /// budgetMilliseconds: what a picture may take while the hand moves.
-    explicit PreviewQuality(double budgetMilliseconds = 40.0) : m_budget(budgetMilliseconds) {}
+    /// frameMilliseconds: from one picture to the next while the hand moves.
+    explicit PreviewQuality(double frameMilliseconds = 33.0) : m_frame(frameMilliseconds) {}
 
-    /// Tells what a picture took.
-    void measured(const RayCastSettings& settings, double milliseconds);
-    /// The settings of the coarse picture that goes before the fine one; equal in size and step to the fine one where
-    /// that is quick enough by itself. Does not waver between two levels on small changes of cost.
-    [[nodiscard]] RayCastSettings coarse(const RayCastSettings& fine);
+    /// What a picture took whose samples had to be taken.
+    void sampled(const RayCastSettings& settings, double milliseconds);
+    /// What a picture took that was made from kept samples.
+    void reclassified(const RayCastSettings& settings, double milliseconds);
+    /// Samples of as many rays and steps as these could not be kept.
+    void couldNotKeep(const RayCastSettings& settings);
+    /// What bringing a picture to the screen took, beside the casting. The first prepares OpenGL and does not count.
+    void drawn(double milliseconds);
+
+    /// What casting one picture may take.
+    [[nodiscard]] double budgetMilliseconds() const;
+    /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two levels on small
+    /// changes of cost.
+    [[nodiscard]] std::size_t levelInMotion(const RayCastSettings& asked);
+    /// For the next picture of an edit. At each level the first two pictures must be sampled: within a series of edits
+    /// the level stays unless it is far off, and a level at which each of the two would take longer than warmUpFrames
+    /// frames is left out. Never coarser than levelInMotion().
+    [[nodiscard]] std::size_t levelForEdits(const RayCastSettings& asked, bool inSeries);
+    static constexpr double warmUpFrames = 5.0;
 
 private:
-    double m_budget;
-    double m_costPerSample = 0.0;  // ms per ray and sample per unit of depth; 0: nothing measured yet
-    std::size_t m_level = 4;  // before any measure: a third of the width and height
+    /// ms per ray and sample per unit of depth; 0: nothing measured yet.
+    struct Cost {
+        double sampling = 0.0;
+        double reclassifying = 0.0;
+    };
+    [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
+    /// Measured, or guessed from the other kind; 0 where neither was.
+    [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
+    [[nodiscard]] double editCost(std::size_t level, const RayCastSettings& asked);
+
+    double m_frame;
+    Cost m_unshaded, m_shaded;
+    double m_drawing = 0.0;  // ms
+    int m_drawn = 0;
+    double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
+    std::size_t m_level = firstLevel;
+    std::size_t m_editLevel = firstLevel;
 };
 
 }  // namespace echolucent

@@ -6,68 +6,96 @@
 namespace echolucent {
 
 namespace {
-constexpr int streamMilliseconds = 150;  // requests that follow each other within this belong to one movement
-constexpr int restMilliseconds = 40;     // longer than between two moves of a mouse
+constexpr int streamMilliseconds = 150;    // requests that follow each other within this belong to one movement
+constexpr int restMilliseconds = 40;       // longer than between two moves of a mouse
+constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
     : m_cast(std::move(cast)), m_quality(quality), m_thread("ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
     m_rest.setSingleShot(true);
-    m_rest.setInterval(restMilliseconds);
-    connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::startFine);
+    connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::refine);
 }
 
 void ProgressiveCaster::request(const PictureRequest& request) {
     if (m_newest && samePicture(*m_newest, request)) return;
-    // A picture of another volume is not a coarse preview of this one.
+    // A picture of another volume is not a quick picture of this one.
     if (m_newest && m_newest->volume != request.volume) m_thread.cancel();
-    m_newest = std::make_shared<const PictureRequest>(request);
+    const bool edited = m_newest && sameSamples(*m_newest, request);
     m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
     m_sinceRequest.start();
     m_rest.stop();
-    const RayCastSettings coarse = m_quality.coarse(request.settings);
-    const bool isFine = coarse.width == request.settings.width && coarse.height == request.settings.height &&
-                        coarse.step == request.settings.step;
-    start(coarse, isFine, NewestWinsThread::WhenSuperseded::finish);
+    const std::size_t level = levelFor(request, edited);
+    m_newest = std::make_shared<const PictureRequest>(request);
+    start(level, NewestWinsThread::WhenSuperseded::finish);
+}
+
+std::size_t ProgressiveCaster::levelFor(const PictureRequest& request, bool edited) {
+    if (edited) {
+        const std::size_t level = m_quality.levelForEdits(request.settings, m_editing && m_inStream);
+        // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
+        m_editing = m_inStream || level == m_startedLevel || level == m_keptLevel;
+        if (m_editing) return level;
+    } else {
+        m_keptLevel.reset();
+    }
+    m_editing = false;
+    return m_quality.levelInMotion(request.settings);
 }
 
 void ProgressiveCaster::clear() {
+    if (!m_newest) return;
     m_newest.reset();
-    m_thread.cancel();
-    m_sinceRequest.invalidate();
-    if (!m_rest.isActive()) return;
     m_rest.stop();
+    m_sinceRequest.invalidate();
+    m_thread.cancel();
+    m_thread.submit(
+        [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
+            cast({}, progress);
+            return {};
+        },
+        NewestWinsThread::WhenSuperseded::finish);
     emit busyChanged();
 }
 
-void ProgressiveCaster::startFine() { start(m_newest->settings, true, NewestWinsThread::WhenSuperseded::cancel); }
+void ProgressiveCaster::refine() {
+    m_inStream = false;
+    start(nextAtRest(m_startedLevel), NewestWinsThread::WhenSuperseded::cancel);
+}
 
-void ProgressiveCaster::start(const RayCastSettings& settings, bool fine,
-                              NewestWinsThread::WhenSuperseded whenSuperseded) {
-    auto job = [this, cast = m_cast, request = m_newest, settings, fine](const Progress& progress)
-        -> NewestWinsThread::Deliver {
+void ProgressiveCaster::start(std::size_t level, NewestWinsThread::WhenSuperseded whenSuperseded) {
+    m_startedLevel = level;
+    const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
+    auto job = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
-        std::optional<Picture> picture = cast(*request->volume, request->curve, settings, progress);
-        if (!picture) return {};
+        const PictureRequest atLevel{asked->volume, asked->curve, settingsAt(level, asked->settings)};
+        CastResult result = cast(atLevel, progress);
+        if (!result.picture) return {};
+        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture));
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*picture));
         auto finished = std::make_shared<const CastPicture>(
-            CastPicture{*request, std::make_shared<const Picture>(std::move(*picture)), std::move(screen), fine,
-                        taken.count()});
-        return [this, settings, finished] { deliver(finished, settings); };
+            CastPicture{*asked, level, atLevel.settings, std::make_shared<const Picture>(std::move(*result.picture)),
+                        std::move(screen), taken.count(), followsHand});
+        return [this, finished, samples = result.samples] { deliver(finished, samples); };
     };
     m_thread.submit(std::move(job), whenSuperseded);
 }
 
-void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, const RayCastSettings& settings) {
-    m_quality.measured(settings, picture->milliseconds);
+void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples) {
+    if (samples == SampleUse::kept) {
+        if (m_newest && sameSamples(*m_newest, picture->request)) m_keptLevel = picture->level;
+        m_quality.reclassified(picture->settings, picture->milliseconds);
+    } else {
+        m_quality.sampled(picture->settings, picture->milliseconds);
+    }
+    if (samples == SampleUse::notKept) m_quality.couldNotKeep(picture->settings);
     const bool newest = m_newest && samePicture(*m_newest, picture->request);
-    if (newest && !picture->fine) {
+    if (newest && !picture->converged()) {
         if (m_inStream) {
-            m_rest.start();
+            m_rest.start(m_editing ? editRestMilliseconds : restMilliseconds);
         } else {
-            startFine();
+            refine();
         }
     }
     emit delivered(picture);

@@ -1,61 +1,73 @@
-// Pictures made away from the person's thread: first a coarse one, then, when nothing newer waits, the fine one.
+// Pictures made away from the person's thread: first one that is quick, then, when nothing newer waits, better ones.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "widgets/newest_wins_thread.h"
 #include "widgets/volume_view/preview_quality.h"
 #include "widgets/volume_view/scene/picture_request.h"
+#include "widgets/volume_view/volume_caster.h"
 
 namespace echolucent {
 
 /// A finished picture with what it was made from.
 struct CastPicture {
-    PictureRequest request;  ///< with the settings of the fine picture, also where this is the coarse one
+    PictureRequest request;    ///< as it was asked for, at full size
+    std::size_t level = 0;     ///< of qualityLevels
+    RayCastSettings settings;  ///< those of the level
     std::shared_ptr<const Picture> picture;
     std::shared_ptr<const ScreenPicture> screen;
-    bool fine = false;
-    double milliseconds = 0.0;  ///< wall time of the casting
+    double milliseconds = 0.0;  ///< wall time in the casting thread
+    bool followsHand = false;   ///< the quick one of its request, not one that refines it
+    [[nodiscard]] bool converged() const { return level == convergedLevel; }
 };
 
-/// Coarse pictures run to their end and are delivered also when a newer request waits, so that a drag always shows
-/// something; fine ones are cancelled by any newer request. In a stream of requests the fine one waits until the hand
-/// rests, so that it takes no time from the next coarse one. A request equal to the newest one does nothing.
+/// While requests follow each other, pictures at the level that PreviewQuality chooses run to their end and are
+/// delivered also when a newer request waits, so that a drag always shows something; the next one is cast while this
+/// one is drawn. Pictures that refine are cancelled by any newer request, within a tile. In a stream of requests they
+/// wait until the hand rests, so that they take no time from the next quick one. A request equal to the newest one does
+/// nothing.
+///
+/// Edits of curve and colour map keep one level, for which the ray caster keeps the samples, and wait longer before the
+/// picture is refined.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
 public:
-    /// castRays(), or what a test puts in its place. Runs in another thread.
-    using Cast = std::function<std::optional<Picture>(const Volume&, const OpacityCurve&, const RayCastSettings&,
-                                                      const Progress&)>;
+    explicit ProgressiveCaster(Cast cast = castThroughOneRayCaster(), const PreviewQuality& quality = PreviewQuality{});
 
-    explicit ProgressiveCaster(Cast cast = castRays, const PreviewQuality& quality = PreviewQuality{});
-
+    /// settings: as in settingsAt().
     void request(const PictureRequest& request);
-    /// Forgets the newest request and cancels what runs; nothing of it is delivered.
+    /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
+    /// go.
     void clear();
-    /// True from a request until its fine picture was delivered or it was cleared.
-    [[nodiscard]] bool busy() const { return m_thread.busy() || m_rest.isActive(); }
+    /// True from a request until its converged picture was delivered or it was cleared.
+    [[nodiscard]] bool busy() const { return m_newest && (m_thread.busy() || m_rest.isActive()); }
+    /// Tells what bringing a picture to the screen took, beside the casting.
+    void drawn(double milliseconds) { m_quality.drawn(milliseconds); }
 
 signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
     void busyChanged();
 
 private:
-    void startFine();
-    void start(const RayCastSettings& settings, bool fine, NewestWinsThread::WhenSuperseded whenSuperseded);
-    void deliver(const std::shared_ptr<const CastPicture>& picture, const RayCastSettings& settings);
+    [[nodiscard]] std::size_t levelFor(const PictureRequest& request, bool edited);
+    void refine();
+    void start(std::size_t level, NewestWinsThread::WhenSuperseded whenSuperseded);
+    void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples);
 
     Cast m_cast;
     PreviewQuality m_quality;
     std::shared_ptr<const PictureRequest> m_newest;
     QElapsedTimer m_sinceRequest;
-    bool m_inStream = false;  // the newest request came soon after another
+    bool m_inStream = false;                      // the newest request came soon after another
+    bool m_editing = false;                       // the newest request is one of a series of edits
+    std::size_t m_startedLevel = convergedLevel;  // of the newest picture begun
+    std::optional<std::size_t> m_keptLevel;       // of the newest picture made of kept samples, of this view
     QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

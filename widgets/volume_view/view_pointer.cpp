@@ -65,11 +65,15 @@ bool ViewPointer::cancelDrag() {
     return true;
 }
 
+ViewPointer::Drag ViewPointer::leftDrag(Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ControlModifier)) return Drag::light;
+    return modifiers.testFlag(Qt::ShiftModifier) ? Drag::pan : Drag::orbit;
+}
+
 void ViewPointer::press(const QMouseEvent& event) {
     if (dragging()) return;
-    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     switch (event.button()) {
-        case Qt::LeftButton: m_drag = shift ? Drag::pan : Drag::orbit; break;
+        case Qt::LeftButton: m_drag = leftDrag(event.modifiers()); break;
         case Qt::MiddleButton: m_drag = Drag::pan; break;
         case Qt::RightButton: m_drag = Drag::zoom; break;
         default: return;
@@ -91,6 +95,7 @@ void ViewPointer::move(const QMouseEvent& event) {
         case Drag::orbit: emit orbited(moved.x(), moved.y()); break;
         case Drag::pan: emit panned(moved.x(), moved.y()); break;
         case Drag::zoom: emit zoomed(std::pow(zoomOverHeight, -moved.y())); break;
+        case Drag::light: emit lightMoved(moved.x(), moved.y()); break;
         case Drag::none: break;
     }
 }

@@ -17,8 +17,9 @@ namespace echolucent {
 /// The local files among what is dragged; empty where there are none.
 [[nodiscard]] QStringList localFiles(const QMimeData* data);
 
-/// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom. Drags are told as they go, in
-/// shares of the window's height, to the right and down. Escape ends a drag. All other events pass on.
+/// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom, Ctrl + left drag moves the light.
+/// Drags are told as they go, in shares of the window's height, to the right and down. Escape ends a drag. All other
+/// events pass on.
 class ViewPointer : public QObject {
     Q_OBJECT
 
@@ -35,13 +36,15 @@ signals:
     void orbited(double right, double down);
     void panned(double right, double down);
     void zoomed(double factor);  ///< above 1: things grow
+    void lightMoved(double right, double down);
     void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner, no button held
     void left();
     void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides, for the widget that has the focus
     void filesDropped(const QStringList& files);
 
 private:
-    enum class Drag { none, orbit, pan, zoom };
+    enum class Drag { none, orbit, pan, zoom, light };
+    static Drag leftDrag(Qt::KeyboardModifiers modifiers);
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);

@@ -1,11 +1,7 @@
 #include "widgets/volume_view/volume_view_widget.h"
 
-#include <QVTKOpenGLWindow.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <QApplication>
 #include <QDragEnterEvent>
@@ -13,14 +9,9 @@
 #include <QMimeData>
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
-#include <cmath>
 #include <utility>
 
-#include "widgets/volume_view/progressive_caster.h"
-#include "widgets/volume_view/scene/camera_pose.h"
-#include "widgets/volume_view/scene/pointed_sample.h"
-#include "widgets/volume_view/scene/volume_scene.h"
-#include "widgets/volume_view/view_pointer.h"
+#include "widgets/volume_view/volume_view_parts.h"
 
 namespace echolucent {
 
@@ -36,27 +27,6 @@ QSurfaceFormat surfaceFormat() {
 bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b) { return a.size == b.size && a.spacing == b.spacing; }
 
 }  // namespace
-
-struct VolumeViewWidget::Parts {
-    std::shared_ptr<const Volume> volume;
-    OpacityCurve curve = PowerCurve{2, 1.0};
-    Look look;
-    CameraPose pose;
-    CameraPose poseBeforeDrag;
-    View fittedView;             ///< the view and ...
-    double fittedAspect = 1.0;   ///< ... the shape of the picture that the zoom is measured against
-    std::shared_ptr<const CastPicture> shown;
-    std::optional<QPointF> cursor;  ///< while it rests over the picture, logical pixels
-    bool scheduled = false;
-
-    VolumeScene scene;
-    vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;
-    QVTKOpenGLWindow* window = nullptr;  ///< owned by the container
-    QWidget* container = nullptr;
-    ViewPointer* pointer = nullptr;
-    // Last, so that its thread has ended before anything above is destroyed.
-    ProgressiveCaster caster;
-};
 
 void VolumeViewWidget::prepareApplication() {
     QSurfaceFormat::setDefaultFormat(surfaceFormat());
@@ -85,6 +55,11 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     layout->addWidget(parts.container);
     parts.pointer = new ViewPointer(parts.window, this);
     connectPointer();
+    parts.meter = new FrameMeter(parts.window, this);
+    connect(parts.meter, &FrameMeter::pictureDrawn, this, [this](double milliseconds) {
+        m_parts->caster.drawn(milliseconds);
+        emit pictureDrawn();
+    });
     connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
 }
@@ -98,10 +73,14 @@ void VolumeViewWidget::connectPointer() {
     ViewPointer* pointer = m_parts->pointer;
     connect(pointer, &ViewPointer::dragStarted, this, [this] {
         m_parts->poseBeforeDrag = m_parts->pose;
+        m_parts->towardsLightBeforeDrag = m_parts->look.shading.towardsLight;
         setFocus(Qt::MouseFocusReason);
         pointAt(std::nullopt);
     });
-    connect(pointer, &ViewPointer::dragCancelled, this, [this] { followHand(m_parts->poseBeforeDrag); });
+    connect(pointer, &ViewPointer::dragCancelled, this, [this] {
+        followHand(m_parts->poseBeforeDrag);
+        moveLight(m_parts->towardsLightBeforeDrag);
+    });
     connect(pointer, &ViewPointer::orbited, this,
             [this](double right, double down) { followHand(orbited(m_parts->pose, right, down)); });
     connect(pointer, &ViewPointer::panned, this,
@@ -110,6 +89,8 @@ void VolumeViewWidget::connectPointer() {
         if (!m_parts->volume) return;
         followHand(zoomed(m_parts->pose, factor, zoomLimits(m_parts->volume->geometry())));
     });
+    connect(pointer, &ViewPointer::lightMoved, this,
+            [this](double right, double down) { moveLight(towardsLight(moved(light(), right, down))); });
     connect(pointer, &ViewPointer::hovered, this, [this](const QPointF& position) { pointAt(position); });
     connect(pointer, &ViewPointer::left, this, [this] { pointAt(std::nullopt); });
     connect(pointer, &ViewPointer::filesDropped, this, &VolumeViewWidget::filesDropped);
@@ -124,6 +105,15 @@ void VolumeViewWidget::followHand(const CameraPose& pose) {
     m_parts->pose = pose;
     schedule();
     emit cameraChanged();
+}
+
+void VolumeViewWidget::moveLight(const Vec3& towardsLight) {
+    Look& look = m_parts->look;
+    const bool seen = look.shaded && look.mode == RenderMode::direct;
+    if (!m_parts->volume || !seen || towardsLight == look.shading.towardsLight) return;
+    look.shading.towardsLight = towardsLight;
+    schedule();
+    emit lightChanged();
 }
 
 void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume) {
@@ -156,6 +146,13 @@ void VolumeViewWidget::setLook(const Look& look) {
 
 Look VolumeViewWidget::look() const { return m_parts->look; }
 
+void VolumeViewWidget::setLight(const LightDirection& light) {
+    m_parts->look.shading.towardsLight = towardsLight(light);
+    schedule();
+}
+
+LightDirection VolumeViewWidget::light() const { return lightDirectionOf(m_parts->look.shading.towardsLight); }
+
 void VolumeViewWidget::setNearCut(double mm) {
     m_parts->pose.view.nearCutMm = mm;
     schedule();
@@ -184,107 +181,6 @@ void VolumeViewWidget::resetView(const View& view) {
     parts.pose.view = view;
     if (parts.volume) parts.pose = fittedPose(parts.volume->geometry(), view, parts.look.projection, aspect());
     schedule();
-}
-
-RayCastSettings VolumeViewWidget::settings() const { return settingsFor(pixelSize()); }
-
-RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
-    const Parts& parts = *m_parts;
-    RayCastSettings settings;
-    settings.width = pixels.width();
-    settings.height = pixels.height();
-    settings.camera = cameraFor(parts.pose);
-    if (parts.volume) settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
-    settings.step = parts.look.step;
-    settings.interpolation = parts.look.interpolation;
-    settings.colourMap = parts.look.colourMap;
-    if (parts.look.shaded) settings.shading = parts.look.shading;
-    return settings;
-}
-
-std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
-    return m_parts->shown ? m_parts->shown->picture : nullptr;
-}
-
-bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->fine; }
-
-bool VolumeViewWidget::pictureIsCurrent() const {
-    return m_parts->shown && samePicture(m_parts->shown->request, {m_parts->volume, m_parts->curve, settings()});
-}
-
-QString VolumeViewWidget::scaleText() const { return QString::fromStdString(m_parts->scene.scaleBar().text()); }
-
-QImage VolumeViewWidget::screenImage() {
-    Parts& parts = *m_parts;
-    if (!parts.window->isValid()) return {};
-    parts.window->makeCurrent();
-    parts.renderWindow->Render();
-    const int* size = parts.renderWindow->GetSize();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    parts.renderWindow->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels.Get(), 0);
-    const QImage fromBelow(pixels->GetPointer(0), size[0], size[1], 3 * size[0], QImage::Format_RGB888);
-    return fromBelow.mirrored();  // a copy, VTK's rows go up
-}
-
-void VolumeViewWidget::schedule() {
-    if (m_parts->scheduled) return;
-    m_parts->scheduled = true;
-    // Several changes in a row (a new volume, its curve, its view) make one picture.
-    QMetaObject::invokeMethod(this, &VolumeViewWidget::requestPicture, Qt::QueuedConnection);
-    updateBusy();
-}
-
-void VolumeViewWidget::requestPicture() {
-    Parts& parts = *m_parts;
-    parts.scheduled = false;
-    const QSize pixels = pixelSize();
-    if (parts.volume && isVisible() && !pixels.isEmpty()) {
-        parts.caster.request({parts.volume, parts.curve, settings()});
-    }
-    updateBusy();
-}
-
-void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
-    Parts& parts = *m_parts;
-    parts.shown = picture;
-    const PictureRequest& request = picture->request;
-    parts.scene.setTransfer(request.curve, request.settings.colourMap);
-    parts.scene.show(picture->screen, request.settings.camera);
-    // Before its first paint the window draws by itself; drawing here as well would draw twice.
-    if (parts.window->isExposed()) parts.renderWindow->Render();
-    if (picture->fine && !parts.pointer->dragging()) pointAt(parts.cursor);
-    emit pictureDelivered(picture->fine, picture->milliseconds);
-}
-
-void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
-    Parts& parts = *m_parts;
-    if (!position && !parts.cursor) return;
-    parts.cursor = position;
-    std::optional<PointedSample> sample;
-    if (position && parts.shown) {
-        const PictureRequest& request = parts.shown->request;
-        sample = samplePointedAt(request, position->x() * request.settings.width / width(),
-                                 position->y() * request.settings.height / height());
-    }
-    if (sample) {
-        emit pointed(sample->intensity, sample->opacity);
-    } else {
-        emit pointed(std::nullopt, std::nullopt);
-    }
-}
-
-void VolumeViewWidget::updateBusy() {
-    const bool busy = m_parts->caster.busy() || (m_parts->scheduled && m_parts->volume && isVisible());
-    if (busy == std::exchange(m_busy, busy)) return;
-    emit busyChanged(busy);
-}
-
-QSize VolumeViewWidget::pixelSize() const {
-    return size() * m_parts->window->devicePixelRatio();
-}
-
-double VolumeViewWidget::aspect() const {
-    return size().isEmpty() ? 1.0 : static_cast<double>(width()) / height();
 }
 
 void VolumeViewWidget::showEvent(QShowEvent* event) {

@@ -2,36 +2,55 @@
 #pragma once
 
 #include <QImage>
+#include <QSize>
 #include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
 
+#include "processing/light_direction.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent {
 
 struct CastPicture;
+struct PictureRequest;
 
 /// How the volume looks, apart from its opacity curve; defaults as in RayCastSettings.
 struct Look {
+    RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
-    bool shaded = false;
+    bool shaded = false;  ///< direct mode only, like depthColoured
     Shading shading;
+    bool depthColoured = false;
     Interpolation interpolation = Interpolation::trilinear;
     double step = 1.0;  ///< units between samples, > 0
     Projection projection = Projection::parallel;
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// Shows what castRays() makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures are
-/// made in another thread, coarse first and fine when nothing newer waits; this thread never waits for one. On the
-/// screen picture, camera, marker and scale bar always belong together. An unchanged view costs nothing.
+/// How a picture was made and what it cost.
+struct PictureReport {
+    QString level;             ///< name of its quality, in English
+    bool converged = false;    ///< nothing better follows
+    bool followsHand = false;  ///< the first picture of a change, not one that refines it
+    QSize rays;
+    double step = 1.0;              ///< units between samples
+    double castMilliseconds = 0.0;  ///< in the casting thread
+    double drawMilliseconds = 0.0;  ///< in the person's thread, of the picture on the screen before; 0: not known yet
+    std::optional<double> framesPerSecond = {};  ///< drawn in the newest movement; empty before the first
+};
+
+/// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures
+/// are made in another thread, quick ones first and better ones, up to the converged picture, when nothing newer waits
+/// (see ProgressiveCaster); this thread never waits for one. On the screen picture, camera, marker and scale bar always
+/// belong together. An unchanged view costs nothing.
 ///
-/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms; Escape ends a drag without
-/// change. The picture lies in an OpenGL window of its own inside this widget (twice as cheap as a QOpenGLWidget where
-/// OpenGL is software): no sibling widget can be drawn over it, QWidget::grab() does not see it (screenImage() does), and
-/// it must not be put in a dock that moves it to another window.
+/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms, Ctrl + left drag moves the
+/// light where there is one; Escape ends a drag without change. The picture lies in an OpenGL window of its own inside
+/// this widget (twice as cheap as a QOpenGLWidget where OpenGL is software): no sibling widget can be drawn over it,
+/// QWidget::grab() does not see it (screenImage() does), and it must not be put in a dock that moves it to another
+/// window.
 class VolumeViewWidget : public QWidget {
     Q_OBJECT
 
@@ -47,6 +66,9 @@ public:
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] Look look() const;
+    /// Where the light of a shaded picture comes from.
+    void setLight(const LightDirection& light);
+    [[nodiscard]] LightDirection light() const;
     /// Millimetres behind the volume's foremost point along the view; the plane follows the camera. >= 0.
     void setNearCut(double mm);
     /// Tells the view in another beam axis's frame. The picture stays as it is.
@@ -58,32 +80,43 @@ public:
     /// The default camera of a view: the whole volume in the picture.
     void resetView(const View& view);
 
-    /// What the fine picture of the present state is made with, at the view's size or, for saving, at another one.
+    /// What the converged picture of the present state is made with, at the view's size or, for saving, at another one.
     [[nodiscard]] RayCastSettings settings() const;
     [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
 
-    /// The newest picture made, null before the first; its size is smaller than the view's where it is coarse.
+    /// The newest picture made, null before the first; it may be smaller than the view before it is converged.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
+    /// True where the newest picture is converged.
     [[nodiscard]] bool pictureIsFine() const;
-    /// True where the newest picture, coarse or fine, is one of the present volume, curve, look and camera.
+    /// True where the newest picture, of whatever quality, is one of the present volume, curve, look and camera.
     [[nodiscard]] bool pictureIsCurrent() const;
-    /// True from a change until its fine picture is there. Always false while the widget is hidden.
+    /// True from a change until its converged picture is there. Always false while the widget is hidden.
     [[nodiscard]] bool busy() const { return m_busy; }
     /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.
     [[nodiscard]] QImage screenImage();
+    /// The same once the picture is converged, for saving. Where it is not there yet it is cast now, while the person
+    /// waits.
+    [[nodiscard]] QImage convergedImage();
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
-    /// For the status line.
-    [[nodiscard]] static QString rendererName() { return tr("software ray caster"); }
+    /// What renders now, for the status line.
+    [[nodiscard]] QString rendererName() const { return tr("software renderer"); }
+    /// Whether this view can render on a graphics card.
+    [[nodiscard]] bool graphicsCardUsable() const { return false; }
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
     void cameraChanged();  ///< by the person
-    void pictureDelivered(bool fine, double milliseconds);
+    void lightChanged();   ///< by the person
+    /// The newest picture was made and drawn into the window's frame buffer.
+    void pictureDelivered(const echolucent::PictureReport& report);
+    /// It is on the screen.
+    void pictureDrawn();
     void busyChanged(bool busy);
-    /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is.
+    /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is,
+    /// and no opacity in a mode in which the curve plays no part.
     void pointed(std::optional<double> intensity, std::optional<double> opacity);
     void filesDropped(const QStringList& files);
 
@@ -99,8 +132,10 @@ private:
     struct Parts;
     void connectPointer();
     void followHand(const struct CameraPose& pose);
+    void moveLight(const Vec3& towardsLight);
     void schedule();
     void requestPicture();
+    [[nodiscard]] PictureRequest presentRequest(const QSize& pixels) const;
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();

@@ -5,7 +5,8 @@
 namespace echolucent {
 
 bool samePicture(const PictureRequest& a, const PictureRequest& b) {
-    return a.volume == b.volume && a.settings == b.settings && a.curve == b.curve;
+    const bool curveMatters = a.settings.mode == RenderMode::direct;
+    return a.volume == b.volume && a.settings == b.settings && (a.curve == b.curve || !curveMatters);
 }
 
 ScreenPicture screenPicture(const Picture& picture) {

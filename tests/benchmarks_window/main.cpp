@@ -1,0 +1,97 @@
+// echolucent-bench-window: frames a second in the workstation's real window, on the display at hand
+// (scripts/with-display gives a virtual one). Prints a table and writes build/bench/window.json.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFile>
+#include <QTextStream>
+
+#include "processing/phantom.h"
+#include "tests/benchmarks_window/report.h"
+#include "tests/benchmarks_window/window_under_test.h"
+
+using namespace echolucent;
+using namespace echolucent::bench;
+
+namespace {
+
+struct Options {
+    QList<int> sizes;
+    Amount amount;
+    int edge = 0;  // voxels of the phantom; 0: the fetus as the paper's scan, 199 x 197 x 199
+    bool shaded = false;
+    QString json, pictures;
+};
+
+Options parse(const QApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Measures frames a second in the real window.");
+    parser.addHelpOption();
+    parser.addOptions({{"sizes", "Edges of the picture in device pixels.", "N,N", "512,1024"},
+                       {"seconds", "How long each action is measured.", "S", "4"},
+                       {"frames", "Measure so many frames instead.", "N", "0"},
+                       {"views", "Views of the high-quality picture.", "N", "20"},
+                       {"edge", "A phantom of that many voxels an edge instead of 199 x 197 x 199.", "N", "0"},
+                       {"shaded", "With light."},
+                       {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
+                       {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
+    parser.process(application);
+    Options options;
+    for (const QString& size : parser.value("sizes").split(',')) options.sizes << size.toInt();
+    options.amount = {parser.value("seconds").toDouble(), parser.value("frames").toInt(),
+                      parser.value("views").toInt()};
+    options.edge = parser.value("edge").toInt();
+    options.shaded = parser.isSet("shaded");
+    options.json = parser.value("json");
+    options.pictures = parser.value("pictures");
+    return options;
+}
+
+std::shared_ptr<const Volume> fetus(int edge) {
+    PhantomConfig config = defaultPhantom(PhantomScene::fetus);
+    if (edge > 0) config.size = {edge, edge, edge};
+    return std::make_shared<const Volume>(*makePhantom(config));
+}
+
+/// All actions in a window of one size; `tell` gets each row as soon as it is there.
+void measure(const Options& options, const std::shared_ptr<const Volume>& volume, int edge,
+             const std::function<void(Row)>& tell) {
+    WindowUnderTest window(volume, edge, options.shaded);
+    const std::pair<QString, OpacityCurve> curves[] = {{"parabolic 0.5", PowerCurve{2, 0.5}},
+                                                       {"adaptive", window.adaptiveCurve()}};
+    for (const auto& [name, curve] : curves) {
+        const auto finished = [&, curveName = name](Row row) {
+            row.curve = curveName;
+            row.edge = edge;
+            row.shaded = options.shaded;
+            tell(row);
+        };
+        window.show(curve);
+        finished(window.orbit(options.amount));
+        finished(window.edit(curve, options.amount));
+        finished(window.highQuality(options.amount));
+        if (!options.pictures.isEmpty())
+            window.takePictures(options.pictures, QString("%1-%2").arg(edge).arg(QString(name).replace(' ', '-')));
+    }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle("Fusion");
+    QFile theme(":/dark.qss");
+    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    const Options options = parse(application);
+    const auto volume = fetus(options.edge);
+    QTextStream out(stdout);
+    out << tableHeader() << '\n' << Qt::flush;
+    QList<Row> rows;
+    for (const int edge : options.sizes)
+        measure(options, volume, edge, [&](const Row& row) {
+            rows << row;
+            out << tableLine(row) << '\n' << Qt::flush;
+        });
+    if (!writeJson(options.json, rows)) qFatal("cannot write %s", qPrintable(options.json));
+    return 0;
+}

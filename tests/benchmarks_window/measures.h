@@ -1,0 +1,64 @@
+// What is counted while pictures follow each other.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QString>
+#include <ctime>
+#include <vector>
+
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent::bench {
+
+/// One line of the table: what was done in a window, and what it took.
+struct Row {
+    QString action;  ///< "orbit", "edit" or "high quality"
+    QString curve;
+    int edge = 0;  ///< of the picture, device pixels
+    bool shaded = false;
+    double framesPerSecond = 0.0;  ///< drawn; of "high quality": 1 / median time from the change to the picture
+    double deliveredPerSecond = 0.0;
+    double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; "high quality": of the times
+    double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians
+    QString level;                                          ///< the most frequent one
+    QSize rays;
+    double step = 0.0;
+    double levelShare = 0.0;      ///< of the pictures that had it
+    double processorShare = 0.0;  ///< processor time of this program over wall time times processors
+    int frames = 0;
+};
+
+/// Median, or another share, of values; 0 where there are none.
+[[nodiscard]] double quantile(std::vector<double> values, double share);
+
+/// Wall and processor time since a moment.
+class Stopwatch {
+public:
+    void start();
+    [[nodiscard]] double milliseconds() const;
+    [[nodiscard]] double processorShare() const;
+
+private:
+    QElapsedTimer m_wall;
+    std::clock_t m_processor = 0;
+};
+
+/// The pictures of one measurement, in the order in which they came.
+class FrameRecord {
+public:
+    /// Forgets what came so far: from here on it counts.
+    void begin();
+    void delivered(const PictureReport& report) { m_reports.push_back(report); }
+    void drawn() { m_drawn.push_back(m_clock.milliseconds()); }
+    [[nodiscard]] int drawnFrames() const { return static_cast<int>(m_drawn.size()); }
+    [[nodiscard]] double milliseconds() const { return m_clock.milliseconds(); }
+    /// Fills in all that follows from the pictures.
+    void summarise(Row& row) const;
+
+private:
+    Stopwatch m_clock;
+    std::vector<PictureReport> m_reports;
+    std::vector<double> m_drawn;  // ms
+};
+
+}  // namespace echolucent::bench

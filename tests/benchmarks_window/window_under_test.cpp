@@ -1,0 +1,200 @@
+#include "tests/benchmarks_window/window_under_test.h"
+
+#include <QCheckBox>
+#include <QMouseEvent>
+#include <QTest>
+#include <QWheelEvent>
+#include <QWindow>
+#include <cmath>
+
+#include "io/meta_image_writer.h"
+#include "widgets/otf_editor/otf_editor.h"
+
+namespace echolucent::bench {
+
+namespace {
+
+constexpr int patience = 300000;     // ms, a bound for broken programs
+constexpr double warmUpSeconds = 1;  // the quality follows the cost of the frames before
+constexpr double wantedShare = 2.0 / 3;
+
+void await(const char* what, const std::function<bool()>& done) {
+    if (!QTest::qWaitFor(done, patience)) qFatal("%s did not happen", what);
+}
+
+}  // namespace
+
+WindowUnderTest::WindowUnderTest(const std::shared_ptr<const Volume>& volume, int edge, bool shaded)
+    : m_window(std::make_unique<MainWindow>(m_folder.filePath("settings.ini"))) {
+    setPictureEdge(edge);
+    m_window->move(0, 0);
+    m_window->show();
+    if (!QTest::qWaitForWindowExposed(m_window.get())) qFatal("the window does not show");
+    auto* light = m_window->findChild<QCheckBox*>("view.shaded");
+    if (light->isChecked() != shaded) light->click();
+    openVolume(volume);
+    await("the size asked for", [&] { return view().settings().width == edge && view().settings().height == edge; });
+    fillTwoThirds();
+    waitUntilConverged();
+}
+
+void WindowUnderTest::setPictureEdge(int edge) {
+    const int logical = static_cast<int>(std::lround(edge / m_window->devicePixelRatioF()));
+    view().setFixedSize(logical, logical);
+    m_window->adjustSize();
+}
+
+void WindowUnderTest::openVolume(const std::shared_ptr<const Volume>& volume) {
+    const QString path = m_folder.filePath("volume.mha");
+    if (!writeMetaImage(path.toStdString(), {volume})) qFatal("cannot write %s", qPrintable(path));
+    m_window->open(path);
+    await("the volume", [&] { return m_window->session().otf() != nullptr; });
+    waitUntilConverged();
+}
+
+/// By the wheel, until the face of the volume covers that share of the picture.
+void WindowUnderTest::fillTwoThirds() {
+    const VolumeGeometry& geometry = m_window->session().volume()->geometry();
+    const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
+    QWindow* window = pictureWindow();
+    const auto share = [&] {
+        const double height = view().settings().camera.heightMm;
+        return size[0] * size[1] / (height * height);
+    };
+    while (share() > wantedShare) {
+        const QPointF centre(window->width() / 2.0, window->height() / 2.0);
+        QWheelEvent out(centre, window->mapToGlobal(centre), {}, {0, -5}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(window, &out);
+    }
+}
+
+QWindow* WindowUnderTest::pictureWindow() { return m_window->windowHandle()->findChild<QWindow*>(); }
+
+void WindowUnderTest::waitUntilConverged() {
+    await("the converged picture",
+          [&] { return m_window->idle() && view().pictureIsFine() && view().pictureIsCurrent(); });
+}
+
+OpacityCurve WindowUnderTest::adaptiveCurve() const { return m_window->otfEditor().state().adaptive; }
+
+void WindowUnderTest::show(const OpacityCurve& curve) {
+    view().setCurve(curve);
+    waitUntilConverged();
+}
+
+/// Calls change() once more than pictures are drawn, until there are enough of them.
+template <typename Change>
+Row WindowUnderTest::follow(const Amount& amount, const Change& change) {
+    FrameRecord record;
+    bool measuring = false;
+    QObject context;
+    QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context,
+                     [&](const PictureReport& report) { record.delivered(report); });
+    QObject::connect(&view(), &VolumeViewWidget::pictureDrawn, &context, [&] {
+        record.drawn();
+        change();
+    });
+    record.begin();
+    change();
+    QCoreApplication::processEvents();  // this one is being cast when the next one comes
+    change();
+    const auto enough = [&] {
+        if (!measuring && (amount.frames > 0 || record.milliseconds() > warmUpSeconds * 1e3)) {
+            measuring = true;
+            record.begin();
+        }
+        if (amount.frames > 0) return record.drawnFrames() >= amount.frames;
+        return measuring && record.milliseconds() > amount.seconds * 1e3;
+    };
+    while (!enough()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
+    Row row;
+    record.summarise(row);
+    return row;
+}
+
+void WindowUnderTest::turnByOneDegree() {
+    QWindow* window = pictureWindow();
+    m_hand += QPointF(window->height() / 180.0, 0);
+    QMouseEvent move(QEvent::MouseMove, m_hand, window->mapToGlobal(m_hand), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window, &move);
+}
+
+Row WindowUnderTest::orbit(const Amount& amount) {
+    const QPoint centre(pictureWindow()->width() / 2, pictureWindow()->height() / 2);
+    m_hand = centre;
+    QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
+    Row row = follow(amount, [&] { turnByOneDegree(); });
+    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre);
+    waitUntilConverged();
+    row.action = "orbit";
+    return row;
+}
+
+Row WindowUnderTest::edit(const OpacityCurve& curve, const Amount& amount) {
+    const SampledCurve whole{sampledOpacities(curve, 256)};
+    int edits = 0;
+    Row row = follow(amount, [&] {
+        SampledCurve edited = whole;
+        const double scale = 0.9 + 0.1 * std::sin(0.2 * ++edits);
+        for (double& opacity : edited.opacities) opacity *= scale;
+        view().setCurve(edited);
+    });
+    show(curve);
+    row.action = "edit";
+    return row;
+}
+
+Row WindowUnderTest::highQuality(const Amount& amount) {
+    std::vector<double> times;
+    Row row;
+    for (int i = 0; i < amount.views; ++i) {
+        FrameRecord record;
+        bool made = false, drawn = false;
+        QObject context;
+        QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context, [&](const PictureReport& report) {
+            if (made || !(report.converged || report.level == "high quality")) return;
+            record.delivered(report);
+            made = true;
+        });
+        QObject::connect(&view(), &VolumeViewWidget::pictureDrawn, &context, [&] {
+            if (!made || std::exchange(drawn, true)) return;
+            record.drawn();
+            record.summarise(row);
+            times.push_back(record.milliseconds());
+        });
+        record.begin();
+        view().setView({BeamAxis::plusZ, 180.0 * (2 * i + 1) / amount.views - 180.0, 20.0, 0, 0});
+        await("the high-quality picture", [&] { return drawn; });
+        waitUntilConverged();
+    }
+    view().setView({});
+    waitUntilConverged();
+    row.action = "high quality";
+    row.frames = static_cast<int>(times.size());
+    row.medianInterval = quantile(times, 0.5);
+    row.interval95 = quantile(times, 0.95);
+    row.framesPerSecond = row.deliveredPerSecond = 1000.0 / row.medianInterval;
+    return row;
+}
+
+void WindowUnderTest::takePictures(const QString& folder, const QString& name) {
+    view().screenImage().save(QString("%1/%2-rest.png").arg(folder, name));
+    const QPoint centre(pictureWindow()->width() / 2, pictureWindow()->height() / 2);
+    m_hand = centre;
+    QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
+    for (int i = 0; i < 30; ++i) {
+        bool delivered = false;
+        QObject context;
+        QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context, [&] { delivered = true; });
+        turnByOneDegree();
+        await("a picture in motion", [&] { return delivered; });
+    }
+    view().screenImage().save(QString("%1/%2-motion.png").arg(folder, name));
+    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre);
+    waitUntilConverged();
+    view().screenImage().save(QString("%1/%2-rest-there.png").arg(folder, name));
+    view().setView({});
+    waitUntilConverged();
+}
+
+}  // namespace echolucent::bench

@@ -1,0 +1,58 @@
+// The workstation's real window with a 3D view of exactly the size to measure, and the hand that moves it.
+#pragma once
+
+#include <QObject>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "app/main_window.h"
+#include "tests/benchmarks_window/measures.h"
+
+class QWindow;
+
+namespace echolucent::bench {
+
+/// How much is measured of each action.
+struct Amount {
+    double seconds = 4.0;
+    int frames = 0;  ///< above 0: so many frames, however long they take
+    int views = 20;  ///< of the high-quality picture
+};
+
+class WindowUnderTest {
+public:
+    /// Opens the volume in the window with a picture of edge x edge device pixels, of which the volume fills two
+    /// thirds.
+    WindowUnderTest(const std::shared_ptr<const Volume>& volume, int edge, bool shaded);
+
+    [[nodiscard]] OpacityCurve adaptiveCurve() const;
+    /// Shows a curve and waits for the converged picture.
+    void show(const OpacityCurve& curve);
+
+    /// Turns the view by a degree with each mouse event; there is always one event more than pictures on the screen, as
+    /// from a hand that does not wait for the picture.
+    [[nodiscard]] Row orbit(const Amount& amount);
+    /// Another curve for each picture on the screen, the camera at rest.
+    [[nodiscard]] Row edit(const OpacityCurve& curve, const Amount& amount);
+    /// From a jump to another view to the high-quality picture on the screen.
+    [[nodiscard]] Row highQuality(const Amount& amount);
+    /// Saves what is on the screen in motion and at rest.
+    void takePictures(const QString& folder, const QString& name);
+
+private:
+    [[nodiscard]] VolumeViewWidget& view() { return m_window->volumeView(); }
+    [[nodiscard]] QWindow* pictureWindow();
+    void openVolume(const std::shared_ptr<const Volume>& volume);
+    void setPictureEdge(int edge);
+    void fillTwoThirds();
+    void waitUntilConverged();
+    template <typename Change>
+    Row follow(const Amount& amount, const Change& change);
+    void turnByOneDegree();
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    QPointF m_hand;
+};
+
+}  // namespace echolucent::bench

@@ -1,0 +1,46 @@
+// What bringing pictures to the screen takes, and how many a second are seen.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <optional>
+
+class QOpenGLWindow;
+
+namespace echolucent {
+
+/// Watches an OpenGL window that draws in two steps: the scene into a frame buffer (told by its owner), then, when the
+/// window system asks for it, that frame buffer onto the screen.
+class FrameMeter : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FrameMeter(QOpenGLWindow* window, QObject* parent = nullptr);
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    /// A new picture is in the frame buffer; drawing it there took this long. followsHand: one of a movement.
+    void rendered(double milliseconds, bool followsHand);
+
+    /// Of the newest picture on the screen: both steps, without the wait between them. 0 before the first.
+    [[nodiscard]] double drawingMilliseconds() const { return m_drawing; }
+    /// Pictures a second of the newest movement, as a running mean; empty before the first.
+    [[nodiscard]] std::optional<double> framesPerSecond() const;
+
+signals:
+    /// A new picture is on the screen.
+    void pictureDrawn(double milliseconds);
+
+private:
+    void swapped();
+    void learnInterval();
+
+    QOpenGLWindow* m_window;
+    std::optional<double> m_rendered;  // ms, of the picture that is not on the screen yet
+    bool m_followsHand = false;
+    QElapsedTimer m_sinceUpdate;
+    QElapsedTimer m_sincePicture;
+    double m_drawing = 0.0;
+    double m_interval = 0.0;  // ms, 0: not known
+    int m_intervals = 0;      // of the newest movement
+};
+
+}  // namespace echolucent

@@ -1,0 +1,48 @@
+// The qualities a picture of the 3D view may have. The one place where they stand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "processing/ray_caster.h"
+
+namespace echolucent {
+
+/// What is spared in a picture.
+struct QualityLevel {
+    const char* name;            ///< in English, for the status line
+    double reduction = 1.0;      ///< of width and height, >= 1: one ray for reduction^2 pixels
+    double step = 1.0;           ///< between samples, times the step of the picture's look (Look::step)
+    bool atRest = false;         ///< shown on the way to the converged picture when the hand rests
+    bool preIntegrated = false;  ///< where there is no light: shaded pictures cannot be
+    bool jittered = false;
+    double terminationTransmittance = 1.0 / 512;  ///< as in RayCastSettings
+    friend bool operator==(const QualityLevel&, const QualityLevel&) = default;
+};
+
+/// From fine to coarse; cost falls from each to the next. The first is the converged picture, the one that is saved.
+/// While the hand moves, the finest that keeps within the frame budget is shown (PreviewQuality), whichever that is. At
+/// rest all finer ones marked atRest follow, one after another.
+inline constexpr std::array<QualityLevel, 10> qualityLevels{{
+    {"converged", 1.0, 0.5, true},
+    {"high quality", 1.0, 1.0, true},
+    {"preview", 1.0, 1.5},
+    {"preview", 1.5, 1.5},
+    {"preview", 2.0, 1.5},
+    {"preview", 2.0, 2.0},
+    {"preview", 3.0, 2.0},
+    {"preview", 4.0, 2.5},
+    {"preview", 6.0, 3.0},
+    {"preview", 8.0, 4.0},
+}};
+inline constexpr std::size_t convergedLevel = 0;
+/// Before anything was measured.
+inline constexpr std::size_t firstLevel = 6;
+
+/// The settings of a picture at a level. `asked`: those of the look, at the view's full size and the look's own step.
+[[nodiscard]] RayCastSettings settingsAt(std::size_t level, const RayCastSettings& asked);
+
+/// The next finer level that is shown at rest; convergedLevel has none.
+[[nodiscard]] std::size_t nextAtRest(std::size_t level);
+
+}  // namespace echolucent

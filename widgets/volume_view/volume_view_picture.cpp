@@ -1,0 +1,153 @@
+// How the 3D view's pictures are asked for, shown and told.
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QElapsedTimer>
+#include <utility>
+
+#include "widgets/volume_view/quality_levels.h"
+#include "widgets/volume_view/scene/pointed_sample.h"
+#include "widgets/volume_view/volume_view_parts.h"
+
+namespace echolucent {
+
+namespace {
+/// RayCastSettings of one sample a pixel and unit, which the qualityLevels change.
+RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
+    RayCastSettings settings;
+    settings.width = pixels.width();
+    settings.height = pixels.height();
+    settings.step = look.step;
+    settings.interpolation = look.interpolation;
+    settings.mode = look.mode;
+    settings.colourMap = look.colourMap;
+    // Elsewhere they change nothing, and a picture that stays the same must not be cast again.
+    if (look.mode != RenderMode::direct) return settings;
+    if (look.shaded) settings.shading = look.shading;
+    if (look.depthColoured) settings.depthColouring = DepthColouring{};
+    return settings;
+}
+}  // namespace
+
+RayCastSettings VolumeViewWidget::settings() const { return settingsFor(pixelSize()); }
+
+RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
+    return settingsAt(convergedLevel, presentRequest(pixels).settings);
+}
+
+PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
+    const Parts& parts = *m_parts;
+    PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
+    request.settings.camera = cameraFor(parts.pose);
+    if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
+    return request;
+}
+
+std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
+    return m_parts->shown ? m_parts->shown->picture : nullptr;
+}
+
+bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->converged(); }
+
+bool VolumeViewWidget::pictureIsCurrent() const {
+    return m_parts->shown && samePicture(m_parts->shown->request, presentRequest(pixelSize()));
+}
+
+QString VolumeViewWidget::scaleText() const { return QString::fromStdString(m_parts->scene.scaleBar().text()); }
+
+QImage VolumeViewWidget::screenImage() {
+    Parts& parts = *m_parts;
+    if (!parts.window->isValid()) return {};
+    parts.window->makeCurrent();
+    parts.renderWindow->Render();
+    const int* size = parts.renderWindow->GetSize();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    parts.renderWindow->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels.Get(), 0);
+    const QImage fromBelow(pixels->GetPointer(0), size[0], size[1], 3 * size[0], QImage::Format_RGB888);
+    return fromBelow.mirrored();  // a copy, VTK's rows go up
+}
+
+QImage VolumeViewWidget::convergedImage() {
+    Parts& parts = *m_parts;
+    if (parts.volume && parts.window->isValid() && !(pictureIsFine() && pictureIsCurrent())) {
+        const RayCastSettings converged = settings();
+        const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
+        parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
+    }
+    return screenImage();
+}
+
+void VolumeViewWidget::schedule() {
+    if (m_parts->scheduled) return;
+    m_parts->scheduled = true;
+    // Several changes in a row (a new volume, its curve, its view) make one picture.
+    QMetaObject::invokeMethod(this, &VolumeViewWidget::requestPicture, Qt::QueuedConnection);
+    updateBusy();
+}
+
+void VolumeViewWidget::requestPicture() {
+    Parts& parts = *m_parts;
+    parts.scheduled = false;
+    const QSize pixels = pixelSize();
+    if (parts.volume && isVisible() && !pixels.isEmpty()) {
+        parts.caster.request(presentRequest(pixels));
+    }
+    updateBusy();
+}
+
+void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
+    Parts& parts = *m_parts;
+    const std::shared_ptr<const CastPicture> before = std::exchange(parts.shown, picture);
+    const PictureRequest& request = picture->request;
+    if (!before || before->request.curve != request.curve ||
+        before->request.settings.colourMap != request.settings.colourMap)
+        parts.scene.setTransfer(request.curve, request.settings.colourMap);
+    parts.scene.show(picture->screen, request.settings.camera);
+    // Before its first paint the window draws by itself; drawing here as well would draw twice.
+    if (parts.window->isExposed()) {
+        QElapsedTimer timer;
+        timer.start();
+        parts.renderWindow->Render();
+        parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, picture->followsHand);
+    }
+    if (picture->converged() && !parts.pointer->dragging()) pointAt(parts.cursor);
+    emit pictureDelivered({.level = QString::fromLatin1(qualityLevels[picture->level].name),
+                           .converged = picture->converged(),
+                           .followsHand = picture->followsHand,
+                           .rays = {picture->settings.width, picture->settings.height},
+                           .step = picture->settings.step,
+                           .castMilliseconds = picture->milliseconds,
+                           .drawMilliseconds = parts.meter->drawingMilliseconds(),
+                           .framesPerSecond = parts.meter->framesPerSecond()});
+}
+
+void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
+    Parts& parts = *m_parts;
+    if (!position && !parts.cursor) return;
+    parts.cursor = position;
+    std::optional<PointedSample> sample;
+    if (position && parts.shown) {
+        const PictureRequest& request = parts.shown->request;
+        sample = samplePointedAt(request, position->x() * request.settings.width / width(),
+                                 position->y() * request.settings.height / height());
+    }
+    if (sample) {
+        const bool classified = parts.shown->settings.mode == RenderMode::direct;
+        emit pointed(sample->intensity, classified ? std::optional(sample->opacity) : std::nullopt);
+    } else {
+        emit pointed(std::nullopt, std::nullopt);
+    }
+}
+
+void VolumeViewWidget::updateBusy() {
+    const bool busy = m_parts->caster.busy() || (m_parts->scheduled && m_parts->volume && isVisible());
+    if (busy == std::exchange(m_busy, busy)) return;
+    emit busyChanged(busy);
+}
+
+QSize VolumeViewWidget::pixelSize() const { return size() * m_parts->window->devicePixelRatio(); }
+
+double VolumeViewWidget::aspect() const { return size().isEmpty() ? 1.0 : static_cast<double>(width()) / height(); }
+
+}  // namespace echolucent
