@@ -129,12 +129,14 @@ void addMethod(HtmlPage& page, const RenderStudy& study) {
         "2004: 11 x 11 Gaussian window, sigma 1.5).",
         study.referenceSeconds));
     page.paragraph(fmt::format(
-        "Run time: wall time of a picture with {} thread(s), the median of {} runs, all settings in turn; as a ratio "
-        "to "
-        "the reference setting (step 1 unit, trilinear, float, rays end at 1/512, whole size). Between timed runs the "
-        "camera turns by 0.01 degree, so that no samples of an unchanged view are reused; errors are those at the "
-        "reference camera. Smaller pictures are enlarged bilinearly as the screen does it: a texture stretched over "
-        "the whole picture, its pixel centres at halves, clamped at the edges; the time is that of the casting.",
+        "Run time: wall time of a picture with {} thread(s), the median of {} runs, all settings in turn, each after a "
+        "run that is not timed; as a ratio to the reference setting (step 1 unit, trilinear, float, rays end at 1/512, "
+        "whole size). Between runs the camera turns by 0.01 degree or more, so that no samples of an unchanged view "
+        "are "
+        "reused; errors are those at the reference camera. Smaller pictures are enlarged bilinearly as the screen does "
+        "it: a texture stretched over the whole picture, its pixel centres at halves, clamped at the edges; the time "
+        "is "
+        "that of the casting.",
         study.threads, study.repeats));
     page.paragraph(sameRaysText(study));
 }

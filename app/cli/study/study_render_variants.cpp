@@ -87,7 +87,7 @@ void addEnds(VariantList& list) {
 /// What a controller may choose from a frame budget: rays end at 1/128, fewer of them, longer steps.
 void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
-        for (const double step : {0.5, 1.0, 1.5, 2.0, 3.0})
+        for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})
             for (const bool preIntegrated : {false, true}) {
                 if ((preIntegrated && list.shaded()) || (step < 1.0 && reduction > 1.0)) continue;
                 const std::string value = fmt::format("{}step {:g}{}, ends at 1/128",
