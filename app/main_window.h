@@ -83,6 +83,7 @@ private:
     void connectPicture();
     void connectLook();
     void showLook();
+    void takeRenderer();
     void restoreLook();
     void keepLook();
 

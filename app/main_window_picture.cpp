@@ -23,8 +23,10 @@ void MainWindow::connectPicture() {
             [this](const QStringList& files) { open(files.first()); });
     connect(m_volumeView, &VolumeViewWidget::pictureDelivered, this, [this](const PictureReport& report) {
         if (report.framesPerSecond && report.followsHand) m_movement = report;
-        m_runStatus->setRenderer(m_volumeView->rendererName(), report.castMilliseconds + report.drawMilliseconds,
-                                 pictureToolTip(report, m_movement));
+        m_runStatus->setRenderer(
+            m_volumeView->rendererName(), report.castMilliseconds + report.drawMilliseconds,
+            pictureToolTip(report, m_movement) + QLatin1Char('\n') + m_volumeView->rendererRemark());
+        takeRenderer();
         announceShownFrame();
         updateIdle();
     });
@@ -49,7 +51,10 @@ void MainWindow::connectLook() {
     connect(m_viewPanel, &ViewPanel::colourMapChanged, this, changed);
     connect(m_viewPanel, &ViewPanel::interpolationChanged, this, changed);
     connect(m_viewPanel, &ViewPanel::projectionChanged, this, changed);
-    connect(m_viewPanel, &ViewPanel::rendererChanged, this, &MainWindow::keepSettings);
+    connect(m_viewPanel, &ViewPanel::rendererChanged, this, [this] {
+        takeRenderer();
+        keepSettings();
+    });
     connect(m_viewPanel, &ViewPanel::lightChanged, this, [this](const LightDirection& light) {
         m_volumeView->setLight(light);
         keepSettings();
@@ -67,8 +72,17 @@ void MainWindow::showLook() {
     m_volumeView->setLook(look);
 }
 
+/// The renderer that the person chose. A graphics card that was chosen on another machine, or is not known yet, is left
+/// to the view's own judgement.
+void MainWindow::takeRenderer() {
+    const bool usable = m_volumeView->graphicsCardUsable();
+    m_viewPanel->setGraphicsCardUsable(usable);
+    const PreferredRenderer chosen = m_viewPanel->renderer();
+    const bool impossible = chosen == PreferredRenderer::graphicsCard && !usable;
+    m_volumeView->setRenderer(impossible ? PreferredRenderer::automatic : chosen);
+}
+
 void MainWindow::restoreLook() {
-    m_viewPanel->setGraphicsCardUsable(m_volumeView->graphicsCardUsable());
     m_viewPanel->setMode(m_settings.mode());
     m_viewPanel->setShaded(m_settings.shaded());
     m_viewPanel->setLight(m_settings.light());
@@ -78,6 +92,7 @@ void MainWindow::restoreLook() {
     m_viewPanel->setProjection(m_settings.projection());
     m_viewPanel->setRenderer(m_settings.renderer());
     m_volumeView->setLight(m_viewPanel->light());
+    takeRenderer();
     showLook();
 }
 

@@ -32,6 +32,9 @@ using namespace echolucent;
 
 namespace {
 
+/// Edits under one camera are made of samples that the ray caster keeps in 16 bits; RMSE in levels.
+constexpr double differenceOfKeptSamples = 0.03;
+
 std::shared_ptr<const Volume> phantom(PhantomScene scene, std::uint64_t seed, double phase = 0) {
     PhantomConfig config = defaultPhantom(scene);
     config.size = {72, 68, 70};
@@ -108,12 +111,12 @@ private slots:
         QVERIFY(std::abs(moved.opacity - target.opacity) < 0.01);
         waitUntilIdle();
         QVERIFY(difference(shown(), pictureBefore) > 1.0);
-        QVERIFY(difference(shown(), cast(editor.state().manual)) < 0.01);
+        QVERIFY(difference(shown(), cast(editor.state().manual)) < differenceOfKeptSamples);
 
         QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(editor.state().manual == before.manual);
         waitUntilIdle();
-        QVERIFY(difference(shown(), pictureBefore) < 0.01);
+        QVERIFY(difference(shown(), pictureBefore) < differenceOfKeptSamples);
     }
 
     void everyCurveCanBeTheActiveOne() {
@@ -124,7 +127,7 @@ private slots:
             QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key));
             waitUntilIdle();
             const CurveKind kind = allCurveKinds[static_cast<std::size_t>(key - Qt::Key_1)];
-            QVERIFY(difference(shown(), cast(curveOf(state, kind))) < 0.01);
+            QVERIFY(difference(shown(), cast(curveOf(state, kind))) < differenceOfKeptSamples);
             QVERIFY(difference(shown(), cast(state.adaptive)) > 0.1);
         }
         QCOMPARE(active.count(), 4);

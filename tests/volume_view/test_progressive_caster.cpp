@@ -317,7 +317,7 @@ private slots:
         const auto check = [&](SampleUse expected, int line) {
             const CastResult result = cast(request, {});
             const auto alone = castRays(*request.volume, request.curve, request.settings);
-            QVERIFY2(result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.25 : 0),
+            QVERIFY2(result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
                      qPrintable(QString::number(line)));
             QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
         };
@@ -340,143 +340,6 @@ private slots:
         QVERIFY(!cast({}, {}).picture);
     }
 
-    void levelsGoFromFineToCoarse() {
-        const RayCastSettings asked;
-        const auto samplesAt = [&](std::size_t level) {
-            const RayCastSettings settings = settingsAt(level, asked);
-            return static_cast<double>(settings.width) * settings.height / settings.step;
-        };
-        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(samplesAt(level) < samplesAt(level - 1));
-        QVERIFY(qualityLevels[convergedLevel].atRest);
-        const RayCastSettings converged = settingsAt(convergedLevel, asked);
-        QCOMPARE(converged.width, asked.width);
-        QVERIFY(converged.step <= asked.step / 2);
-        // From every level the way leads to the converged picture.
-        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(nextAtRest(level) < level);
-    }
-
-    void qualityInMotionKeepsWithinItsBudget() {
-        // Made-up machines, from one that needs no preview to one for which no preview is quick enough; cost in ms.
-        for (const double costPerSample : {1e-6, 1e-5, 2e-5, 4e-4, 5e-2}) {
-            PreviewQuality quality(40);
-            RayCastSettings asked;
-            asked.width = 1000;
-            asked.height = 800;
-            RayCastSettings shown;
-            for (int frame = 0; frame < 8; ++frame) {
-                shown = settingsAt(quality.levelInMotion(asked), asked);
-                quality.sampled(shown, costOf(shown, costPerSample));
-            }
-            const RayCastSettings converged = settingsAt(convergedLevel, asked);
-            if (costOf(converged, costPerSample) <= 28) {
-                QVERIFY(shown == converged);  // quick enough as it is
-            } else if (costPerSample < 1e-2) {
-                QVERIFY2(costOf(shown, costPerSample) <= 40, qPrintable(QString::number(costOf(shown, costPerSample))));
-                QVERIFY2(costOf(shown, costPerSample) >= 5,  // not needlessly coarse
-                         qPrintable(QString::number(costOf(shown, costPerSample))));
-            } else {
-                QCOMPARE(shown.width, 125);  // the coarsest there is
-            }
-            QVERIFY(std::abs(shown.width * 800.0 - shown.height * 1000.0) <= 1000.0);  // proportions
-        }
-    }
-
-    void drawingTakesItsShareOfTheFrame() {
-        PreviewQuality quality(33);
-        quality.drawn(500);  // prepares OpenGL
-        QCOMPARE(quality.budgetMilliseconds(), 33.0);
-        for (int i = 0; i < 20; ++i) quality.drawn(10);
-        QVERIFY(std::abs(quality.budgetMilliseconds() - 23) < 0.1);
-        const RayCastSettings asked;
-        const double cost = 25.0 / (512 * 512);  // of full size at step 1: 25 ms
-        const auto inMotion = [&](PreviewQuality& chooser) {
-            for (int i = 0; i < 8; ++i) {
-                const RayCastSettings shown = settingsAt(chooser.levelInMotion(asked), asked);
-                chooser.sampled(shown, costOf(shown, cost));
-            }
-            return costOf(settingsAt(chooser.levelInMotion(asked), asked), cost);
-        };
-        QVERIFY(inMotion(quality) <= 23);
-        for (int i = 0; i < 20; ++i) quality.drawn(1000);
-        QVERIFY(quality.budgetMilliseconds() > 5);  // some picture there must be
-        QVERIFY(inMotion(quality) <= quality.budgetMilliseconds());
-    }
-
-    void editsAreShownFinerThanNewViews() {
-        // 60 ms for full size at step 1, a fifth of it from kept samples.
-        const RayCastSettings asked;
-        const double sampling = 60.0 / (512 * 512), reclassifying = sampling / 5;
-        PreviewQuality quality(33);
-        for (int i = 0; i < 8; ++i) {
-            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
-            quality.sampled(moving, costOf(moving, sampling));
-        }
-        std::size_t level = 0;
-        for (int i = 0; i < 8; ++i) {
-            level = quality.levelForEdits(asked, false);
-            quality.reclassified(settingsAt(level, asked), costOf(settingsAt(level, asked), reclassifying));
-        }
-        QVERIFY(costOf(settingsAt(level, asked), reclassifying) <= 33);
-        QVERIFY(level < quality.levelInMotion(asked));
-        QCOMPARE(settingsAt(level, asked).width, 512);
-        // Where its samples cannot be kept, the level costs what a new view costs.
-        quality.couldNotKeep(settingsAt(level, asked));
-        const std::size_t smaller = quality.levelForEdits(asked, false);
-        QVERIFY(smaller > level);
-        QVERIFY(smaller <= quality.levelInMotion(asked));
-    }
-
-    void lightIsLearntApart() {
-        RayCastSettings unlit, lit;
-        lit.shading = Shading{};
-        PreviewQuality quality(33);
-        const auto learn = [&](const RayCastSettings& asked, double cost) {
-            RayCastSettings shown;
-            for (int i = 0; i < 8; ++i) {
-                shown = settingsAt(quality.levelInMotion(asked), asked);
-                quality.sampled(shown, costOf(shown, cost));
-            }
-            return shown.width / shown.step;
-        };
-        const double unlitCost = 30.0 / (512 * 512);
-        const double fine = learn(unlit, unlitCost);
-        // Even the first lit picture is no shock, and back without light the first picture is fine at once.
-        QVERIFY(costOf(settingsAt(quality.levelInMotion(lit), lit), 4 * unlitCost) <= 33);
-        QVERIFY(learn(lit, 8 * unlitCost) < fine);
-        const RayCastSettings back = settingsAt(quality.levelInMotion(unlit), unlit);
-        QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
-    }
-
-    void withinASeriesOfEditsTheLevelStays() {
-        const RayCastSettings asked;
-        PreviewQuality quality(30);
-        quality.sampled(asked, 60);
-        QVERIFY(quality.levelInMotion(asked) > 0);
-        quality.reclassified(asked, 20);
-        const std::size_t level = quality.levelForEdits(asked, false);
-        const RayCastSettings shown = settingsAt(level, asked);
-        for (const double milliseconds : {40.0, 12.0, 40.0, 12.0}) {
-            quality.reclassified(shown, milliseconds);
-            QCOMPARE(quality.levelForEdits(asked, true), level);
-        }
-        for (int i = 0; i < 8; ++i) quality.reclassified(shown, 100);
-        QVERIFY(quality.levelForEdits(asked, true) > level);
-    }
-
-    void noEditBeginsWithALongWait() {
-        // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
-        const RayCastSettings asked;
-        const double sampling = 5000.0 / (512 * 512);
-        PreviewQuality quality(33);
-        const auto learn = [&] {
-            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
-            quality.sampled(moving, costOf(moving, sampling));
-        };
-        for (int i = 0; i < 8; ++i) learn();
-        quality.reclassified(asked, 1e-3);
-        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <= PreviewQuality::warmUpFrames * 33);
-    }
-
 private:
     /// In 8-bit levels. Kept samples are rounded to 16 bits.
     static double largestDifference(const Picture& a, const Picture& b) {
@@ -484,9 +347,6 @@ private:
         for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
             largest = std::max(largest, 255.0 * std::abs(a.rgba[i] - b.rgba[i]));
         return largest;
-    }
-    static double costOf(const RayCastSettings& settings, double costPerSample) {
-        return costPerSample * settings.width * settings.height / settings.step;
     }
 };
 

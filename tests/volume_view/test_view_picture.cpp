@@ -228,16 +228,17 @@ private slots:
     void drawnMeansOnTheScreen() {
         ShownView s;
         QVERIFY(s.ready);
-        QSignalSpy delivered(&s.view, &VolumeViewWidget::pictureDelivered);
-        QSignalSpy drawn(&s.view, &VolumeViewWidget::pictureDrawn);
-        s.view.setNearCut(4);
-        QVERIFY(s.awaitIdle());
         QSignalSpy swapped(s.window(), SIGNAL(frameSwapped()));
         const auto awaitSwap = [&] {
             swapped.clear();
             s.window()->requestUpdate();
             return QTest::qWaitFor([&] { return swapped.size() > 0; }, patience);
         };
+        QVERIFY(awaitSwap());  // what was drawn before is on the screen
+        QSignalSpy delivered(&s.view, &VolumeViewWidget::pictureDelivered);
+        QSignalSpy drawn(&s.view, &VolumeViewWidget::pictureDrawn);
+        s.view.setNearCut(4);
+        QVERIFY(s.awaitIdle());
         QVERIFY(awaitSwap());
         const auto pictures = drawn.size();
         QVERIFY(pictures > 0 && pictures <= delivered.size());

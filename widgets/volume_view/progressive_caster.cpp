@@ -72,7 +72,7 @@ void ProgressiveCaster::start(std::size_t level, NewestWinsThread::WhenSupersede
         const PictureRequest atLevel{asked->volume, asked->curve, settingsAt(level, asked->settings)};
         CastResult result = cast(atLevel, progress);
         if (!result.picture) return {};
-        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture));
+        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture, atLevel.settings));
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
         auto finished = std::make_shared<const CastPicture>(
             CastPicture{*asked, level, atLevel.settings, std::make_shared<const Picture>(std::move(*result.picture)),

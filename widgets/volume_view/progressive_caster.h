@@ -19,8 +19,8 @@ struct CastPicture {
     PictureRequest request;    ///< as it was asked for, at full size
     std::size_t level = 0;     ///< of qualityLevels
     RayCastSettings settings;  ///< those of the level
-    std::shared_ptr<const Picture> picture;
-    std::shared_ptr<const ScreenPicture> screen;
+    std::shared_ptr<const Picture> picture{};
+    std::shared_ptr<const ScreenPicture> screen{};
     double milliseconds = 0.0;  ///< wall time in the casting thread
     bool followsHand = false;   ///< the quick one of its request, not one that refines it
     [[nodiscard]] bool converged() const { return level == convergedLevel; }

@@ -25,10 +25,10 @@ struct VolumeViewWidget::Parts {
     CameraPose pose;
     CameraPose poseBeforeDrag;
     Vec3 towardsLightBeforeDrag;
-    View fittedView;            ///< the view and ...
-    double fittedAspect = 1.0;  ///< ... the shape of the picture that the zoom is measured against
-    std::shared_ptr<const CastPicture> shown;
-    std::optional<QPointF> cursor;  ///< while it rests over the picture, logical pixels
+    View fittedView;                           ///< the view and ...
+    double fittedAspect = 1.0;                 ///< ... the shape of the picture that the zoom is measured against
+    std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
+    std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
     bool scheduled = false;
 
     VolumeScene scene;

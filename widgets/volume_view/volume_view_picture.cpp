@@ -28,6 +28,15 @@ RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
     if (look.depthColoured) settings.depthColouring = DepthColouring{};
     return settings;
 }
+
+RendererChoice choiceOf(PreferredRenderer renderer) {
+    switch (renderer) {
+        case PreferredRenderer::software: return RendererChoice::software;
+        case PreferredRenderer::graphicsCard: return RendererChoice::graphicsCard;
+        case PreferredRenderer::automatic: break;
+    }
+    return RendererChoice::automatic;
+}
 }  // namespace
 
 RayCastSettings VolumeViewWidget::settings() const { return settingsFor(pixelSize()); }
@@ -41,8 +50,34 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(parts.pose);
     if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
+    request.settings = m_parts->scene.withSceneLimits(request.settings);
     return request;
 }
+
+void VolumeViewWidget::setRenderer(PreferredRenderer renderer) {
+    const RendererChoice choice = choiceOf(renderer);
+    if (choice == m_parts->scene.rendererChoice()) return;
+    m_parts->scene.setRenderer(choice);
+    schedule();
+}
+
+bool VolumeViewWidget::rendersLive() const { return m_parts->shown && !m_parts->shown->picture; }
+
+QString VolumeViewWidget::rendererName() const { return rendersLive() ? tr("graphics card") : tr("software renderer"); }
+
+QString VolumeViewWidget::rendererRemark() const {
+    const VolumeScene& scene = m_parts->scene;
+    if (scene.openGlRenderer().empty()) return {};
+    const std::string why = scene.whySoftware(presentRequest(pixelSize()).settings);
+    if (!why.empty()) return QString::fromStdString(why);
+    return tr("OpenGL: %1").arg(QString::fromStdString(scene.openGlRenderer()));
+}
+
+bool VolumeViewWidget::graphicsCardUsable() const { return m_parts->scene.graphicsCardAtHand(); }
+
+VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
+
+void VolumeViewWidget::sceneChanged() { schedule(); }
 
 std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
     return m_parts->shown ? m_parts->shown->picture : nullptr;
@@ -51,7 +86,12 @@ std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
 bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->converged(); }
 
 bool VolumeViewWidget::pictureIsCurrent() const {
-    return m_parts->shown && samePicture(m_parts->shown->request, presentRequest(pixelSize()));
+    if (!m_parts->shown) return false;
+    PictureRequest shown = m_parts->shown->request;
+    // What the scene adds only when a picture is asked for.
+    shown.settings.opaqueDepth.reset();
+    shown.settings.findDepth = false;
+    return samePicture(shown, presentRequest(pixelSize()));
 }
 
 QString VolumeViewWidget::scaleText() const { return QString::fromStdString(m_parts->scene.scaleBar().text()); }
@@ -70,7 +110,7 @@ QImage VolumeViewWidget::screenImage() {
 
 QImage VolumeViewWidget::convergedImage() {
     Parts& parts = *m_parts;
-    if (parts.volume && parts.window->isValid() && !(pictureIsFine() && pictureIsCurrent())) {
+    if (parts.volume && parts.window->isValid() && !rendersLive() && !(pictureIsFine() && pictureIsCurrent())) {
         const RayCastSettings converged = settings();
         const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
         parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
@@ -91,35 +131,71 @@ void VolumeViewWidget::requestPicture() {
     parts.scheduled = false;
     const QSize pixels = pixelSize();
     if (parts.volume && isVisible() && !pixels.isEmpty()) {
-        parts.caster.request(presentRequest(pixels));
+        PictureRequest request = presentRequest(pixels);
+        if (parts.scene.rendererFor(request.settings) == RendererChoice::graphicsCard) {
+            showLive(request);
+        } else {
+            request.settings.opaqueDepth =
+                parts.scene.opaqueDepth(request.settings.camera, pixels.width(), pixels.height());
+            request.settings.findDepth = parts.scene.wantsDepth();
+            parts.caster.request(request);
+        }
     }
     updateBusy();
 }
 
+void VolumeViewWidget::showLive(const PictureRequest& request) {
+    Parts& parts = *m_parts;
+    if (rendersLive() && samePicture(parts.shown->request, request)) return;
+    parts.caster.clear();
+    parts.shown = std::make_shared<const CastPicture>(
+        CastPicture{.request = request, .level = convergedLevel, .settings = request.settings, .followsHand = true});
+    parts.scene.setTransfer(request.curve, request.settings.colourMap);
+    parts.scene.showLive(request.settings.camera, request.settings);
+    render(true);
+    report(*parts.shown);
+}
+
 void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
     Parts& parts = *m_parts;
-    const std::shared_ptr<const CastPicture> before = std::exchange(parts.shown, picture);
+    parts.shown = picture;
     const PictureRequest& request = picture->request;
-    if (!before || before->request.curve != request.curve ||
-        before->request.settings.colourMap != request.settings.colourMap)
-        parts.scene.setTransfer(request.curve, request.settings.colourMap);
+    parts.scene.setTransfer(request.curve, request.settings.colourMap);
     parts.scene.show(picture->screen, request.settings.camera);
+    render(picture->followsHand);
+    report(*picture);
+}
+
+void VolumeViewWidget::render(bool followsHand) {
+    Parts& parts = *m_parts;
     // Before its first paint the window draws by itself; drawing here as well would draw twice.
-    if (parts.window->isExposed()) {
-        QElapsedTimer timer;
-        timer.start();
-        parts.renderWindow->Render();
-        parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, picture->followsHand);
+    if (!parts.window->isExposed()) return;
+    QElapsedTimer timer;
+    timer.start();
+    parts.renderWindow->Render();
+    parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, followsHand);
+    // Only now it may be known that there is a graphics card, or that it failed.
+    const bool live = parts.scene.rendererFor(parts.shown->request.settings) == RendererChoice::graphicsCard;
+    if (live != rendersLive()) schedule();
+}
+
+void VolumeViewWidget::report(const CastPicture& picture) {
+    Parts& parts = *m_parts;
+    if (picture.converged() && !parts.pointer->dragging()) pointAt(parts.cursor);
+    PictureReport report{.level = QString::fromLatin1(qualityLevels[picture.level].name),
+                         .converged = picture.converged(),
+                         .followsHand = picture.followsHand,
+                         .rays = {picture.settings.width, picture.settings.height},
+                         .step = picture.settings.step,
+                         .castMilliseconds = picture.milliseconds,
+                         .drawMilliseconds = parts.meter->drawingMilliseconds(),
+                         .framesPerSecond = parts.meter->framesPerSecond()};
+    if (!picture.picture) {
+        report.level = QStringLiteral("live");
+        report.castMilliseconds = parts.scene.liveMilliseconds();
+        report.drawMilliseconds = 0.0;  // the same work
     }
-    if (picture->converged() && !parts.pointer->dragging()) pointAt(parts.cursor);
-    emit pictureDelivered({.level = QString::fromLatin1(qualityLevels[picture->level].name),
-                           .converged = picture->converged(),
-                           .followsHand = picture->followsHand,
-                           .rays = {picture->settings.width, picture->settings.height},
-                           .step = picture->settings.step,
-                           .castMilliseconds = picture->milliseconds,
-                           .drawMilliseconds = parts.meter->drawingMilliseconds(),
-                           .framesPerSecond = parts.meter->framesPerSecond()});
+    emit pictureDelivered(report);
 }
 
 void VolumeViewWidget::pointAt(std::optional<QPointF> position) {

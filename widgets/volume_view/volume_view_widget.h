@@ -10,11 +10,13 @@
 
 #include "processing/light_direction.h"
 #include "processing/ray_caster.h"
+#include "widgets/panels/preferred_renderer.h"
 
 namespace echolucent {
 
 struct CastPicture;
 struct PictureRequest;
+class VolumeScene;
 
 /// How the volume looks, apart from its opacity curve; defaults as in RayCastSettings.
 struct Look {
@@ -44,7 +46,8 @@ struct PictureReport {
 /// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures
 /// are made in another thread, quick ones first and better ones, up to the converged picture, when nothing newer waits
 /// (see ProgressiveCaster); this thread never waits for one. On the screen picture, camera, marker and scale bar always
-/// belong together. An unchanged view costs nothing.
+/// belong together. An unchanged view costs nothing. Where a graphics card renders instead, it does so in this thread,
+/// and every picture is the best it can make.
 ///
 /// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms, Ctrl + left drag moves the
 /// light where there is one; Escape ends a drag without change. The picture lies in an OpenGL window of its own inside
@@ -84,9 +87,10 @@ public:
     [[nodiscard]] RayCastSettings settings() const;
     [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
 
-    /// The newest picture made, null before the first; it may be smaller than the view before it is converged.
+    /// The newest picture cast, null before the first and where the graphics card renders; it may be smaller than the
+    /// view before it is converged.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
-    /// True where the newest picture is converged.
+    /// True where the newest picture is converged, or the graphics card's.
     [[nodiscard]] bool pictureIsFine() const;
     /// True where the newest picture, of whatever quality, is one of the present volume, curve, look and camera.
     [[nodiscard]] bool pictureIsCurrent() const;
@@ -99,10 +103,19 @@ public:
     [[nodiscard]] QImage convergedImage();
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
-    /// What renders now, for the status line.
-    [[nodiscard]] QString rendererName() const { return tr("software renderer"); }
-    /// Whether this view can render on a graphics card.
-    [[nodiscard]] bool graphicsCardUsable() const { return false; }
+    /// graphicsCard: also where OpenGL is software, which is slow (see graphicsCardUsable()).
+    void setRenderer(PreferredRenderer renderer);
+    /// What rendered the newest picture, for the status line.
+    [[nodiscard]] QString rendererName() const;
+    /// OpenGL's name, or why the graphics card does not render although it might, as a sentence; for a tool tip.
+    [[nodiscard]] QString rendererRemark() const;
+    /// Whether there is a real graphics card. Known once the first picture was delivered.
+    [[nodiscard]] bool graphicsCardUsable() const;
+
+    /// For further actors in grid mm, pickers, clipping and cropping of the volume.
+    [[nodiscard]] VolumeScene& scene();
+    /// Something was changed there: rays may end elsewhere now.
+    void sceneChanged();
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
@@ -136,7 +149,11 @@ private:
     void schedule();
     void requestPicture();
     [[nodiscard]] PictureRequest presentRequest(const QSize& pixels) const;
+    [[nodiscard]] bool rendersLive() const;
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
+    void showLive(const PictureRequest& request);
+    void render(bool followsHand);
+    void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
     void refit();
