@@ -122,7 +122,7 @@ private:
         job.voxels = &packed;
         job.geometry = volume->geometry();
         job.rays = &rays;
-        job.toTable = static_cast<float>(TransferTable::intervals / volume->whiteLevel());
+        job.toTable = PackedVoxels<Voxel>::toTable(volume->whiteLevel());
         job.table = &table;
         job.bricks = m_ranges.grid().size;
         job.missing = m_ranges.missing().empty() ? nullptr : m_ranges.missing().data();

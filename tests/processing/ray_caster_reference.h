@@ -66,10 +66,11 @@ private:
     [[nodiscard]] ReferencePixel alongRay(const Vec3& origin, const Vec3& direction) const {
         const double stepMm = m_settings.step * m_geometry.unit();
         const Vec3 size = m_geometry.boxMaxMm() - m_geometry.boxMinMm();
-        const double reach = length(size) + length(origin - m_geometry.centreMm());
+        // Only near the box is there anything to sample.
+        const double middle = (m_geometry.centreMm() - origin).dot(direction), reach = 0.51 * length(size) + stepMm;
         std::vector<Sample> samples;
         double before = 1.0;
-        for (int k = 0; (k + 0.5) * stepMm <= reach; ++k) {
+        for (double k = std::max(0.0, std::floor((middle - reach) / stepMm)); k * stepMm <= middle + reach; ++k) {
             const Vec3 point = origin + direction * ((k + 0.5) * stepMm);
             if (point.dot(m_settings.camera.frame.forward) < m_settings.nearPlaneDepthMm) continue;
             const auto sample = sampleAt(point, direction, before);
