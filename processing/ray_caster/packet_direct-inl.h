@@ -63,16 +63,19 @@ public:
         m_rays = &rays;
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
+        if (common == 0) rays.kept = nullptr;  // samples are kept of all rays together
         for (std::int64_t next = packet.first(); next < packet.last();) {
             const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
                 next += empty;
             } else if (common > 0) {
-                next += castRun(packet.run(next, common, -1));
+                const std::int64_t done = castRun(packet.run(next, common, -1));
+                if (done == 0) return;
+                next += done;
             } else {
-                const std::int64_t single = packet.longestSingleRun();
-                for (int lane = 0; lane < lanes; ++lane) castRun(packet.run(next, single, lane));
-                next += single;
+                const std::int64_t end = std::min(next + packet.longestSingleRun(), packet.last());
+                for (int lane = 0; lane < lanes; ++lane) castAlone(lane, next, end);
+                next = end;
             }
             if (!anyAlive()) return;
         }
@@ -81,7 +84,16 @@ public:
 private:
     [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_rays->kept == nullptr; }
 
-    /// The number of samples done: all of the run, or up to where nothing more of it shows.
+    /// Samples first ... last - 1 of one ray.
+    void castAlone(int lane, std::int64_t first, std::int64_t last) {
+        for (std::int64_t next = first; next < last;) {
+            const std::int64_t done = castRun(m_rays->packet.run(next, last - next, lane));
+            if (done == 0) return;
+            next += done;
+        }
+    }
+
+    /// The number of samples done: all of the run, or up to where nothing more of it shows; 0: nor anything behind it.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
         prepareLanes(run);
         const Floats floats;
@@ -112,7 +124,7 @@ private:
         const std::int64_t done = std::min(block, run.count);
         if (m_rays->kept != nullptr && !stored)
             m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
-        return block == 0 ? run.count : done;
+        return done;
     }
 
     /// A run's opacity above which a ray ends, and at which the pixel's opacity is one half.
@@ -149,7 +161,11 @@ private:
     /// True where all samples of the run are kept already; else makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
         if (m_rays->kept == nullptr) return false;
-        if (m_rays->kept->samples.empty()) m_rays->kept->first = run.first;
+        if (m_rays->kept->samples.empty()) {
+            m_rays->kept->first = run.first;
+            // As much as there may be, not the twice as much that growth would take.
+            m_rays->kept->samples.reserve(static_cast<std::size_t>((m_rays->packet.last() - run.first) * lanes));
+        }
         const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
         if (m_rays->kept->samples.size() >= last) return true;
         m_rays->kept->samples.resize(last);

@@ -28,7 +28,7 @@ struct Ray {
     }
 };
 
-/// Rays of neighbouring pixels; everything as in Ray, one lane a ray. Rays without samples have first >= last.
+/// Rays of neighbouring pixels; everything as in Ray, one lane a ray. Rays without samples have first == last.
 template <int lanes>
 struct RayBundle {
     alignas(64) double origin[3][lanes];
@@ -184,7 +184,7 @@ void RayGeometry::endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int
         const double depth = static_cast<double>(
             map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)]);
         const double last = std::ceil((depth - bundle.depthMm[i]) / bundle.depthStepMm[i] - 0.5);
-        bundle.last[i] = std::min(bundle.last[i], last);
+        bundle.last[i] = last > bundle.first[i] ? std::min(bundle.last[i], last) : bundle.first[i];
     }
 }
 

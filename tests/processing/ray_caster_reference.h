@@ -183,9 +183,9 @@ private:
     mutable double m_closestToHalf = 1.0;
 };
 
-/// The largest difference of any channel of any pixel.
-inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
-    const auto picture = castRays(volume, curve, settings);
+/// The largest difference of any channel of any pixel between the reference and a picture.
+inline double largestDifference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
+                                const RayCastSettings& settings) {
     const ReferenceCaster reference(volume, curve, settings);
     double largest = 0.0;
     int undecided = 0;
@@ -193,13 +193,16 @@ inline double largestDifference(const Volume& volume, const OpacityCurve& curve,
         for (int column = 0; column < settings.width; ++column) {
             const ReferencePixel expected = reference.pixel(column, row);
             if (reference.undecided() && ++undecided < settings.width * settings.height / 100) continue;
-            const float* actual = &picture->rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
+            const float* actual = &picture.rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
             for (std::size_t channel = 0; channel < 4; ++channel) {
                 const double difference = std::abs(expected[channel] - static_cast<double>(actual[channel]));
                 largest = difference <= largest ? largest : difference;  // a NaN counts as largest
             }
         }
     return largest;
+}
+inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
+    return largestDifference(*castRays(volume, curve, settings), volume, curve, settings);
 }
 
 /// Random voxels, with a share of zeros so that some regions are transparent.
