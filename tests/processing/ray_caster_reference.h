@@ -26,7 +26,29 @@ public:
     [[nodiscard]] bool undecided() const { return m_closestToHalf < 5e-5; }
 
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
+        ReferencePixel out{0, 0, 0, 0};
+        const std::vector<Sample> samples = samplesOf(column, row);
+        for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                const double in = channel < 3 ? sample->colour[static_cast<int>(channel)] : 1.0;
+                out[channel] = out[channel] * (1.0 - sample->alpha) + in * sample->alpha;
+            }
+        return out;
+    }
+
+    /// What a ray meets, from front to back.
+    struct Sample {
+        Vec3 colour;
+        double alpha, intensity;
+        double depthMm;  ///< along the camera's forward, from the grid origin
+    };
+    [[nodiscard]] std::vector<Sample> samplesOf(int column, int row) const {
         m_closestToHalf = 1.0;
+        m_opaqueDepth = std::numeric_limits<double>::infinity();
+        if (const DepthMap* map = m_settings.opaqueDepth.get())
+            m_opaqueDepth = static_cast<double>(
+                map->depthMm[static_cast<std::size_t>((2 * row + 1) * map->height / (2 * m_settings.height) * map->width +
+                                                      (2 * column + 1) * map->width / (2 * m_settings.width))]);
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -49,11 +71,6 @@ public:
     }
 
 private:
-    struct Sample {
-        Vec3 colour;
-        double alpha;
-    };
-
     [[nodiscard]] double startDepth() const {
         double foremost = std::numeric_limits<double>::infinity();
         for (const double x : {m_geometry.boxMinMm()[0], m_geometry.boxMaxMm()[0]})
@@ -63,7 +80,7 @@ private:
         return std::max(foremost, m_settings.nearPlaneDepthMm);
     }
 
-    [[nodiscard]] ReferencePixel alongRay(const Vec3& origin, const Vec3& direction) const {
+    [[nodiscard]] std::vector<Sample> alongRay(const Vec3& origin, const Vec3& direction) const {
         const double stepMm = m_settings.step * m_geometry.unit();
         const Vec3 size = m_geometry.boxMaxMm() - m_geometry.boxMinMm();
         // Only near the box is there anything to sample.
@@ -72,19 +89,23 @@ private:
         double before = 1.0;
         for (double k = std::max(0.0, std::floor((middle - reach) / stepMm)); k * stepMm <= middle + reach; ++k) {
             const Vec3 point = origin + direction * ((k + 0.5) * stepMm);
-            if (point.dot(m_settings.camera.frame.forward) < m_settings.nearPlaneDepthMm) continue;
+            if (!isRendered(point)) continue;
             const auto sample = sampleAt(point, direction, before);
             if (!sample) continue;
             samples.push_back(*sample);
             before *= 1.0 - sample->alpha;
         }
-        ReferencePixel out{0, 0, 0, 0};
-        for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
-            for (std::size_t channel = 0; channel < 4; ++channel) {
-                const double in = channel < 3 ? sample->colour[static_cast<int>(channel)] : 1.0;
-                out[channel] = out[channel] * (1.0 - sample->alpha) + in * sample->alpha;
-            }
-        return out;
+        return samples;
+    }
+
+    [[nodiscard]] bool isRendered(const Vec3& point) const {
+        const double depth = point.dot(m_settings.camera.frame.forward);
+        if (depth < m_settings.nearPlaneDepthMm || depth >= m_opaqueDepth) return false;
+        for (const ClippingPlane& plane : m_settings.clippingPlanes)
+            if (plane.normal.dot(point - plane.point) < 0.0) return false;
+        for (int axis = 0; axis < 3 && m_settings.box; ++axis)
+            if (point[axis] < m_settings.box->low[axis] || point[axis] >= m_settings.box->high[axis]) return false;
+        return true;
     }
 
     [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before) const {
@@ -98,7 +119,7 @@ private:
         const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step);
         Vec3 colour = colourOf(m_settings.colourMap, intensity);
         if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha);
-        return Sample{colour, alpha};
+        return Sample{colour, alpha, intensity, point.dot(m_settings.camera.frame.forward)};
     }
 
     [[nodiscard]] std::optional<double> value(std::array<std::int64_t, 3> at) const {
@@ -180,7 +201,7 @@ private:
     const VolumeGeometry& m_geometry;
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
-    mutable double m_closestToHalf = 1.0;
+    mutable double m_closestToHalf = 1.0, m_opaqueDepth = 0.0;
 };
 
 /// The largest difference of any channel of any pixel between the reference and a picture.
