@@ -23,9 +23,10 @@ int packetsAcross(int pixels, int packet) { return (pixels + packet - 1) / packe
 /// What all samples of a view take: from one ray of each packet.
 double bytesOfView(const RayCastSettings& settings, const RayGeometry& rays, const PacketShape& shape) {
     double samples = 0.0;
-    for (int row = shape.rows / 2; row < settings.height; row += shape.rows)
-        for (int column = shape.columns / 2; column < settings.width; column += shape.columns) {
-            const Ray ray = rays.rayThrough(column, row);
+    for (int row = 0; row < settings.height; row += shape.rows)
+        for (int column = 0; column < settings.width; column += shape.columns) {
+            const Ray ray = rays.rayThrough(std::min(column + shape.columns / 2, settings.width - 1),
+                                            std::min(row + shape.rows / 2, settings.height - 1));
             samples += static_cast<double>(ray.last - ray.first);
         }
     return samples * shape.rows * shape.columns * sizeof(std::uint16_t);

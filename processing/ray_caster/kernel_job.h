@@ -53,7 +53,7 @@ struct KernelJob {
     const PackedVoxels<Voxel>* voxels = nullptr;
     VolumeGeometry geometry;
     const RayGeometry* rays = nullptr;
-    float toTable = 0.0f;  ///< stored value to table position
+    float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
     const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed

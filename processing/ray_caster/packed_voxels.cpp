@@ -8,6 +8,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "processing/ray_caster/transfer_table.h"
+
 namespace echolucent::ray_casting {
 
 namespace {
@@ -18,13 +20,21 @@ struct Source {
     const Voxel* voxels;
     const std::uint8_t* mask;  ///< null: all are data
     std::array<std::int64_t, 3> size;
+    double floatsToTable;
 
     [[nodiscard]] bool hasData(std::int64_t offset) const {
         if (mask != nullptr && mask[offset] == 0) return false;
         if constexpr (std::is_same_v<Voxel, float>) return std::isfinite(voxels[offset]);
         return true;
     }
-    [[nodiscard]] Voxel value(std::int64_t offset) const { return hasData(offset) ? voxels[offset] : Voxel{}; }
+    [[nodiscard]] Voxel value(std::int64_t offset) const { return hasData(offset) ? packed(offset) : Voxel{}; }
+    [[nodiscard]] Voxel packed(std::int64_t offset) const {
+        if constexpr (!std::is_same_v<Voxel, float>)
+            return voxels[offset];
+        else
+            // Differences, and the squares of gradients, of what is packed must be finite.
+            return static_cast<float>(std::clamp(static_cast<double>(voxels[offset]) * floatsToTable, -1e15, 1e15));
+    }
     [[nodiscard]] std::int64_t rowOf(std::int64_t y, std::int64_t z) const {
         return size[0] * (std::clamp<std::int64_t>(y, 0, size[1] - 1) +
                           size[1] * std::clamp<std::int64_t>(z, 0, size[2] - 1));
@@ -69,13 +79,21 @@ bool anyMissing(const Source<Voxel>& source, std::int64_t count) {
 }  // namespace
 
 template <typename Voxel>
+float PackedVoxels<Voxel>::toTable(double whiteLevel) {
+    if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
+    // More than that makes the smallest stored value white already, and must be finite.
+    return static_cast<float>(std::min(TransferTable::intervals / whiteLevel, 1e12));
+}
+
+template <typename Voxel>
 PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
     : m_rowStride(volume.geometry().size[0] + extraCells),
       m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCells)) {
     const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
-                               volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size};
+                               volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size,
+                               TransferTable::intervals / volume.whiteLevel()};
     if (!anyMissing(source, volume.geometry().voxelCount())) {
-        m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.voxels[offset]; });
+        m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
         return;
     }
     m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });

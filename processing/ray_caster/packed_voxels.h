@@ -19,13 +19,16 @@ inline constexpr int extraCells = 2;
 /// load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cell in one slice, of floats two.
 inline constexpr int voxelsPerCell = 2;
 
-/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask.
+/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats are
+/// stored as table positions (see transfer_table.h): their white level may be of any magnitude.
 template <typename Voxel>
 class PackedVoxels {
 public:
     explicit PackedVoxels(const Volume& volume);
 
     [[nodiscard]] const Voxel* cells() const { return m_cells.get(); }
+    /// What brings a packed value to its table position.
+    [[nodiscard]] static float toTable(double whiteLevel);
     /// Packed like bytes: 255 where there is data, else 0. Null: all voxels carry data.
     [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }
     [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cells

@@ -63,17 +63,20 @@ public:
         m_rays = &rays;
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
+        if (common == 0) rays.kept = nullptr;  // samples are kept of all rays together
         castCut(packet.rays().head);
         for (std::int64_t next = packet.first(); next < packet.last();) {
             const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
                 next += empty;
             } else if (common > 0) {
-                next += castRun(packet.run(next, common, -1));
+                const std::int64_t done = castRun(packet.run(next, common, -1));
+                if (done == 0) break;
+                next += done;
             } else {
-                const std::int64_t single = packet.longestSingleRun();
-                for (int lane = 0; lane < lanes; ++lane) castRun(packet.run(next, single, lane));
-                next += single;
+                const std::int64_t end = std::min(next + packet.longestSingleRun(), packet.last());
+                for (int lane = 0; lane < lanes; ++lane) castAlone(lane, next, end);
+                next = end;
             }
             if (!anyAlive()) return;
         }
@@ -112,7 +115,16 @@ private:
         add(blend);
     }
 
-    /// The number of samples done: all of the run, or up to where nothing more of it shows.
+    /// Samples first ... last - 1 of one ray.
+    void castAlone(int lane, std::int64_t first, std::int64_t last) {
+        for (std::int64_t next = first; next < last;) {
+            const std::int64_t done = castRun(m_rays->packet.run(next, last - next, lane));
+            if (done == 0) return;
+            next += done;
+        }
+    }
+
+    /// The number of samples done: all of the run, or up to where nothing more of it shows; 0: nor anything behind it.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
         for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
         prepareLanes(m_middle, 1.0);
@@ -148,7 +160,7 @@ private:
         const std::int64_t done = std::min(block, run.count);
         if (m_rays->kept != nullptr && !stored)
             m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
-        return block == 0 ? run.count : done;
+        return done;
     }
 
     /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's opacity is
@@ -187,7 +199,11 @@ private:
     /// True where all samples of the run are kept already; else makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
         if (m_rays->kept == nullptr) return false;
-        if (m_rays->kept->samples.empty()) m_rays->kept->first = run.first;
+        if (m_rays->kept->samples.empty()) {
+            m_rays->kept->first = run.first;
+            // As much as there may be, not the twice as much that growth would take.
+            m_rays->kept->samples.reserve(static_cast<std::size_t>((m_rays->packet.last() - run.first) * lanes));
+        }
         const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
         if (m_rays->kept->samples.size() >= last) return true;
         m_rays->kept->samples.resize(last);
@@ -314,7 +330,10 @@ private:
         const auto back = hn::Max(hn::IfThenElse(backData, behind, before), zero);
         const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Or(frontData, backData));
         Colour colour;
-        const auto opacity = hn::IfThenElseZero(active, segmentOpacity(front, back, colour));
+        const auto whole = segmentOpacity(front, back, colour);
+        // The half of a step towards an end without data shows nothing.
+        const auto half = hn::Sub(set(1.0f), hn::Sqrt(hn::Sub(set(1.0f), whole)));
+        const auto opacity = hn::IfThenElseZero(active, hn::IfThenElse(hn::And(frontData, backData), whole, half));
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         if (m_job.depthTint != nullptr) tint(number, colour);
         addSample(added, colour, number, blend);

@@ -155,7 +155,7 @@ public:
     /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0: the rays are so
     /// far apart that each needs runs of its own.
     [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
-    [[nodiscard]] std::int64_t longestSingleRun() const { return runWithin(0.0); }
+    [[nodiscard]] std::int64_t longestSingleRun() const { return std::max<std::int64_t>(runWithin(0.0), 1); }
 
 private:
     void findExtent() {
@@ -199,7 +199,8 @@ private:
             fastest = std::max({fastest, std::abs(m_extent.lowStep[axis]), std::abs(m_extent.highStep[axis])});
         const double samples = (room - widest) / fastest;
         if (samples < 1.0) return 0;
-        return samples >= longestRun ? longestRun : std::max<std::int64_t>(static_cast<std::int64_t>(samples), 1);
+        const auto most = static_cast<std::int64_t>(std::min(samples, static_cast<double>(longestRun)));
+        return most >= blockSize ? most / blockSize * blockSize : most;
     }
 
     /// A box, in cells, that holds all samples of a run.
@@ -212,10 +213,10 @@ private:
                 low[axis] = origin + std::min(step * a, step * b);
                 high[axis] = origin + std::max(step * a, step * b);
             }
-            // Nothing is sampled outside.
-            const double cells = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)] + 1);
+            // Nothing is sampled outside; the last cell that samples lie in is number size, and its corner can be read.
+            const double cells = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)]);
             low[axis] = std::clamp(low[axis], 0.0, cells);
-            high[axis] = std::clamp(high[axis], 0.0, cells);
+            high[axis] = std::clamp(high[axis], 0.0, cells + 1.0);
         }
     }
 

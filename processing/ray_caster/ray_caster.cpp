@@ -122,7 +122,7 @@ private:
         job.voxels = &packed;
         job.geometry = volume->geometry();
         job.rays = &rays;
-        job.toTable = static_cast<float>(TransferTable::intervals / volume->whiteLevel());
+        job.toTable = PackedVoxels<Voxel>::toTable(volume->whiteLevel());
         job.table = &table;
         job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;

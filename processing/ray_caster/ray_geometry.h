@@ -161,7 +161,7 @@ inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int
             const double shift = jitterOf(column + i % columns, row + i / columns);
             for (int axis = 0; axis < 3; ++axis) bundle.origin[axis][i] += bundle.step[axis][i] * shift;
             bundle.depthMm[i] += bundle.depthStepMm[i] * shift;
-            enter[i] = std::max(enter[i] - shift, 0.0);
+            enter[i] -= shift;
         }
     clip(bundle, enter);
     if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);

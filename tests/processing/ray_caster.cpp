@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ray_caster_reference.h"
+#include "ray_caster_scenes.h"
 
 namespace echolucent {
 namespace {
@@ -19,23 +19,7 @@ Volume slab(std::int64_t depth, std::uint8_t value) {
     return Volume(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), value));
 }
 
-OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}, {1.0, opacity}}}; }
-
 const float* centreOf(const Picture& picture) { return pixelAt(picture, picture.width / 2, picture.height / 2); }
-
-TEST(RayCaster, HomogeneousSlabHasTheClosedFormTransmittanceForEveryStep) {
-    const Volume volume = slab(40, 100);
-    for (const double opacity : {0.0, 1e-12, 1e-6, 1e-3, 0.03, 0.2, 0.9, 1.0 - 1e-7, 1.0})
-        for (const double step : {0.01, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-            RayCastSettings settings = settingsFor(volume, View{}, 8, 8);
-            settings.step = step;
-            settings.colourMap = ColourMap::grey;
-            const auto picture = castRays(volume, everywhere(opacity), settings);
-            const double expected = -std::expm1(40 * std::log1p(-opacity));
-            EXPECT_NEAR(centreOf(*picture)[3], expected, 1e-5) << opacity << " at step " << step;
-            EXPECT_NEAR(centreOf(*picture)[0], expected * 100 / 255, 1e-5) << "its colour: no energy lost or made";
-        }
-}
 
 // Petersch 2005, section 4: intensity c2 up to k*, c1 behind; eq. 2 voxel by voxel from the back, and eq. 3 summed up.
 TEST(RayCaster, TwoIntensityModelFollowsEquations2And3) {

@@ -27,7 +27,29 @@ public:
     [[nodiscard]] bool undecided() const { return m_closestToHalf < 5e-5; }
 
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
+        ReferencePixel out{0, 0, 0, 0};
+        const std::vector<Sample> samples = samplesOf(column, row);
+        for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                const double in = channel < 3 ? sample->colour[static_cast<int>(channel)] : 1.0;
+                out[channel] = out[channel] * (1.0 - sample->alpha) + in * sample->alpha;
+            }
+        return out;
+    }
+
+    /// What a ray meets, from front to back.
+    struct Sample {
+        Vec3 colour;
+        double alpha, intensity;
+        double depthMm;  ///< along the camera's forward, from the grid origin
+    };
+    [[nodiscard]] std::vector<Sample> samplesOf(int column, int row) const {
         m_closestToHalf = 1.0;
+        m_opaqueDepth = std::numeric_limits<double>::infinity();
+        if (const DepthMap* map = m_settings.opaqueDepth.get())
+            m_opaqueDepth = static_cast<double>(
+                map->depthMm[static_cast<std::size_t>((2 * row + 1) * map->height / (2 * m_settings.height) * map->width +
+                                                      (2 * column + 1) * map->width / (2 * m_settings.width))]);
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -50,11 +72,6 @@ public:
     }
 
 private:
-    struct Sample {
-        Vec3 colour;
-        double alpha;
-    };
-
     [[nodiscard]] double startDepth() const {
         double foremost = std::numeric_limits<double>::infinity();
         for (const double x : {m_geometry.boxMinMm()[0], m_geometry.boxMaxMm()[0]})
@@ -78,12 +95,26 @@ private:
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
+        const auto keepFrom = [&](const Vec3& point, const Vec3& normal) {
+            const double distance = normal.dot(origin - point), perStep = normal.dot(direction) * stepMm;
+            if (perStep > 0.0) enter = std::max(enter, -distance / perStep);
+            if (perStep < 0.0) leave = std::min(leave, -distance / perStep);
+            if (perStep == 0.0 && distance < 0.0) leave = 0.0;
+        };
         const Vec3 forward = m_settings.camera.frame.forward;
-        return {std::max(enter, (m_settings.nearPlaneDepthMm - origin.dot(forward)) / direction.dot(forward) / stepMm),
-                leave};
+        if (std::isfinite(m_settings.nearPlaneDepthMm)) keepFrom(forward * m_settings.nearPlaneDepthMm, forward);
+        if (std::isfinite(m_opaqueDepth)) keepFrom(forward * m_opaqueDepth, -forward);
+        for (const ClippingPlane& plane : m_settings.clippingPlanes) keepFrom(plane.point, plane.normal);
+        for (int axis = 0; axis < 3 && m_settings.box; ++axis) {
+            Vec3 along{0, 0, 0};
+            along[axis] = 1.0;
+            keepFrom(m_settings.box->low, along);
+            keepFrom(m_settings.box->high, -along);
+        }
+        return {enter, leave};
     }
 
-    [[nodiscard]] ReferencePixel alongRay(const Vec3& origin, const Vec3& direction) const {
+    [[nodiscard]] std::vector<Sample> alongRay(const Vec3& origin, const Vec3& direction) const {
         const double stepMm = m_settings.step * m_geometry.unit();
         const auto [enter, leave] = partInside(origin, direction, stepMm);
         std::vector<Sample> samples;
@@ -97,13 +128,7 @@ private:
             samples.push_back(*sample);
             before *= 1.0 - sample->alpha;
         }
-        ReferencePixel out{0, 0, 0, 0};
-        for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
-            for (std::size_t channel = 0; channel < 4; ++channel) {
-                const double in = channel < 3 ? sample->colour[static_cast<int>(channel)] : 1.0;
-                out[channel] = out[channel] * (1.0 - sample->alpha) + in * sample->alpha;
-            }
-        return out;
+        return samples;
     }
 
     [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before,
@@ -115,7 +140,7 @@ private:
         const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * length);
         Vec3 colour = colourOf(m_settings.colourMap, intensity);
         if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha);
-        return Sample{colour, alpha};
+        return Sample{colour, alpha, intensity, point.dot(m_settings.camera.frame.forward)};
     }
 
     [[nodiscard]] std::optional<double> value(std::array<std::int64_t, 3> at) const {
@@ -197,12 +222,12 @@ private:
     const VolumeGeometry& m_geometry;
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
-    mutable double m_closestToHalf = 1.0;
+    mutable double m_closestToHalf = 1.0, m_opaqueDepth = 0.0;
 };
 
-/// The largest difference of any channel of any pixel.
-inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
-    const auto picture = castRays(volume, curve, settings);
+/// The largest difference of any channel of any pixel between the reference and a picture.
+inline double largestDifference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
+                                const RayCastSettings& settings) {
     const ReferenceCaster reference(volume, curve, settings);
     double largest = 0.0;
     int undecided = 0;
@@ -210,13 +235,16 @@ inline double largestDifference(const Volume& volume, const OpacityCurve& curve,
         for (int column = 0; column < settings.width; ++column) {
             const ReferencePixel expected = reference.pixel(column, row);
             if (reference.undecided() && ++undecided < settings.width * settings.height / 100) continue;
-            const float* actual = &picture->rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
+            const float* actual = &picture.rgba[static_cast<std::size_t>(row * settings.width + column) * 4];
             for (std::size_t channel = 0; channel < 4; ++channel) {
                 const double difference = std::abs(expected[channel] - static_cast<double>(actual[channel]));
                 largest = difference <= largest ? largest : difference;  // a NaN counts as largest
             }
         }
     return largest;
+}
+inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
+    return largestDifference(*castRays(volume, curve, settings), volume, curve, settings);
 }
 
 /// Random voxels, with a share of zeros so that some regions are transparent.
