@@ -4,6 +4,7 @@
 #include <vtkVersion.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -51,12 +52,24 @@ std::string vectorInstructions() {
     return found;
 }
 
+std::string compiler() {
+#ifdef __clang__
+    return "Clang " __clang_version__;
+#else
+    return "GCC " __VERSION__;
+#endif
+}
+
+std::string memory() {
+    return fmt::format("{:.0f} GB", std::strtod(procValue("meminfo", "MemTotal").c_str(), nullptr) * 1024.0 / 1e9);
+}
+
 ordered_json machineOf(const BenchPlan& plan) {
     return {{"processor", procValue("cpuinfo", "model name")},
             {"logical cores", std::thread::hardware_concurrency()},
             {"vector instructions", vectorInstructions()},
-            {"memory", procValue("meminfo", "MemTotal")},
-            {"compiler", __VERSION__},
+            {"memory", memory()},
+            {"compiler", compiler()},
             {"VTK", vtkVersion::GetVTKVersion()},
             {"threads", plan.threads}};
 }
