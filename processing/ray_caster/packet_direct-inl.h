@@ -108,10 +108,10 @@ private:
         const auto number = set(0.0f);
         const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        const auto whole = opacityAt(hn::Max(position, number));
         // 1 - (1 - opacity)^length.
-        const auto part = hn::Neg(hn::Expm1(floats, hn::Mul(hn::Load(floats, length), hn::Log1p(floats, hn::Neg(whole)))));
-        blendRich(run, number, position, hn::IfThenElse(hn::Ge(whole, set(1.0f)), whole, part), alive, blend);
+        const auto extinction = entryAt(m_job.table->extinctions(), hn::Max(position, number));
+        const auto part = hn::Neg(hn::Expm1(floats, hn::Neg(hn::Mul(hn::Load(floats, length), extinction))));
+        blendRich(run, number, position, part, alive, blend);
         add(blend);
     }
 
@@ -239,10 +239,12 @@ private:
 
     /// position: 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
+        return entryAt(m_job.table->opacities(), position);
+    }
+    static HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
         const Floats floats;
         const auto left = hn::ConvertTo(Ints(), position);
-        const float* opacities = m_job.table->opacities();
-        return between(hn::GatherIndex(floats, opacities, left), hn::GatherIndex(floats, opacities + 1, left),
+        return between(hn::GatherIndex(floats, entries, left), hn::GatherIndex(floats, entries + 1, left),
                        hn::Sub(position, hn::ConvertTo(floats, left)));
     }
 
@@ -362,11 +364,7 @@ private:
         return hn::IfThenElse(far, hn::Neg(hn::Expm1(floats, hn::Neg(extinction))), point);
     }
     HWY_INLINE FloatVector integralAt(FloatVector position, int component) const {
-        const Floats floats;
-        const auto left = hn::ConvertTo(Ints(), position);
-        const float* integrals = m_job.preIntegration->integrals(component);
-        return between(hn::GatherIndex(floats, integrals, left), hn::GatherIndex(floats, integrals + 1, left),
-                       hn::Sub(position, hn::ConvertTo(floats, left)));
+        return entryAt(m_job.preIntegration->integrals(component), position);
     }
 
     /// Puts a run behind what the rays have gathered.

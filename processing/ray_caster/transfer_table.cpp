@@ -1,5 +1,6 @@
 #include "processing/ray_caster/transfer_table.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echolucent::ray_casting {
@@ -25,14 +26,16 @@ ColourRanges rangesOf(ColourMap map) {
 }  // namespace
 
 TransferTable::TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio)
-    : m_opacities(intervals + 2), m_visibleBefore(intervals + 2), m_colours(rangesOf(colourMap)) {
+    : m_opacities(intervals + 2), m_extinctions(intervals + 2), m_visibleBefore(intervals + 2), m_colours(rangesOf(colourMap)) {
     const std::vector<double> opacities = sampledOpacities(curve, intervals + 1);
     for (std::size_t i = 0; i < opacities.size(); ++i) {
         const double opacity = stepRatio == 1.0 ? opacities[i] : opacityForStep(opacities[i], stepRatio);
         m_opacities[i] = static_cast<float>(opacity);
+        m_extinctions[i] = static_cast<float>(std::min(-stepRatio * std::log1p(-opacities[i]), mostExtinction));
         m_visibleBefore[i + 1] = m_visibleBefore[i] + (opacities[i] > negligible ? 1 : 0);
     }
     m_opacities.back() = m_opacities[intervals];
+    m_extinctions.back() = m_extinctions[intervals];
 }
 
 bool TransferTable::transparentBetween(float lowest, float highest) const {

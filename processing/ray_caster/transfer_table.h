@@ -29,6 +29,10 @@ public:
 
     /// At normalised intensity i / intervals, i = 0 ... intervals; and the last once more.
     [[nodiscard]] const float* opacities() const { return m_opacities.data(); }
+    /// Of the same step: -log(1 - opacity), mostExtinction for opacity 1; for parts of a step. In their own precision: the
+    /// opacity of a long step has lost its digits near 1.
+    [[nodiscard]] const float* extinctions() const { return m_extinctions.data(); }
+    static constexpr double mostExtinction = 1e6;
     [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
 
     /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for a reference
@@ -40,7 +44,7 @@ public:
     static constexpr double negligible = 1.0 / (16.0 * 255.0 * 4096.0);
 
 private:
-    std::vector<float> m_opacities;
+    std::vector<float> m_opacities, m_extinctions;
     std::vector<std::int32_t> m_visibleBefore;  ///< entries above `negligible` before each entry
     ColourRanges m_colours;
 };

@@ -213,10 +213,11 @@ TEST(RayCasterEmptySpace, RaysDoJump) {
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             RayCastSettings settings = settingsFor(volume, view, 30, 30);
             settings.camera.projection = projection;
-            EXPECT_EQ(largestAlpha(*castRays(volume, faint, settings)), 0.0f);
+            const auto twoCutSteps = static_cast<float>(2 * TransferTable::negligible);
+            EXPECT_LE(largestAlpha(*castRays(volume, faint, settings)), twoCutSteps) << "sampled at a ray's ends alone";
             settings.skipEmptySpace = false;
             const float most = largestAlpha(*castRays(volume, faint, settings));
-            EXPECT_GT(most, 0.0f);
+            EXPECT_GT(most, 10 * twoCutSteps);
             EXPECT_LT(most, 1.0f / 16 / 255) << "and it is as little as is said";
         }
 }
