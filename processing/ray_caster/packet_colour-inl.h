@@ -28,7 +28,7 @@ public:
     HWY_INLINE Colour at(FloatVector position) const {
         // A hair less, so that the last position is in the last range.
         constexpr float perRange = ColourRanges::count / (TransferTable::intervals * (1.0f + 0x1p-20f));
-        const auto range = hn::ConvertTo(Ints(), hn::Mul(position, set(perRange)));
+        const auto range = truncated(hn::Mul(position, set(perRange)));
         const auto channel = [&](std::size_t c) {
             return hn::MulAdd(valueOf(m_slope[c].values, range), position, valueOf(m_base[c].values, range));
         };
@@ -153,7 +153,7 @@ private:
         const Floats floats;
         const auto position = hn::Mul(hn::Min(hn::Max(cosine, set(0.0f)), set(1.0f)),
                                       set(static_cast<float>(LightSource::highlightIntervals)));
-        const auto left = hn::ConvertTo(Ints(), position);
+        const auto left = truncated(position);
         return between(hn::GatherIndex(floats, m_source.highlight.data(), left),
                        hn::GatherIndex(floats, m_source.highlight.data() + 1, left),
                        hn::Sub(position, hn::ConvertTo(floats, left)));

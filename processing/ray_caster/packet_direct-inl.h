@@ -243,7 +243,7 @@ private:
     }
     static HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
         const Floats floats;
-        const auto left = hn::ConvertTo(Ints(), position);
+        const auto left = truncated(position);
         return between(hn::GatherIndex(floats, entries, left), hn::GatherIndex(floats, entries + 1, left),
                        hn::Sub(position, hn::ConvertTo(floats, left)));
     }
@@ -252,10 +252,12 @@ private:
     HWY_INLINE void blendSample(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
         const auto number = set(static_cast<float>(i));
         const auto position = positionOf(run, i, number, stored);
-        const auto known = hn::Max(position, set(0.0f));
+        const auto known = m_job.missing != nullptr ? hn::Max(position, set(0.0f)) : position;
         auto opacity = opacityAt(known);
         if (m_job.missing != nullptr) opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
         if constexpr (!full) opacity = hn::IfThenElseZero(hn::And(alive, run.inRange(number)), opacity);
+        // Half of the samples of a curve that clears fluid show nothing.
+        if (hn::AllFalse(Floats(), hn::Gt(opacity, set(0.0f)))) return;
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         const Colour colour = m_colours.at(known);
         blend.opacity = hn::Add(blend.opacity, added);

@@ -32,9 +32,8 @@ struct Run {
     bool full;                                                ///< all rays have all of them
 
     HWY_INLINE Position at(FloatVector i) const {
-        const Ints ints;
-        return {hn::ConvertTo(ints, hn::MulAdd(i, stepX, startX)), hn::ConvertTo(ints, hn::MulAdd(i, stepY, startY)),
-                hn::ConvertTo(ints, hn::MulAdd(i, stepZ, startZ))};
+        return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
+                truncated(hn::MulAdd(i, stepZ, startZ))};
     }
     HWY_INLINE LaneMask inRange(FloatVector i) const { return hn::And(hn::Ge(i, begin), hn::Lt(i, end)); }
 };

@@ -32,6 +32,19 @@ constexpr int packetRows = lanes / packetColumns;
 HWY_INLINE FloatVector set(float value) { return hn::Set(Floats(), value); }
 HWY_INLINE IntVector set(std::int32_t value) { return hn::Set(Ints(), value); }
 
+/// Towards zero, of numbers that fit 32 bits: Highway's ConvertTo spends four instructions more on those that do not.
+HWY_INLINE IntVector truncated(FloatVector value) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return IntVector{_mm512_cvttps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return IntVector{_mm256_cvttps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+    return IntVector{_mm_cvttps_epi32(value.raw)};
+#else
+    return hn::ConvertTo(Ints(), value);
+#endif
+}
+
 /// Positions in 1/65536 of a cell from a corner, at or after it.
 struct Position {
     IntVector x, y, z;
