@@ -100,7 +100,7 @@ private slots:
                  qPrintable(label->text()));
         const RayCastSettings settings = view().settings();
         QVERIFY2(label->toolTip().contains(
-                     QString("converged: %1 × %2 rays, step 0.5").arg(settings.width).arg(settings.height)),
+                     QString("converged: %1 × %2 rays, step 0.25").arg(settings.width).arg(settings.height)),
                  qPrintable(label->toolTip()));
     }
 

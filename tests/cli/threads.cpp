@@ -39,7 +39,8 @@ std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& vo
             {"study otf", "--phantoms --size 48 --repeats 1 -o \"FOLDER/s\""},
             {"study contrast", "--size 48"},
             {"study motion", "--phantoms --phantom-size 40 --picture-size 32 --step 15 -o \"FOLDER/s\""},
-            {"study stability", "-o \"FOLDER/s\""}};
+            {"study stability", "-o \"FOLDER/s\""},
+            {"study render", "--quick --phantom-size 32 --size 48x48 --repeats 1 -o \"FOLDER/s\""}};
 }
 
 std::string inFolder(std::string arguments, const Folder& folder) {
