@@ -80,7 +80,7 @@ private:
                 tablePositionAt(run.volume, m_job.nearest ? nearestVoxel(place) : place, m_job.toTable, inRange);
             const auto active = hn::And(inRange, hn::Ge(position, set(0.0f)));
             const auto signedPosition = hn::Mul(position, set(sign));
-            const auto better = hn::And(active, hn::Gt(signedPosition, best));
+            const auto better = hn::And(active, sums ? hn::Eq(count, set(0.0f)) : hn::Gt(signedPosition, best));
             best = hn::IfThenElse(better, signedPosition, best);
             at = hn::IfThenElse(better, number, at);
             const auto weight = hn::IfThenElseZero(active, hn::Load(floats, m_weight));

@@ -93,6 +93,7 @@ void RayGeometry::limit(const VolumeGeometry& geometry, const RayCastSettings& s
         if (!settings.box) continue;
         m_low[axis] = std::max(m_low[axis], settings.box->low[axis] * m_inverseSpacing[axis]);
         m_high[axis] = std::min(m_high[axis], settings.box->high[axis] * m_inverseSpacing[axis]);
+        m_high[axis] = std::max(m_high[axis], m_low[axis]);  // a box without inside holds nothing
     }
     for (const ClippingPlane& plane : settings.clippingPlanes)
         m_halfSpaces.push_back({plane.normal.mul(geometry.spacing), -plane.normal.dot(plane.point)});
