@@ -333,7 +333,7 @@ private:
         const auto front = hn::Max(hn::IfThenElse(frontData, before, behind), zero);
         const auto back = hn::Max(hn::IfThenElse(backData, behind, before), zero);
         const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Or(frontData, backData));
-        Colour colour;
+        Colour colour{zero, zero, zero};
         const auto whole = segmentOpacity(front, back, colour);
         // The half of a step towards an end without data shows nothing.
         const auto half = hn::Sub(set(1.0f), hn::Sqrt(hn::Sub(set(1.0f), whole)));

@@ -1,3 +1,5 @@
+#include "processing/ray_caster/packet_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "processing/ray_caster/packet_tile_bytes.cpp"
 #include <hwy/foreach_target.h>

@@ -1,0 +1,27 @@
+# Compiles the ray caster's kernel for 64-bit ARM with the distribution's cross compiler (package g++-aarch64-linux-gnu)
+# and looks whether its NEON route is there. cmake -DSOURCE=... -DBINARY=... -DINCLUDES=A,B -P compile_for_neon.cmake
+find_program(CROSS_COMPILER aarch64-linux-gnu-g++)
+find_program(CROSS_NM aarch64-linux-gnu-nm)
+if(NOT CROSS_COMPILER OR NOT CROSS_NM)
+    message("SKIP: no aarch64-linux-gnu-g++ on this machine (package g++-aarch64-linux-gnu)")
+    return()
+endif()
+string(REPLACE "," ";" includes "${INCLUDES}")
+set(flags -std=c++20 -O1 -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -I${SOURCE})
+foreach(folder IN LISTS includes)
+    # After the cross compiler's own: the system's folder holds this machine's C library as well.
+    list(APPEND flags -idirafter ${folder})
+endforeach()
+foreach(voxels bytes words floats)
+    set(object ${BINARY}/neon_${voxels}.o)
+    execute_process(
+        COMMAND ${CROSS_COMPILER} ${flags} -c ${SOURCE}/processing/ray_caster/packet_tile_${voxels}.cpp -o ${object}
+        RESULT_VARIABLE failed)
+    if(failed)
+        message(FATAL_ERROR "packet_tile_${voxels}.cpp does not compile for aarch64")
+    endif()
+    execute_process(COMMAND ${CROSS_NM} ${object} OUTPUT_VARIABLE symbols)
+    if(NOT symbols MATCHES "N_NEON[0-9]*castTileOf")
+        message(FATAL_ERROR "packet_tile_${voxels}.cpp has no NEON route")
+    endif()
+endforeach()
