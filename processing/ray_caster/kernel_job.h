@@ -37,10 +37,12 @@ struct DepthTint {
 };
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first, all rays' second, ...; each the table position times 32, or noData.
+/// follow each other: all rays' first, all rays' second, ...; each the table position times KernelJob::keptPerPosition, or
+/// noData; so for a shaded picture as for a plain one.
 struct KeptSamples {
     static constexpr std::uint16_t noData = 0xFFFF;
     static constexpr float perTablePosition = 32.0f;
+    static constexpr float perByte = 256.0f;
     struct Packet {
         std::int64_t first = 0;  ///< number of the first sample kept
         std::vector<std::uint16_t> samples;
@@ -55,6 +57,8 @@ struct KernelJob {
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
+    const ColourBends* colourBends = nullptr;        ///< null: there is light, depth or pre-integration
+    const ByteOpacities* byteOpacities = nullptr;    ///< of bytes
     const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed
     float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
@@ -67,6 +71,7 @@ struct KernelJob {
     bool nearest = false;
     double endTransmittance = 0.0;
     KeptSamples* kept = nullptr;  ///< filled, or used where it is filled already
+    float keptPerPosition = KeptSamples::perTablePosition;  ///< of bytes perByte / toTable
     Picture* picture = nullptr;
 };
 

@@ -43,25 +43,30 @@ struct Source {
 
 /// Writes one row of cells; `rows` are offsets of the first voxels of the rows whose voxels each cell holds.
 template <typename Out, typename Read>
-void packRow(const std::array<std::int64_t, voxelsPerCell>& rows, std::int64_t size, Out* out, const Read& read) {
+void packRow(const std::array<std::int64_t, voxelsPerCell>& rows, std::int64_t size, std::int64_t stride, Out* out,
+             const Read& read) {
     const auto write = [&](std::int64_t cell, std::int64_t x) {
         for (std::size_t i = 0; i < voxelsPerCell; ++i)
             out[static_cast<std::size_t>(cell) * voxelsPerCell + i] = read(rows[i] + x);
     };
     write(0, 0);
     for (std::int64_t x = 0; x < size; ++x) write(x + cellShift, x);
-    write(size + 1, size - 1);
+    // The row's rest is read by no sample.
+    for (std::int64_t cell = size + 1; cell < stride; ++cell) write(cell, size - 1);
+}
+std::int64_t strideOf(std::int64_t columns) {
+    return (columns + extraCells + rowAlignment - 1) / rowAlignment * rowAlignment;
 }
 
 template <typename Out, typename Voxel, typename Read>
 std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
-    const std::int64_t columns = source.size[0] + extraCells, rows = source.size[1] + extraCells,
+    const std::int64_t columns = strideOf(source.size[0]), rows = source.size[1] + extraCells,
                        slices = source.size[2] + extraCells;
     auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
             const std::int64_t y = row % rows - cellShift, z = row / rows - cellShift;
-            packRow<Out>({source.rowOf(y, z), source.rowOf(y + 1, z)}, source.size[0],
+            packRow<Out>({source.rowOf(y, z), source.rowOf(y + 1, z)}, source.size[0], columns,
                          cells.get() + row * columns * voxelsPerCell, read);
         }
     });
@@ -87,7 +92,7 @@ float PackedVoxels<Voxel>::toTable(double whiteLevel) {
 
 template <typename Voxel>
 PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
-    : m_rowStride(volume.geometry().size[0] + extraCells),
+    : m_rowStride(strideOf(volume.geometry().size[0])),
       m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCells)) {
     const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
                                volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size,

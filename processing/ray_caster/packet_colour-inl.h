@@ -15,6 +15,14 @@ struct Colour {
     FloatVector red, green, blue;
 };
 
+/// Of a table at a position from 0 on, linear between its entries.
+HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
+    const Floats floats;
+    const auto left = truncated(position);
+    return between(hn::GatherIndex(floats, entries, left), hn::GatherIndex(floats, entries + 1, left),
+                   hn::Sub(position, hn::ConvertTo(floats, left)));
+}
+
 /// The colour map: two permutations of four values in place of a look-up in memory.
 class Colours {
 public:
@@ -150,13 +158,8 @@ private:
     }
 
     HWY_INLINE FloatVector highlightAt(FloatVector cosine) const {
-        const Floats floats;
-        const auto position = hn::Mul(hn::Min(hn::Max(cosine, set(0.0f)), set(1.0f)),
-                                      set(static_cast<float>(LightSource::highlightIntervals)));
-        const auto left = truncated(position);
-        return between(hn::GatherIndex(floats, m_source.highlight.data(), left),
-                       hn::GatherIndex(floats, m_source.highlight.data() + 1, left),
-                       hn::Sub(position, hn::ConvertTo(floats, left)));
+        return entryAt(m_source.highlight.data(), hn::Mul(hn::Min(hn::Max(cosine, set(0.0f)), set(1.0f)),
+                                                          set(static_cast<float>(LightSource::highlightIntervals))));
     }
 
     const LightSource& m_source;

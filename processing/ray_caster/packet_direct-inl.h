@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "processing/ray_caster/packet_colour-inl.h"
+#include "processing/ray_caster/packet_plain-inl.h"
+#include "processing/ray_caster/packet_segment-inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -56,7 +58,9 @@ template <typename Voxel>
 class DirectKernel {
 public:
     explicit DirectKernel(const KernelJob<Voxel>& job) : m_job(job), m_colours(job.table->colours()) {
+        std::fill_n(m_half, lanes, 2.0f);
         m_rich = job.light != nullptr || job.depthTint != nullptr || !job.picture->depthMm.empty();
+        if (job.preIntegration != nullptr) m_segments.emplace(*job.preIntegration, job.table->opacities(), m_colours);
     }
 
     void cast(DirectRays<Voxel>& rays) {
@@ -64,7 +68,11 @@ public:
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
         if (common == 0) rays.kept = nullptr;  // samples are kept of all rays together
-        castCut(packet.rays().head);
+        const std::optional<PlainCuts> cuts = plainCuts();
+        if (cuts)
+            add(cuts->head);
+        else
+            castCut(packet.rays().head);
         for (std::int64_t next = packet.first(); next < packet.last();) {
             const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
@@ -80,7 +88,10 @@ public:
             }
             if (!anyAlive()) return;
         }
-        castCut(packet.rays().tail);
+        if (cuts)
+            add(cuts->tail);
+        else
+            castCut(packet.rays().tail);
     }
 
 private:
@@ -102,16 +113,11 @@ private:
     HWY_NOINLINE void blendCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) {
         prepareLanes(cut.at, 0.0);
         const Floats floats;
-        alignas(64) float length[lanes];
-        for (int i = 0; i < lanes; ++i) length[i] = static_cast<float>(cut.length[i]);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
         const auto number = set(0.0f);
         const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        // 1 - (1 - opacity)^length.
-        const auto extinction = entryAt(m_job.table->extinctions(), hn::Max(position, number));
-        const auto part = hn::Neg(hn::Expm1(floats, hn::Neg(hn::Mul(hn::Load(floats, length), extinction))));
-        blendRich(run, number, position, part, alive, blend);
+        blendRich(run, number, position, opacityOfPart(hn::Max(position, number), cut), alive, blend);
         add(blend);
     }
 
@@ -130,6 +136,7 @@ private:
         prepareLanes(m_middle, 1.0);
         const Floats floats;
         const bool stored = prepareKept(run);
+        if (m_job.colourBends != nullptr) return castPlainly(run, stored);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
         const auto limit = hn::Load(floats, m_limit);
         auto before = set(-1.0f);
@@ -138,29 +145,99 @@ private:
         for (; block < run.count; block += blockSize) {
             const auto alive = hn::Lt(blend.opacity, limit);
             if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
-            // Shorter jumps cost more than they save.
-            const bool atCheck = block % (2 * blockSize) == 0 && block > 0;
-            if (atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + block) > 0) break;
+            if (endsAt(run, block)) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
-            const bool full = run.full && hn::AllTrue(floats, alive);
-            if (m_job.preIntegration != nullptr)
-                for (std::int64_t i = block; i < last; ++i) blendSegment(run, i, alive, before, blend);
-            else if (m_rich)
-                for (std::int64_t i = block; i < last; ++i) {
-                    const auto number = set(static_cast<float>(i));
-                    const auto position = positionOf(run, i, number, stored);
-                    blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
+            for (std::int64_t i = block; i < last; ++i) {
+                if (m_job.preIntegration != nullptr) {
+                    blendSegment(run, i, alive, before, blend);
+                    continue;
                 }
-            else if (full)
-                for (std::int64_t i = block; i < last; ++i) blendSample<true>(run, i, alive, stored, blend);
-            else
-                for (std::int64_t i = block; i < last; ++i) blendSample<false>(run, i, alive, stored, blend);
+                const auto number = set(static_cast<float>(i));
+                const auto position = positionOf(run, i, number, stored);
+                blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
+            }
         }
         add(blend);
-        const std::int64_t done = std::min(block, run.count);
+        return done(run, block, stored);
+    }
+    /// Of samples 0 ... behind - 1, or all of the run.
+    std::int64_t done(const Run<Voxel>& run, std::int64_t behind, bool stored) {
+        const std::int64_t samples = std::min(behind, run.count);
         if (m_rays->kept != nullptr && !stored)
-            m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + done - m_rays->kept->first) * lanes));
-        return done;
+            m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + samples - m_rays->kept->first) * lanes));
+        return samples;
+    }
+    [[nodiscard]] bool endsAt(const Run<Voxel>& run, std::int64_t sample) const {
+        // Shorter jumps cost more than they save.
+        const bool atCheck = sample % (2 * blockSize) == 0 && sample > 0;
+        return atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + sample) > 0;
+    }
+
+    /// whiteValue: of the sums' values, intensity 1.
+    Blend blendOf(const PlainSums& sums, float whiteValue) const {
+        const ColourBends& bends = *m_job.colourBends;
+        const auto channel = [&](std::size_t c) {
+            auto change = hn::Mul(sums.along, set(bends.slope[c]));
+            for (std::size_t i = 0; i < ColourBends::count; ++i)
+                change = hn::MulAdd(sums.beyond[i], set(bends.change[c][i]), change);
+            return hn::MulAdd(change, set(1.0f / whiteValue), hn::Mul(sums.opacity, set(bends.base[c])));
+        };
+        return {sums.opacity, channel(0), channel(1), channel(2), set(-1.0f)};
+    }
+
+    /// The cut steps of all rays, front and back: computed side by side, each waits for the other's voxels.
+    struct PlainCuts {
+        Blend head, tail;
+    };
+    std::optional<PlainCuts> plainCuts() const {
+        const Packet<Voxel>& packet = m_rays->packet;
+        if (m_job.colourBends == nullptr || packet.longestCommonRun() == 0) return std::nullopt;
+        const auto head = packet.run(packet.rays().head, -1), tail = packet.run(packet.rays().tail, -1);
+        return PlainCuts{plainCut(head, packet.rays().head), plainCut(tail, packet.rays().tail)};
+    }
+    HWY_INLINE Blend plainCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) const {
+        const auto zero = set(0.0f);
+        const auto present = run.inRange(zero);
+        const auto known = sampled(run, run.at(zero), present), position = hn::Max(known, zero);
+        const auto opacity = hn::IfThenElseZero(hn::And(present, hn::Ge(known, zero)), opacityOfPart(position, cut));
+        constexpr float white = TransferTable::intervals;
+        PlainSums sums{opacity, hn::Mul(opacity, position), {zero, zero, zero}};
+        for (int i = 0; i < ColourBends::count; ++i)
+            sums.beyond[i] = hn::Mul(opacity, hn::Max(hn::Sub(position, set(white * ColourBends::at(i))), zero));
+        return blendOf(sums, white);
+    }
+    /// 1 - (1 - opacity)^length.
+    HWY_INLINE FloatVector opacityOfPart(FloatVector position, const CutSteps<lanes>& cut) const {
+        const auto length = inFloats([&](Doubles, int i) { return load(cut.length + i); });
+        const auto extinction = entryAt(m_job.table->extinctions(), position);
+        return hn::Neg(hn::Expm1(Floats(), hn::Neg(hn::Mul(length, extinction))));
+    }
+
+    std::int64_t castPlainly(const Run<Voxel>& run, bool stored) {
+        const bool keeps = m_rays->kept != nullptr;
+        constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
+        const float positionOfValue = bytes ? m_job.toTable / byteScale : 1.0f;
+        const float white = TransferTable::intervals / positionOfValue;
+        const PlainRun<Voxel> from{run,
+                                   bytes ? m_job.byteOpacities->data() : m_job.table->opacities(),
+                                   m_job.colourBends->any ? ColourBends::count : 0,
+                                   m_job.toTable,
+                                   bytes ? m_job.byteOpacities->firstVisible() * (byteScale / ByteOpacities::perLevel)
+                                         : m_job.table->firstVisible(),
+                                   white,
+                                   bytes && white < 255.0f * byteScale,
+                                   m_job.nearest,
+                                   m_job.keptPerPosition * positionOfValue,
+                                   keeps ? keptAt(run, 0) : nullptr,
+                                   hn::Load(Floats(), m_limit)};
+        const auto ends = [&](std::int64_t sample) { return endsAt(run, sample); };
+        const auto zero = set(0.0f);
+        PlainSums sums{zero, zero, {zero, zero, zero}};
+        const Keeping keeping = !keeps ? Keeping::none : stored ? Keeping::reuse : Keeping::keep;
+        const std::int64_t behind = run.volume.mask == nullptr ? blendRun<false>(from, keeping, ends, sums)
+                                                               : blendRun<true>(from, keeping, ends, sums);
+        add(blendOf(sums, white));
+        return done(run, behind, stored);
     }
 
     /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's opacity is
@@ -188,11 +265,10 @@ private:
         }
     }
     [[nodiscard]] bool anyAlive() const {
-        double most = 0.0;
-        for (int i = 0; i < lanes; ++i) {
-            const bool isRay = m_rays->packet.rays().enter[i] < m_rays->packet.rays().leave[i];
-            most = std::max(most, isRay ? m_rays->gathered.transmittance[i] : 0.0);
-        }
+        const RayBundle<lanes>& rays = m_rays->packet.rays();
+        double least, most;
+        findRange([&](int i) { return hn::Lt(load(rays.enter + i), load(rays.leave + i)); },
+                  [&](int i) { return load(m_rays->gathered.transmittance + i); }, least, most);
         return most > 0.0 && most >= m_job.endTransmittance;
     }
 
@@ -226,12 +302,12 @@ private:
         if (stored) {
             const auto value = hn::PromoteTo(ints, hn::LoadU(words, kept));
             const auto position =
-                hn::Mul(hn::ConvertTo(floats, value), set(1.0f / KeptSamples::perTablePosition));
+                hn::Mul(hn::ConvertTo(floats, value), set(1.0f / m_job.keptPerPosition));
             return hn::IfThenElse(hn::RebindMask(floats, hn::Eq(value, set(std::int32_t{KeptSamples::noData}))),
                                   set(-1.0f), position);
         }
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        const auto value = hn::NearestInt(hn::Mul(position, set(KeptSamples::perTablePosition)));
+        const auto value = hn::NearestInt(hn::Mul(position, set(m_job.keptPerPosition)));
         const auto known = hn::IfThenElse(hn::Lt(value, hn::Zero(ints)), set(std::int32_t{KeptSamples::noData}), value);
         hn::StoreU(hn::DemoteTo(words, known), words, kept);
         return position;
@@ -239,34 +315,13 @@ private:
 
     /// position: 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
+        if constexpr (std::is_same_v<Voxel, std::uint8_t>)
+            return hn::GatherIndex(Floats(), m_job.byteOpacities->data(),
+                                   rounded(hn::Mul(position, set(ByteOpacities::perLevel / m_job.toTable))));
         return entryAt(m_job.table->opacities(), position);
     }
-    static HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
-        const Floats floats;
-        const auto left = truncated(position);
-        return between(hn::GatherIndex(floats, entries, left), hn::GatherIndex(floats, entries + 1, left),
-                       hn::Sub(position, hn::ConvertTo(floats, left)));
-    }
 
-    template <bool full>
-    HWY_INLINE void blendSample(const Run<Voxel>& run, std::int64_t i, LaneMask alive, bool stored, Blend& blend) {
-        const auto number = set(static_cast<float>(i));
-        const auto position = positionOf(run, i, number, stored);
-        const auto known = m_job.missing != nullptr ? hn::Max(position, set(0.0f)) : position;
-        auto opacity = opacityAt(known);
-        if (m_job.missing != nullptr) opacity = hn::IfThenElseZero(hn::Ge(position, set(0.0f)), opacity);
-        if constexpr (!full) opacity = hn::IfThenElseZero(hn::And(alive, run.inRange(number)), opacity);
-        // Half of the samples of a curve that clears fluid show nothing.
-        if (hn::AllFalse(Floats(), hn::Gt(opacity, set(0.0f)))) return;
-        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
-        const Colour colour = m_colours.at(known);
-        blend.opacity = hn::Add(blend.opacity, added);
-        blend.red = hn::MulAdd(added, colour.red, blend.red);
-        blend.green = hn::MulAdd(added, colour.green, blend.green);
-        blend.blue = hn::MulAdd(added, colour.blue, blend.blue);
-    }
-
-    /// The same with light, tint and depth.
+    /// With light, tint and depth, and where some voxels are no data.
     HWY_INLINE void blendRich(const Run<Voxel>& run, FloatVector number, FloatVector position, FloatVector stepOpacity,
                               LaneMask alive, Blend& blend) {
         const Floats floats;
@@ -334,7 +389,7 @@ private:
         const auto back = hn::Max(hn::IfThenElse(backData, behind, before), zero);
         const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Or(frontData, backData));
         Colour colour{zero, zero, zero};
-        const auto whole = segmentOpacity(front, back, colour);
+        const auto whole = m_segments->opacity(front, back, colour);
         // The half of a step towards an end without data shows nothing.
         const auto half = hn::Sub(set(1.0f), hn::Sqrt(hn::Sub(set(1.0f), whole)));
         const auto opacity = hn::IfThenElseZero(active, hn::IfThenElse(hn::And(frontData, backData), whole, half));
@@ -342,31 +397,6 @@ private:
         if (m_job.depthTint != nullptr) tint(number, colour);
         addSample(added, colour, number, blend);
         before = behind;
-    }
-
-    HWY_INLINE FloatVector segmentOpacity(FloatVector front, FloatVector back, Colour& colour) const {
-        const Floats floats;
-        constexpr float scale = static_cast<float>(PreIntegration::intervals) / TransferTable::intervals;
-        const auto a = hn::Mul(front, set(scale)), b = hn::Mul(back, set(scale));
-        const auto apart = hn::Sub(b, a);
-        const auto far = hn::Gt(hn::Abs(apart), set(PreIntegration::closest));
-        const auto middle = hn::Mul(hn::Add(front, back), set(0.5f));
-        colour = m_colours.at(middle);
-        const auto point = opacityAt(middle);
-        if (hn::AllFalse(floats, far)) return point;
-        const auto perInterval = hn::Div(set(1.0f), hn::IfThenElse(far, apart, set(1.0f)));
-        const auto mean = [&](int component) {
-            return hn::Mul(hn::Sub(integralAt(b, component), integralAt(a, component)), perInterval);
-        };
-        const auto extinction = hn::Max(mean(0), set(0.0f));
-        const auto visible = hn::And(far, hn::Gt(extinction, set(1e-12f)));
-        const auto seen = hn::Div(mean(1), hn::IfThenElse(visible, extinction, set(1.0f)));
-        const auto inside = hn::Min(hn::Max(hn::Mul(seen, set(1.0f / scale)), hn::Min(front, back)), hn::Max(front, back));
-        colour = m_colours.at(hn::IfThenElse(visible, inside, middle));
-        return hn::IfThenElse(far, hn::Neg(hn::Expm1(floats, hn::Neg(extinction))), point);
-    }
-    HWY_INLINE FloatVector integralAt(FloatVector position, int component) const {
-        return entryAt(m_job.preIntegration->integrals(component), position);
     }
 
     /// Puts a run behind what the rays have gathered.
@@ -393,6 +423,7 @@ private:
 
     const KernelJob<Voxel>& m_job;
     Colours m_colours;
+    std::optional<SegmentLook> m_segments;  ///< of pre-integrated pictures
     bool m_rich = false;
     DirectRays<Voxel>* m_rays = nullptr;
     alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];

@@ -24,19 +24,60 @@ constexpr std::int64_t longestRun = 64;
 /// Some samples of all rays of a packet, in floats from a corner near to them. Sample i of a run is number first + i.
 template <typename Voxel>
 struct Run {
+    HWY_INLINE Run() {}  // of this instruction set, as what it calls: an implied one would be of none
     std::int64_t first, count;
     Cells<Voxel> volume;
     std::array<std::int64_t, 3> corner;  ///< cell
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cells
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
-    bool full;                                                ///< all rays have all of them
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
                 truncated(hn::MulAdd(i, stepZ, startZ))};
     }
+    /// From one sample to the next.
+    HWY_INLINE Position way() const { return {rounded(stepX), rounded(stepY), rounded(stepZ)}; }
     HWY_INLINE LaneMask inRange(FloatVector i) const { return hn::And(hn::Ge(i, begin), hn::Lt(i, end)); }
 };
+
+#if HWY_TARGET == HWY_SCALAR
+using Doubles = hn::CappedTag<double, 1>;
+#else
+using Doubles = hn::Repartition<double, Floats>;
+#endif
+using DoubleVector = hn::Vec<Doubles>;
+HWY_INLINE DoubleVector setDouble(double value) { return hn::Set(Doubles(), value); }
+HWY_INLINE double leastOf(DoubleVector values) { return hn::GetLane(hn::MinOfLanes(Doubles(), values)); }
+HWY_INLINE double mostOf(DoubleVector values) { return hn::GetLane(hn::MaxOfLanes(Doubles(), values)); }
+
+/// Least and most of value(first lane of a vector) over the lanes where chosen(first lane); 1e300 and -1e300: none is.
+template <typename Chosen, typename Value>
+HWY_INLINE void findRange(const Chosen& chosen, const Value& value, double& least, double& most) {
+    constexpr double beyond = 1e300;
+    const auto none = setDouble(beyond);
+    auto low = none, high = hn::Neg(none);
+    for (int i = 0; i < lanes; i += static_cast<int>(hn::Lanes(Doubles()))) {
+        const auto mask = chosen(i);
+        const auto here = value(i);
+        low = hn::Min(low, hn::IfThenElse(mask, here, none));
+        high = hn::Max(high, hn::IfThenElse(mask, here, hn::Neg(none)));
+    }
+    least = leastOf(low);
+    most = mostOf(high);
+}
+HWY_INLINE DoubleVector load(const double* values) { return hn::Load(Doubles(), values); }
+
+/// Lanes computed in double, from(tag, first lane), as floats.
+template <typename From>
+HWY_INLINE FloatVector inFloats(const From& from) {
+    const Doubles doubles;
+#if HWY_TARGET == HWY_SCALAR
+    return set(static_cast<float>(hn::GetLane(from(doubles, 0))));
+#else
+    const hn::Half<Floats> half;
+    return hn::Combine(Floats(), hn::DemoteTo(half, from(doubles, lanes / 2)), hn::DemoteTo(half, from(doubles, 0)));
+#endif
+}
 
 /// Between which positions and steps, in cells, the rays of neighbouring pixels lie.
 struct Extent {
@@ -64,9 +105,10 @@ public:
     Packet(const KernelJob<Voxel>& job, int column, int row) : m_job(job) {
         job.rays->fill(m_rays, column, row, packetColumns);
         // Pixels beyond the picture's edge cast nothing.
-        for (int i = 0; i < lanes; ++i)
-            if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
-                m_rays.remove(i);
+        if (column + packetColumns > job.picture->width || row + packetRows > job.picture->height)
+            for (int i = 0; i < lanes; ++i)
+                if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
+                    m_rays.remove(i);
         findExtent();
     }
 
@@ -105,7 +147,7 @@ public:
 
     /// The run from `first`, a multiple of blockSize, of `count` samples at most. lane: of that ray alone; -1: of all.
     [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
-        Run<Voxel> run{};
+        Run<Voxel> run;
         run.first = first;
         run.count = std::min(count, m_last - first);
         double low[3], high[3];
@@ -117,21 +159,26 @@ public:
 
     /// Cut steps as a run of one sample. lane: of that ray alone; -1: of all.
     [[nodiscard]] Run<Voxel> run(const CutSteps<lanes>& cut, int lane) const {
-        Run<Voxel> run{};
+        Run<Voxel> run;
+        run.first = 0;
         run.count = 1;
         double low[3], high[3];
+        const Floats floats;
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = 1e300;
-            high[axis] = 0.0;
-            for (int i = 0; i < lanes; ++i) {
-                if (cut.length[i] <= 0.0 || (lane >= 0 && i != lane)) continue;
-                const double at = m_rays.origin[axis][i] + m_rays.step[axis][i] * cut.at[i] + cellShift;
-                low[axis] = std::max(0.0, std::min(low[axis], at));
-                high[axis] = std::max(high[axis], at);
-            }
+            const auto chosen = [&](int i) {
+                const auto length = load(cut.length + i);
+                const auto here = hn::Gt(length, setDouble(0.0));
+                return lane < 0 ? here : hn::And(here, hn::Eq(hn::Iota(Doubles(), i), setDouble(lane)));
+            };
+            const auto place = [&](int i) {
+                const auto steps = hn::Mul(load(m_rays.step[axis] + i), load(cut.at + i));
+                return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cellShift));
+            };
+            findRange(chosen, place, low[axis], high[axis]);
+            low[axis] = std::max(low[axis], 0.0);
+            high[axis] = std::max(high[axis], 0.0);
         }
         locate(run, low, high);
-        const Floats floats;
         const auto along = [&](int axis) {
             const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
             return inFloats([&](auto doubles, int i) {
@@ -158,28 +205,27 @@ public:
 
 private:
     void findExtent() {
-        double first = 1e18, last = 0.0, farthest = 0.0;
-        for (int i = 0; i < lanes; ++i) {
-            if (m_rays.enter[i] >= m_rays.leave[i]) continue;
-            m_any = true;
-            farthest = std::max(farthest, m_rays.leave[i]);
-            if (m_rays.first[i] < m_rays.last[i]) {
-                first = std::min(first, m_rays.first[i]);
-                last = std::max(last, m_rays.last[i]);
-            }
-            for (int axis = 0; axis < 3; ++axis) {
-                // In cells, at the begin of step 0.
-                const double origin = m_rays.origin[axis][i] + cellShift, step = m_rays.step[axis][i];
-                m_extent.lowOrigin[axis] = std::min(m_extent.lowOrigin[axis], origin);
-                m_extent.highOrigin[axis] = std::max(m_extent.highOrigin[axis], origin);
-                m_extent.lowStep[axis] = std::min(m_extent.lowStep[axis], step);
-                m_extent.highStep[axis] = std::max(m_extent.highStep[axis], step);
-            }
-        }
+        const auto isRay = [&](int i) { return hn::Lt(load(m_rays.enter + i), load(m_rays.leave + i)); };
+        const auto isWhole = [&](int i) { return hn::Lt(load(m_rays.first + i), load(m_rays.last + i)); };
+        double nearest, farthest, first, last, unused;
+        findRange(isRay, [&](int i) { return load(m_rays.leave + i); }, nearest, farthest);
+        m_any = farthest > -1e300;
         if (!m_any) return;
+        findRange(isWhole, [&](int i) { return load(m_rays.first + i); }, first, unused);
+        findRange(isWhole, [&](int i) { return load(m_rays.last + i); }, unused, last);
         if (last > 0.0) {
             m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
-            m_last = static_cast<std::int64_t>(last);
+            // Whole blocks: no lane has what is behind its own last sample.
+            m_last = (static_cast<std::int64_t>(last) + blockSize - 1) / blockSize * blockSize;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            // In cells, at the begin of step 0.
+            findRange(isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cellShift)); },
+                      m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
+            m_extent.lowStep[axis] = m_extent.highStep[axis] = m_rays.step[axis][0];
+            if (!m_job.rays->parallel())
+                findRange(isRay, [&](int i) { return load(m_rays.step[axis] + i); }, m_extent.lowStep[axis],
+                          m_extent.highStep[axis]);
         }
         double widest = 0.0;
         for (int axis = 0; axis < 3; ++axis)
@@ -258,19 +304,6 @@ private:
         run.end = inRun(m_rays.last);
         if (lane >= 0)
             run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
-        run.full = hn::AllTrue(floats, hn::And(hn::Eq(run.begin, set(0.0f)), hn::Eq(run.end, count)));
-    }
-
-    /// Lanes computed in double, from(tag, first lane), as floats.
-    template <typename From>
-    static HWY_INLINE FloatVector inFloats(const From& from) {
-#if HWY_TARGET == HWY_SCALAR
-        return set(static_cast<float>(hn::GetLane(from(hn::CappedTag<double, 1>(), 0))));
-#else
-        const hn::Repartition<double, Floats> doubles;
-        const hn::Half<Floats> half;
-        return hn::Combine(Floats(), hn::DemoteTo(half, from(doubles, lanes / 2)), hn::DemoteTo(half, from(doubles, 0)));
-#endif
     }
 
     [[nodiscard]] bool touchesMissing(const double (&low)[3], const double (&high)[3]) const {

@@ -45,9 +45,26 @@ HWY_INLINE IntVector truncated(FloatVector value) {
 #endif
 }
 
+/// To the nearest, of numbers that fit 32 bits.
+HWY_INLINE IntVector rounded(FloatVector value) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return IntVector{_mm512_cvtps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return IntVector{_mm256_cvtps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+    return IntVector{_mm_cvtps_epi32(value.raw)};
+#else
+    return hn::NearestInt(value);
+#endif
+}
+
 /// Positions in 1/65536 of a cell from a corner, at or after it.
 struct Position {
     IntVector x, y, z;
+
+    HWY_INLINE Position operator+(const Position& way) const {
+        return {hn::Add(x, way.x), hn::Add(y, way.y), hn::Add(z, way.z)};
+    }
 };
 constexpr std::int32_t oneCell = 1 << 16;
 
@@ -59,9 +76,13 @@ HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector 
     return hn::MulAdd(share, hn::Sub(right, left), left);
 }
 
-/// Trilinear mean of bytes, in fixed point: values times 128, shares of 15 bits. Off by at most 1/50 of a byte's step; exact
-/// where all eight are equal.
-constexpr float byteScale = 128.0f * 32767.0f;
+/// Trilinear mean of bytes, in fixed point: shares of 15 bits along x and z, of 7 along y, as if samples lay up to 1/128 of
+/// a voxel beside where they are; exact where all eight are equal. Graphics cards filter with 8 bits along each axis.
+constexpr float byteScale = 127.0f * 32767.0f;
+
+HWY_INLINE FloatVector shareOf(IntVector position) {
+    return hn::Mul(hn::ConvertTo(Floats(), hn::And(position, set(oneCell - 1))), set(1.0f / oneCell));
+}
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -73,16 +94,32 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
-                                   const Position& at) {
-    const std::uint8_t* const first = cells + static_cast<std::ptrdiff_t>(offset.raw) * voxelsPerCell;
-    const std::uint8_t* const second = first + sliceStride * voxelsPerCell;
+/// Four bytes of each lane, of the cell `offset` cells after the first and the one behind it.
+HWY_INLINE IntVector fourBytes(const std::uint8_t* cells, IntVector offset, LaneMask active) {
+    const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
+    std::int32_t four;
+    std::memcpy(&four, cells + first * voxelsPerCell, sizeof(four));
+    return set(four);
+}
+
+struct CellOfBytes {
+    const std::uint8_t *near, *far;
+    int shareX, shareY, shareZ;
+};
+HWY_INLINE CellOfBytes cellOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at, LaneMask active) {
+    const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     const auto share = [](IntVector position) { return (position.raw & 0xFFFF) >> 1; };
-    const auto mean = [](int left, int right, int part) { return left + (((right - left) * part + (1 << 14)) >> 15); };
-    const int x = share(at.x), y = share(at.y), z = share(at.z);
-    const auto alongZ = [&](int voxel) { return mean(first[voxel] << 7, second[voxel] << 7, z); };
-    const int left = mean(alongZ(0), alongZ(1), y), right = mean(alongZ(2), alongZ(3), y);
-    return set(static_cast<float>(left * (32767 - x) + right * x));
+    const std::uint8_t* const near = cells + first * voxelsPerCell;
+    return {near, near + sliceStride * voxelsPerCell, share(at.x), share(at.y) >> 8, share(at.z)};
+}
+HWY_INLINE FloatVector meanOf(const CellOfBytes& cell) {
+    const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - cell.shareY) + two[1] * cell.shareY; };
+    const auto alongZ = [&](int voxel) {
+        const int near = alongY(cell.near + voxel), far = alongY(cell.far + voxel);
+        return near + (((far - near) * cell.shareZ + (1 << 14)) >> 15);
+    };
+    return set(static_cast<float>(alongZ(0) * (32767 - cell.shareX) + alongZ(voxelsPerCell) * cell.shareX));
 }
 
 #else
@@ -112,35 +149,99 @@ HWY_INLINE hn::Vec<Words> wordShares(IntVector position) {
     const auto share = hn::TableLookupBytes(hn::BitCast(bytes, position), hn::LoadDup128(bytes, pattern));
     return hn::BitCast(Words(), hn::ShiftRight<1>(hn::BitCast(bits, share)));
 }
-HWY_INLINE hn::Vec<Words> between(hn::Vec<Words> left, hn::Vec<Words> right, hn::Vec<Words> share) {
-    return hn::Add(left, hn::MulFixedPoint15(hn::Sub(right, left), share));
-}
-HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
-                                   const Position& at) {
+/// The upper 7 bits s below the point, as 127 - s and s in turn.
+HWY_INLINE hn::Vec<Bytes> byteShares(IntVector position) {
+    alignas(16) static constexpr std::uint8_t pattern[16] = {1, 1, 1, 1, 5, 5, 5, 5, 9, 9, 9, 9, 13, 13, 13, 13};
+    const Bytes bytes;
     const Ints ints;
+    const auto share = hn::TableLookupBytes(hn::BitCast(bytes, position), hn::LoadDup128(bytes, pattern));
+    const auto upper = hn::And(hn::ShiftRight<1>(hn::BitCast(ints, share)), hn::Set(ints, 0x7F7F7F7F));
+    return hn::BitCast(bytes, hn::Xor(upper, hn::Set(ints, 0x007F007F)));
+}
+/// Sums of two neighbouring products.
+HWY_INLINE hn::Vec<Words> pairSums(hn::Vec<Bytes> values, hn::Vec<Bytes> shares) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return hn::Vec<Words>{_mm512_maddubs_epi16(values.raw, shares.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return hn::Vec<Words>{_mm256_maddubs_epi16(values.raw, shares.raw)};
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+    return hn::Vec<Words>{_mm_maddubs_epi16(values.raw, shares.raw)};
+#else
+    const hn::RebindToUnsigned<Words> bits;
     const Words words;
-    const auto bytes = hn::ShiftLeft<1>(offset);
-    const auto load = [&](const std::uint8_t* base) {
-        return hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(base), bytes);
-    };
-    const auto first = load(cells), second = load(cells + sliceStride * voxelsPerCell);
-    const auto every = hn::Set(ints, 0x7F807F80);
-    const auto even = [&](IntVector four) { return hn::BitCast(words, hn::And(hn::ShiftLeft<7>(four), every)); };
-    const auto odd = [&](IntVector four) { return hn::BitCast(words, hn::And(hn::ShiftRight<1>(four), every)); };
-    const auto shareZ = wordShares(at.z);
-    const auto above = between(even(first), even(second), shareZ), below = between(odd(first), odd(second), shareZ);
-    // The low half of each dword is of x, the high one of x + 1.
-    const auto slices = between(above, below, wordShares(at.y));
-    const auto weights = hn::Xor(wordShares(at.x), hn::BitCast(words, hn::Set(ints, 0x00007FFF)));
+    const auto low = hn::Set(bits, 0x00FF);
+    const auto even = [&](hn::Vec<Bytes> from) { return hn::BitCast(words, hn::And(hn::BitCast(bits, from), low)); };
+    const auto odd = [&](hn::Vec<Bytes> from) { return hn::BitCast(words, hn::ShiftRight<8>(hn::BitCast(bits, from))); };
+    return hn::Add(hn::Mul(even(values), even(shares)), hn::Mul(odd(values), odd(shares)));
+#endif
+}
+HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
+    const Ints ints;
     auto rest = hn::Zero(ints);
-    const auto sum = hn::ReorderWidenMulAccumulate(ints, slices, weights, hn::Zero(ints), rest);
-    return hn::ConvertTo(Floats(), hn::RearrangeToOddPlusEven(sum, rest));
+    const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
+    return hn::RearrangeToOddPlusEven(sum, rest);
+}
+/// Four bytes of each active lane, of the cells `offset` cells after the first; 0 of the others, which read nothing.
+HWY_INLINE hn::Vec<Bytes> gatherCells(const std::uint8_t* cells, IntVector offset, LaneMask active) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return hn::Vec<Bytes>{
+        _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cells, voxelsPerCell)};
+#elif HWY_TARGET == HWY_AVX2
+    return hn::Vec<Bytes>{_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cells), offset.raw,
+                                                      hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCell)};
+#else
+    const auto bytes = hn::IfThenElseZero(hn::RebindMask(Ints(), active), hn::ShiftLeft<1>(offset));
+    return hn::BitCast(Bytes(), hn::GatherOffset(Ints(), reinterpret_cast<const std::int32_t*>(cells), bytes));
+#endif
+}
+HWY_INLINE IntVector fourBytes(const std::uint8_t* cells, IntVector offset, LaneMask active) {
+    return hn::BitCast(Ints(), gatherCells(cells, offset, active));
+}
+
+/// The eight bytes around a position in each lane, and their shares.
+struct CellOfBytes {
+    HWY_INLINE CellOfBytes() {}  // see Run
+    hn::Vec<Bytes> near, far, shareY;
+    hn::Vec<Words> shareX, shareZ;
+};
+HWY_INLINE CellOfBytes cellOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at, LaneMask active) {
+    static_assert(voxelsPerCell == 2);
+    CellOfBytes cell;
+    cell.near = gatherCells(cells, offset, active);
+    cell.far = gatherCells(cells + sliceStride * voxelsPerCell, offset, active);
+    cell.shareX = hn::Xor(wordShares(at.x), hn::BitCast(Words(), hn::Set(Ints(), 0x00007FFF)));
+    cell.shareY = byteShares(at.y);
+    cell.shareZ = wordShares(at.z);
+    return cell;
+}
+HWY_INLINE FloatVector meanOf(const CellOfBytes& cell) {
+    const auto near = pairSums(cell.near, cell.shareY), far = pairSums(cell.far, cell.shareY);
+    // The low half of each dword is of x, the high one of x + 1.
+    const auto slices = hn::Add(near, hn::MulFixedPoint15(hn::Sub(far, near), cell.shareZ));
+    return hn::ConvertTo(Floats(), pairSums(slices, cell.shareX));
 }
 
 #endif
 
-HWY_INLINE FloatVector shareOf(IntVector position) {
-    return hn::Mul(hn::ConvertTo(Floats(), hn::And(position, set(oneCell - 1))), set(1.0f / oneCell));
+HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at, LaneMask active) {
+    return meanOf(cellOfBytes(cells, sliceStride, offset, at, active));
+}
+/// The same with the shares that means of other voxels have.
+HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+                                       const Position& at, LaneMask active) {
+    const Floats floats;
+    const auto shareX = shareOf(at.x), shareY = shareOf(at.y), shareZ = shareOf(at.z);
+    const auto slice = [&](const std::uint8_t* first) {
+        const auto four = fourBytes(first, offset, active);
+        const auto byte = [&](IntVector from) { return hn::ConvertTo(floats, hn::And(from, set(0xFF))); };
+        const auto left = between(byte(four), byte(hn::ShiftRight<8>(four)), shareY);
+        const auto right = between(byte(hn::ShiftRight<16>(four)), byte(hn::ShiftRight<24>(four)), shareY);
+        return between(left, right, shareX);
+    };
+    const auto mean = between(slice(cells), slice(cells + sliceStride * voxelsPerCell), shareZ);
+    return hn::Mul(mean, set(byteScale));
 }
 
 /// A volume's cells counted from a corner.
@@ -151,16 +252,32 @@ struct Cells {
     std::int64_t rowStride, sliceStride;
 
     HWY_INLINE IntVector offsetOf(const Position& at) const {
+        const auto cell = hn::ShiftRight<16>(at.x);
+#if HWY_TARGET != HWY_SCALAR
+        static_assert(rowAlignment == 1 << 4);
+        if (sliceStride <= rowAlignment * 32767) {
+            // One instruction multiplies and adds both: strides are multiples of rowAlignment.
+            const Words words;
+            const auto rowAndSlice = hn::OddEven(hn::BitCast(words, at.z), hn::BitCast(words, hn::ShiftRight<16>(at.y)));
+            const auto strides = set(static_cast<std::int32_t>(sliceStride / rowAlignment << 16 | rowStride / rowAlignment));
+            return hn::Add(hn::ShiftLeft<4>(pairSums(rowAndSlice, hn::BitCast(words, strides))), cell);
+        }
+#endif
         const auto row = hn::Mul(hn::ShiftRight<16>(at.y), set(static_cast<std::int32_t>(rowStride)));
         const auto slice = hn::Mul(hn::ShiftRight<16>(at.z), set(static_cast<std::int32_t>(sliceStride)));
-        return hn::Add(hn::Add(row, slice), hn::ShiftRight<16>(at.x));
+        return hn::Add(hn::Add(row, slice), cell);
     }
 };
 
-HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at) {
-    return hn::Mul(meanOfBytes(volume.cells, volume.sliceStride, offset, at), set(1.0f / byteScale));
+HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at, LaneMask active) {
+    return hn::Mul(meanOfBytes(volume.cells, volume.sliceStride, offset, at, active), set(1.0f / byteScale));
 }
-HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at) {
+/// Lanes without a sample here read the corner itself.
+HWY_INLINE IntVector withinVolume(IntVector offset, LaneMask active) {
+    return hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset);
+}
+HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at, LaneMask active) {
+    offset = withinVolume(offset, active);
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto slice = [&](std::int64_t first) {
         const DwordPair cell = loadPairs<2>(volume.cells + first * voxelsPerCell, offset);
@@ -174,7 +291,8 @@ HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offs
     };
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
-HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, const Position& at) {
+HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, const Position& at, LaneMask active) {
+    offset = withinVolume(offset, active);
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto column = [&](std::int64_t first) {
         const DwordPair cell = loadPairs<3>(volume.cells + first * voxelsPerCell, offset);
@@ -184,17 +302,24 @@ HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, cons
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
 
+/// The share of the weight that is on voxels with data, from the same shares as the mean.
+template <typename Voxel>
+HWY_INLINE FloatVector weightAt(const Cells<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
+    constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
+    const auto sum = bytes ? meanOfBytes(volume.mask, volume.sliceStride, offset, at, active)
+                           : fineMeanOfBytes(volume.mask, volume.sliceStride, offset, at, active);
+    return hn::Mul(sum, set(1.0f / (byteScale * 255.0f)));
+}
+
 /// Stored values there, 0 for what carries no data, and the share of the weight that does.
 struct Sample {
     FloatVector value, weight;
 };
 template <typename Voxel>
 HWY_INLINE Sample sampleAt(const Cells<Voxel>& volume, const Position& at, LaneMask active) {
-    // Lanes without a sample here read the corner itself.
-    const auto offset = hn::IfThenElseZero(hn::RebindMask(Ints(), active), volume.offsetOf(at));
-    Sample sample{meanOf(volume, offset, at), set(1.0f)};
-    if (volume.mask != nullptr)
-        sample.weight = hn::Mul(meanOfBytes(volume.mask, volume.sliceStride, offset, at), set(1.0f / (byteScale * 255.0f)));
+    const auto offset = volume.offsetOf(at);
+    Sample sample{meanOf(volume, offset, at, active), set(1.0f)};
+    if (volume.mask != nullptr) sample.weight = weightAt(volume, offset, at, active);
     return sample;
 }
 

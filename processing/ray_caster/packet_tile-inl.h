@@ -34,12 +34,18 @@ KeptSamples::Packet* keptOf(const KernelJob<Voxel>& job, int column, int row) {
 
 template <typename Voxel>
 void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int column, int row) {
+    const Floats floats;
     Picture& picture = *job.picture;
+    const auto rounded = [&](const double* values) {
+        return inFloats([&](Doubles, int i) { return load(values + i); });
+    };
+    const auto one = set(1.0f);
+    alignas(64) float rgba[lanes * 4];
+    const auto opacity = inFloats([&](Doubles, int i) { return hn::Sub(setDouble(1.0), load(gathered.transmittance + i)); });
+    hn::StoreInterleaved4(hn::Min(rounded(gathered.colour[0]), one), hn::Min(rounded(gathered.colour[1]), one),
+                          hn::Min(rounded(gathered.colour[2]), one), opacity, floats, rgba);
     forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
-        float* out = &picture.rgba[pixel * 4];
-        for (int channel = 0; channel < 3; ++channel)
-            out[channel] = static_cast<float>(std::min(gathered.colour[channel][lane], 1.0));
-        out[3] = static_cast<float>(1.0 - gathered.transmittance[lane]);
+        std::copy_n(rgba + lane * 4, 4, &picture.rgba[pixel * 4]);
         if (!picture.depthMm.empty()) picture.depthMm[pixel] = gathered.depthMm[lane];
     });
 }

@@ -5,23 +5,35 @@
 
 namespace echolucent::ray_casting {
 
-PreIntegration::PreIntegration(const OpacityCurve& curve, double stepRatio)
-    : m_extinction(intervals + 2), m_weighted(intervals + 2) {
+namespace {
+
+/// `sums` rise.
+PreIntegration::Integral inFixedPoint(const std::vector<double>& sums) {
+    const double unit = std::max(sums.back() * 0x1p-30, 1e-30);
+    PreIntegration::Integral integral{std::vector<std::int32_t>(sums.size() + 1), static_cast<float>(unit)};
+    std::transform(sums.begin(), sums.end(), integral.entries.begin(),
+                   [&](double sum) { return static_cast<std::int32_t>(std::lround(sum / unit)); });
+    integral.entries.back() = integral.entries[sums.size() - 1];
+    return integral;
+}
+
+}  // namespace
+
+PreIntegration::PreIntegration(const OpacityCurve& curve, double stepRatio) {
     const std::vector<double> opacities = sampledOpacities(curve, intervals + 1);
-    double sum = 0.0, weightedSum = 0.0, before = 0.0;
-    for (std::size_t i = 0; i <= intervals; ++i) {
+    std::vector<double> sums(opacities.size()), weighted(opacities.size());
+    double before = 0.0;
+    for (std::size_t i = 0; i < opacities.size(); ++i) {
         const double extinction = stepRatio * std::min(-std::log1p(-opacities[i]), largestExtinction);
         if (i > 0) {
             const double position = static_cast<double>(i);
-            sum += 0.5 * (before + extinction);
-            weightedSum += 0.5 * (before * (position - 1.0) + extinction * position);
+            sums[i] = sums[i - 1] + 0.5 * (before + extinction);
+            weighted[i] = weighted[i - 1] + 0.5 * (before * (position - 1.0) + extinction * position);
         }
-        m_extinction[i] = static_cast<float>(sum);
-        m_weighted[i] = static_cast<float>(weightedSum);
         before = extinction;
     }
-    m_extinction.back() = m_extinction[intervals];
-    m_weighted.back() = m_weighted[intervals];
+    m_extinction = inFixedPoint(sums);
+    m_weighted = inFixedPoint(weighted);
 }
 
 }  // namespace echolucent::ray_casting

@@ -1,6 +1,7 @@
 // Opacity and colour of a step from all intensities between its two ends.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "processing/opacity_curve.h"
@@ -24,13 +25,18 @@ public:
 
     PreIntegration(const OpacityCurve& curve, double stepRatio);
 
-    /// 0: of the step's extinction, 1: of that times the table position; per table interval. intervals + 2 values.
-    [[nodiscard]] const float* integrals(int component) const {
-        return (component == 0 ? m_extinction : m_weighted).data();
-    }
+    /// intervals + 2 values in fixed point, so that differences are exact: what is faint keeps its opacity where the curve is
+    /// opaque below it.
+    struct Integral {
+        std::vector<std::int32_t> entries;
+        float unit = 0.0f;  ///< what 1 stands for
+    };
+    /// Of the step's extinction, and of that times the table position; per table interval.
+    [[nodiscard]] const Integral& extinction() const { return m_extinction; }
+    [[nodiscard]] const Integral& weighted() const { return m_weighted; }
 
 private:
-    std::vector<float> m_extinction, m_weighted;
+    Integral m_extinction, m_weighted;
 };
 
 }  // namespace echolucent::ray_casting

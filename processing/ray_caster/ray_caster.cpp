@@ -79,6 +79,8 @@ DepthTint depthTint(const DepthColouring& colouring, const RayGeometry& rays) {
 }
 
 void requireSensible(const RayCastSettings& settings) {
+    if (std::isnan(settings.terminationTransmittance))
+        throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
     if (settings.shading && !(settings.shading->gradientReach > 0.0))
         throw std::invalid_argument("castRays: the gradient's reach must be above 0");
     if (settings.preIntegrated && settings.shading)
@@ -123,6 +125,7 @@ private:
         job.geometry = volume->geometry();
         job.rays = &rays;
         job.toTable = PackedVoxels<Voxel>::toTable(volume->whiteLevel());
+        if (std::is_same_v<Voxel, std::uint8_t>) job.keptPerPosition = KeptSamples::perByte / job.toTable;
         job.table = &table;
         job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
@@ -136,6 +139,8 @@ private:
         std::optional<LightSource> light;
         std::optional<DepthTint> tint;
         std::optional<PreIntegration> preIntegration;
+        std::optional<ByteOpacities> byteOpacities;
+        std::optional<ColourBends> colourBends;
         if (direct) {
             if (settings.shading)
                 job.light = &light.emplace(
@@ -144,6 +149,11 @@ private:
             if (settings.preIntegrated)
                 job.preIntegration = &preIntegration.emplace(curve, settings.step);
         }
+        const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.preIntegrated &&
+                           !settings.findDepth;
+        if (plain) job.colourBends = &colourBends.emplace(settings.colourMap);
+        if (std::is_same_v<Voxel, std::uint8_t> && direct)
+            job.byteOpacities = &byteOpacities.emplace(table, static_cast<double>(job.toTable));
         if (direct && settings.skipEmptySpace) {
             m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();

@@ -64,7 +64,11 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_opaqueDepth(settings.opaqueDepth) {
     requireSensible(settings);
     const Camera& camera = settings.camera;
-    for (int axis = 0; axis < 3; ++axis) m_inverseSpacing[axis] = 1.0 / geometry.spacing[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+        m_inverseSpacing[axis] = 1.0 / geometry.spacing[axis];
+        m_step[axis] = m_forward[axis] * m_inverseSpacing[axis] * m_stepMm;
+        m_perStep[axis] = 1.0 / m_step[axis];
+    }
     m_farDepth = -foremostDepth(geometry, -m_forward);
     m_eye = camera.focalPoint - m_forward * camera.distanceMm;
     const auto acrossPicture = [&](double pixel) {

@@ -50,16 +50,18 @@ struct RayBundle {
 
     /// Sets first, last, head and tail from enter and leave.
     __attribute__((always_inline)) inline void cut() {
+        // Without branches: the compiler makes vectors of it.
         for (int i = 0; i < lanes; ++i) {
             const bool any = enter[i] < leave[i];
             const double begin = any ? enter[i] : 0.0, end = any ? leave[i] : 0.0;
-            const double up = std::ceil(begin), down = std::floor(end);
+            const double up = std::ceil(begin), down = std::floor(end), left = end - down;
             const bool whole = up <= down;
+            const double headEnd = whole ? up : end;
             first[i] = whole ? up : 0.0;
             last[i] = whole ? down : 0.0;
-            head.length[i] = (whole ? up : end) - begin;
-            head.at[i] = 0.5 * (begin + (whole ? up : end));
-            tail.length[i] = whole ? end - down : 0.0;
+            head.length[i] = headEnd - begin;
+            head.at[i] = 0.5 * (begin + headEnd);
+            tail.length[i] = whole ? left : 0.0;
             tail.at[i] = 0.5 * (down + end);
         }
     }
@@ -102,9 +104,19 @@ private:
     };
     void limit(const VolumeGeometry& geometry, const RayCastSettings& settings);
     template <int lanes>
-    __attribute__((always_inline)) inline void clip(RayBundle<lanes>& bundle, const double (&enter)[lanes]) const;
+    __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+    template <int lanes>
+    __attribute__((always_inline)) inline void aimPerspective(RayBundle<lanes>& bundle, int column, int row,
+                                                              int columns) const;
+    /// Sets enter and leave to where the rays, from `enter` on, are within m_low and m_high.
+    template <int lanes>
+    __attribute__((always_inline)) inline void clip(RayBundle<lanes>& bundle) const;
+    template <int lanes>
+    __attribute__((always_inline)) inline void clipAtHalfSpaces(RayBundle<lanes>& bundle) const;
     template <int lanes>
     void endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+
+    static constexpr double endless = 1e15;  ///< steps
 
     bool m_parallel;
     int m_width, m_height;
@@ -117,6 +129,7 @@ private:
     Vec3 m_eye, m_forward;                ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
+    Vec3 m_step, m_perStep;  ///< parallel: every ray's step, voxels, and 1 / step
     Vec3 m_low, m_high;  ///< voxels; what is rendered of the volume's box
     bool m_jittered;
     std::vector<HalfSpace> m_halfSpaces;
@@ -135,57 +148,90 @@ __attribute__((always_inline)) inline double jitterOf(int column, int row) {
 }
 
 template <int lanes>
-inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int columns) const {
-    alignas(64) double enter[lanes];
+inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < lanes; ++i) {
+            const double x = column + i % columns, y = row + i / columns;
+            bundle.origin[axis][i] = (m_first[axis] + m_perColumn[axis] * x + m_perRow[axis] * y) * m_inverseSpacing[axis];
+            bundle.step[axis][i] = m_step[axis];
+        }
+    for (int i = 0; i < lanes; ++i) {
+        bundle.depthMm[i] = m_startDepth;
+        bundle.depthStepMm[i] = m_stepMm;
+        bundle.enter[i] = 0.0;
+    }
+}
+
+template <int lanes>
+inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, int row, int columns) const {
     for (int i = 0; i < lanes; ++i) {
         const double x = column + i % columns, y = row + i / columns;
         const double start[3] = {m_first[0] + m_perColumn[0] * x + m_perRow[0] * y,
                                  m_first[1] + m_perColumn[1] * x + m_perRow[1] * y,
                                  m_first[2] + m_perColumn[2] * x + m_perRow[2] * y};
-        const double size = m_parallel ? 1.0 : std::sqrt(start[0] * start[0] + start[1] * start[1] + start[2] * start[2]);
-        double cosine = 1.0;
-        if (!m_parallel) cosine = (start[0] * m_forward[0] + start[1] * m_forward[1] + start[2] * m_forward[2]) / size;
+        const double size = std::sqrt(start[0] * start[0] + start[1] * start[1] + start[2] * start[2]);
+        const double cosine = (start[0] * m_forward[0] + start[1] * m_forward[1] + start[2] * m_forward[2]) / size;
         for (int axis = 0; axis < 3; ++axis) {
-            const double direction = m_parallel ? m_forward[axis] : start[axis] / size;
-            bundle.origin[axis][i] =
-                (m_parallel ? start[axis] : m_eye[axis] + direction * m_startDepth) * m_inverseSpacing[axis];
+            const double direction = start[axis] / size;
+            bundle.origin[axis][i] = (m_eye[axis] + direction * m_startDepth) * m_inverseSpacing[axis];
             bundle.step[axis][i] = direction * m_inverseSpacing[axis] * m_stepMm;
         }
         bundle.depthMm[i] = m_eyeDepth + m_startDepth * cosine;
         bundle.depthStepMm[i] = m_stepMm * cosine;
         // A ray towards the picture's corner is at a smaller depth than its distance: it may start before the near plane.
-        enter[i] = m_parallel ? 0.0 : std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
+        bundle.enter[i] = std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
     }
+}
+
+template <int lanes>
+inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+    if (m_parallel)
+        aimParallel(bundle, column, row, columns);
+    else
+        aimPerspective(bundle, column, row, columns);
     if (m_jittered)
         for (int i = 0; i < lanes; ++i) {
             const double shift = jitterOf(column + i % columns, row + i / columns);
             for (int axis = 0; axis < 3; ++axis) bundle.origin[axis][i] += bundle.step[axis][i] * shift;
             bundle.depthMm[i] += bundle.depthStepMm[i] * shift;
-            enter[i] -= shift;
+            bundle.enter[i] -= shift;
         }
-    clip(bundle, enter);
+    clip(bundle);
+    if (!m_halfSpaces.empty()) clipAtHalfSpaces(bundle);
     if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);
     bundle.cut();
 }
 
 template <int lanes>
-inline void RayGeometry::clip(RayBundle<lanes>& bundle, const double (&enter)[lanes]) const {
-    constexpr double endless = 1e15;  // samples
-    for (int i = 0; i < lanes; ++i) {
-        double first = enter[i], last = endless;
-        for (int axis = 0; axis < 3; ++axis) {
+inline void RayGeometry::clip(RayBundle<lanes>& bundle) const {
+    for (int i = 0; i < lanes; ++i) bundle.leave[i] = endless;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = m_low[axis], high = m_high[axis];
+        if (m_parallel && m_step[axis] != 0.0) {
+            // One division for all rays.
+            const double perStep = m_perStep[axis];
+            for (int i = 0; i < lanes; ++i) {
+                const double a = (low - bundle.origin[axis][i]) * perStep, b = (high - bundle.origin[axis][i]) * perStep;
+                bundle.enter[i] = std::max(bundle.enter[i], std::min(a, b));
+                bundle.leave[i] = std::min(bundle.leave[i], std::max(a, b));
+            }
+            continue;
+        }
+        for (int i = 0; i < lanes; ++i) {
             const double origin = bundle.origin[axis][i], step = bundle.step[axis][i];
-            const bool along = step == 0.0, inside = origin >= m_low[axis] && origin < m_high[axis];
+            const bool along = step == 0.0, inside = origin >= low && origin < high;
             const double divisor = along ? 1.0 : step;
-            const double a = (m_low[axis] - origin) / divisor, b = (m_high[axis] - origin) / divisor;
+            const double a = (low - origin) / divisor, b = (high - origin) / divisor;
             const double near = along ? (inside ? -endless : endless) : std::min(a, b);
             const double far = along ? (inside ? endless : -endless) : std::max(a, b);
-            first = std::max(first, near);
-            last = std::min(last, far);
+            bundle.enter[i] = std::max(bundle.enter[i], near);
+            bundle.leave[i] = std::min(bundle.leave[i], far);
         }
-        bundle.enter[i] = first;
-        bundle.leave[i] = last;
     }
+}
+
+template <int lanes>
+inline void RayGeometry::clipAtHalfSpaces(RayBundle<lanes>& bundle) const {
     for (const HalfSpace& space : m_halfSpaces)
         for (int i = 0; i < lanes; ++i) {
             double value = space.offset, slope = 0.0;

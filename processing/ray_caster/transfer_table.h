@@ -17,6 +17,19 @@ struct ColourRanges {
     std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
 };
 
+/// The same as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised intensity. What
+/// many samples show together needs no colour of each.
+struct ColourBends {
+    static constexpr int count = ColourRanges::count - 1;
+    static constexpr float at(int bend) { return static_cast<float>(bend + 1) / ColourRanges::count; }
+
+    explicit ColourBends(ColourMap colourMap);
+
+    bool any = false;  ///< false: one range is all, as of grey
+    std::array<float, 3> base{}, slope{};
+    std::array<std::array<float, count>, 3> change{};
+};
+
 /// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. Small, so that it stays in the nearest
 /// cache beside the voxels: neighbouring rays through speckle read all of it.
 class TransferTable {
@@ -34,6 +47,8 @@ public:
     [[nodiscard]] const float* extinctions() const { return m_extinctions.data(); }
     static constexpr double mostExtinction = 1e6;
     [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
+    /// Table positions up to that have opacity 0.
+    [[nodiscard]] float firstVisible() const { return m_firstVisible; }
 
     /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for a reference
     /// step.
@@ -47,6 +62,24 @@ private:
     std::vector<float> m_opacities, m_extinctions;
     std::vector<std::int32_t> m_visibleBefore;  ///< entries above `negligible` before each entry
     ColourRanges m_colours;
+    float m_firstVisible;
+};
+
+/// Opacities of one step of the ray over the voxels' value, perLevel entries between two bytes: dense enough for the nearest
+/// one to do, and small enough to stay in the nearest cache.
+class ByteOpacities {
+public:
+    static constexpr int perLevel = 16;
+
+    /// toTable: from a voxel's value to its table position.
+    ByteOpacities(const TransferTable& table, double toTable);
+    [[nodiscard]] const float* data() const { return m_opacities.data(); }
+    /// Positions below, in entries, have opacity 0.
+    [[nodiscard]] float firstVisible() const { return m_firstVisible; }
+
+private:
+    std::vector<float> m_opacities;
+    float m_firstVisible;
 };
 
 }  // namespace echolucent::ray_casting

@@ -20,20 +20,22 @@ using nlohmann::ordered_json;
 struct Level {
     double reduction;
     double step;
-    bool preIntegrated;
+    double terminationTransmittance = 1.0 / 128;
+    bool preIntegrated = false;
 };
 
+/// The program's (widgets/volume_view/quality_levels.h), and some beside them.
 constexpr std::array<Level, 10> levels{{
-    {1.0, 0.5, false},
-    {1.0, 1.0, false},
-    {1.0, 1.0, true},
-    {1.0, 2.0, false},
-    {1.0, 2.0, true},
-    {1.5, 1.5, true},
-    {2.0, 1.5, true},
-    {2.0, 2.0, true},
-    {3.0, 2.0, true},
-    {4.0, 3.0, true},
+    {1.0, 0.25, 1.0 / 2048},
+    {1.0, 0.5, 1.0 / 512},
+    {1.0, 0.75},
+    {1.0, 1.0},
+    {1.0, 1.5},
+    {1.0, 2.0, 1.0 / 128, true},
+    {1.5, 1.5},
+    {2.0, 1.5},
+    {2.0, 2.0},
+    {3.0, 2.0},
 }};
 
 /// Frame rates are promised for two cores, whatever the machine has.
@@ -72,6 +74,7 @@ private:
         RayCastSettings look;
         look.step = level.step;
         look.preIntegrated = level.preIntegrated;
+        look.terminationTransmittance = level.terminationTransmittance;
         const auto turned = [&](int frame) {
             return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame);
         };
@@ -82,6 +85,7 @@ private:
         ordered_json row = rowOf("level", size, costs);
         row["reduction"] = level.reduction;
         row["step"] = level.step;
+        row["ends_at"] = level.terminationTransmittance;
         row["pre_integrated"] = level.preIntegrated;
         addError(row, "ours", errorOf(pixels == size ? rgbOf(*picture) : enlarged(*picture, size), reference, window));
         return row;

@@ -41,9 +41,13 @@ struct PreparedCaster {
     }
 };
 
-/// Step 1, trilinear, sepia; shaded as the program shades.
+/// VTK's CPU mapper ends a ray where less of the light is left than 0xff of 0x7fff.
+inline constexpr double vtkEndTransmittance = 255.0 / 32767.0;
+
+/// Step 1, trilinear, sepia, rays end where VTK's do; shaded as the program shades.
 inline RayCastSettings lookOf(bool shaded) {
     RayCastSettings look;
+    look.terminationTransmittance = vtkEndTransmittance;
     if (shaded) look.shading = Shading{};
     return look;
 }

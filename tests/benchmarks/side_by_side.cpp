@@ -18,6 +18,7 @@ Cost castCost(RayCaster& caster, const OpacityCurve& curve, const RayCastSetting
 RayCastSettings turnedSettings(const BenchVolume& volume, const RayCastSettings& look, int size, double turnDegrees) {
     RayCastSettings settings = benchSettings(volume, size, turnDegrees);
     settings.step = look.step;
+    settings.terminationTransmittance = look.terminationTransmittance;
     settings.shading = look.shading;
     settings.colourMap = look.colourMap;
     settings.preIntegrated = look.preIntegrated;

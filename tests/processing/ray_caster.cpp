@@ -115,7 +115,7 @@ void comparePictures(bool shaded) {
             // The second curve is 0 over a range: whole bricks are left out.
             const OpacityCurve curves[] = {PowerCurve{2, 0.6}, LinearCurve{0.7, 0.8, 0.95}};
             for (const OpacityCurve& curve : curves)
-                EXPECT_LT(largestDifference(volume, curve, settings), shaded ? 3e-3 : 2e-4)
+                EXPECT_LT(largestDifference(volume, curve, settings), noiseTolerance(volume, shaded))
                     << setting.name << ", curve " << curve.index() << ", seed " << seed;
         }
 }

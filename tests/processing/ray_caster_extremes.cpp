@@ -12,11 +12,11 @@ namespace {
 
 const View oblique{BeamAxis::plusZ, 27, -16, 5, 0};
 
-/// As the slow reference has it, to a tenth of a level; and sound.
+/// As the slow reference has it, bytes of noise but for their shares' 7 bits; and sound.
 void expectReference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
                      const RayCastSettings& settings, const std::string& what) {
     expectSound(picture, what);
-    const double tolerance = settings.shading ? 3e-3 : 4e-4;
+    const double tolerance = std::max(4e-4, noiseTolerance(volume, settings.shading.has_value()));
     EXPECT_LT(largestDifference(picture, volume, curve, settings), tolerance) << what;
 }
 void expectReference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,

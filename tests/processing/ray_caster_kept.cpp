@@ -11,14 +11,14 @@ namespace {
 
 std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
 
-/// The picture from kept samples is that of castRays() but for what 16 bits a sample cost: 1/64 of a table position,
-/// and the time when a ray ends.
+/// The picture from kept samples is that of castRays() but for what 16 bits a sample cost: 1/512 of a byte's step, enough
+/// to reach the next entry of the bytes' opacities; and the time when a ray ends.
 void expectSameAsAlone(RayCaster& caster, const OpacityCurve& curve, const RayCastSettings& settings,
                        const std::string& what) {
     const auto picture = caster.cast(curve, settings), alone = castRays(*caster.volume(), curve, settings);
     const Apart difference = apart(*picture, *alone);
     EXPECT_LT(difference.rootMeanSquare, settings.shading ? 0.03 : 0.02) << what;
-    EXPECT_LT(difference.largest, settings.shading ? 1.0 : 0.3) << what;
+    EXPECT_LT(difference.largest, settings.shading ? 1.0 : 0.5) << what;
     ASSERT_EQ(picture->depthMm.size(), alone->depthMm.size()) << what;
     std::size_t elsewhere = 0;
     for (std::size_t i = 0; i < alone->depthMm.size(); ++i)

@@ -143,7 +143,7 @@ void compareMasked() {
                 settings.interpolation = interpolation;
                 settings.step = 0.83;
                 if (shaded) settings.shading = Shading{};
-                EXPECT_LT(largestDifference(volume, PowerCurve{2, 0.6}, settings), shaded ? 3e-3 : 2e-4)
+                EXPECT_LT(largestDifference(volume, PowerCurve{2, 0.6}, settings), noiseTolerance(volume, shaded))
                     << "seed " << seed << (shaded ? " shaded" : "")
                     << (interpolation == Interpolation::nearest ? " nearest" : " trilinear");
             }

@@ -1,0 +1,249 @@
+// The loop in which most pictures' time goes: direct volume rendering without light and depth.
+#include "processing/ray_caster/packet_run-inl.h"
+
+#if defined(ECHOLUCENT_PACKET_PLAIN_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ECHOLUCENT_PACKET_PLAIN_INL
+#undef ECHOLUCENT_PACKET_PLAIN_INL
+#else
+#define ECHOLUCENT_PACKET_PLAIN_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// What happens to the samples of a run besides their being shown.
+enum class Keeping { none, keep, reuse };
+
+/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions; below 0 where
+/// there is no data.
+template <typename Voxel>
+struct PlainRun {
+    const Run<Voxel>& run;
+    const float* opacities;  ///< ByteOpacities, of other voxels TransferTable's
+    int bends;               ///< of the colour map: ColourBends::count, or 0
+    float toTable;           ///< of a voxel's value
+    float firstVisible;      ///< values below show nothing
+    float whiteValue;        ///< of intensity 1
+    bool clamped;            ///< there may be values above
+    bool nearest;            ///< of the nearest voxel, not the mean of those around
+    float keptPerValue;
+    std::uint16_t* kept;  ///< of the run's first sample; null: none are kept
+    FloatVector limit;    ///< a ray ends above that opacity of the run
+};
+
+/// Of a run alone, in shares of the light that reaches it: opacity, and the sums that the colours are made of, of values
+/// and of what they have beyond each bend.
+struct PlainSums {
+    FloatVector opacity, along, beyond[ColourBends::count];
+};
+
+HWY_INLINE FloatVector entriesOf(const float* entries, IntVector index, LaneMask active) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return FloatVector{_mm512_mask_i32gather_ps(_mm512_setzero_ps(), active.raw, index.raw, entries, sizeof(float))};
+#elif HWY_TARGET == HWY_AVX2
+    return FloatVector{_mm256_mask_i32gather_ps(_mm256_setzero_ps(), entries, index.raw,
+                                                hn::VecFromMask(Floats(), active).raw, sizeof(float))};
+#else
+    return hn::IfThenElseZero(active, hn::GatherIndex(Floats(), entries, index));
+#endif
+}
+
+template <typename Voxel>
+HWY_INLINE FloatVector opacityOf(const PlainRun<Voxel>& from, FloatVector value, LaneMask active) {
+    if constexpr (std::is_same_v<Voxel, std::uint8_t>) {
+        constexpr float toIndex = ByteOpacities::perLevel / byteScale;
+        return entriesOf(from.opacities, rounded(hn::Mul(value, set(toIndex))), active);
+    } else {
+        const auto left = truncated(value);
+        return between(entriesOf(from.opacities, left, active), entriesOf(from.opacities + 1, left, active),
+                       hn::Sub(value, hn::ConvertTo(Floats(), left)));
+    }
+}
+
+template <bool masked>
+HWY_INLINE void keepValue(FloatVector value, float keptPerValue, std::uint16_t* kept) {
+    const hn::Rebind<std::uint16_t, Floats> words;
+    auto number = rounded(hn::Mul(value, set(keptPerValue)));
+    if constexpr (masked)
+        number = hn::IfThenElse(hn::Lt(number, set(0)), set(std::int32_t{KeptSamples::noData}), number);
+    hn::StoreU(hn::DemoteTo(words, number), words, kept);
+}
+template <bool masked>
+HWY_INLINE FloatVector keptValue(const std::uint16_t* kept, float keptPerValue) {
+    const hn::Rebind<std::uint16_t, Floats> words;
+    const auto number = hn::PromoteTo(Ints(), hn::LoadU(words, kept));
+    const auto value = hn::Mul(hn::ConvertTo(Floats(), number), set(1.0f / keptPerValue));
+    if constexpr (!masked) return value;
+    const auto none = hn::Eq(number, set(std::int32_t{KeptSamples::noData}));
+    return hn::IfThenElse(hn::RebindMask(Floats(), none), set(-1.0f), value);
+}
+
+/// Which lanes have the samples of a block.
+struct BlockLanes {
+    LaneMask alive, whole;  ///< whole: they have all of them
+
+    template <bool cut, typename Voxel>
+    HWY_INLINE LaneMask present(const Run<Voxel>& run, std::int64_t i) const {
+        if constexpr (cut) return run.inRange(set(static_cast<float>(i)));
+        return whole;
+    }
+};
+
+/// Of sample i, at `at` but for rounding.
+template <typename Voxel>
+HWY_INLINE Position placeOf(const PlainRun<Voxel>& from, std::int64_t i, const Position& at) {
+    return from.nearest ? nearestVoxel(from.run.at(set(static_cast<float>(i)))) : at;
+}
+
+/// Within the table.
+template <typename Voxel>
+HWY_INLINE FloatVector limited(const PlainRun<Voxel>&, FloatVector value) {
+    constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
+    const float highest = bytes ? 255.0f * byteScale : static_cast<float>(TransferTable::intervals);
+    return hn::Max(hn::Min(value, set(highest)), set(0.0f));
+}
+
+/// Values of samples i ... i + group - 1 from `at` on, which is moved behind them. Each stage is done for all samples before
+/// the next one: while one waits for its voxels, the processor has others to begin.
+template <bool all, bool masked, int group, bool cut, typename Voxel>
+HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
+                          Position& at, FloatVector (&value)[group]) {
+    const Position begin = at;
+    const Cells<Voxel>& volume = from.run.volume;
+    const auto lanesToRead = [&](int k) {
+        const auto present = in.template present<cut>(from.run, i + k);
+        return all ? present : hn::And(present, in.alive);
+    };
+    if constexpr (std::is_same_v<Voxel, std::uint8_t>) {
+        CellOfBytes cell[group];
+        for (int k = 0; k < group; ++k, at = at + step) {
+            const Position place = placeOf(from, i + k, at);
+            cell[k] = cellOfBytes(volume.cells, volume.sliceStride, volume.offsetOf(place), place, lanesToRead(k));
+        }
+        for (int k = 0; k < group; ++k) value[k] = meanOf(cell[k]);
+    } else {
+        for (int k = 0; k < group; ++k, at = at + step) {
+            const Position place = placeOf(from, i + k, at);
+            value[k] = hn::Mul(meanOf(volume, volume.offsetOf(place), place, lanesToRead(k)), set(from.toTable));
+        }
+    }
+    if constexpr (masked) {
+        // Of the voxels' values the mean of those that are data.
+        Position next = begin;
+        for (int k = 0; k < group; ++k, next = next + step) {
+            const Position place = placeOf(from, i + k, next);
+            const auto weight = weightAt(volume, volume.offsetOf(place), place, lanesToRead(k));
+            const auto enough = hn::Ge(weight, set(0.5f));
+            value[k] = hn::Div(value[k], hn::IfThenElse(enough, weight, set(1.0f)));
+            value[k] = hn::IfThenElse(enough, limited(from, value[k]), set(-1.0f));
+        }
+    } else if constexpr (!std::is_same_v<Voxel, std::uint8_t>) {
+        for (int k = 0; k < group; ++k) value[k] = limited(from, value[k]);
+    }
+}
+
+/// cut: some lanes have not all of the samples.
+template <Keeping keeping, bool masked, int group, bool cut, typename Voxel>
+HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
+                           Position& at, PlainSums& sums) {
+    const Floats floats;
+    FloatVector value[group];
+    std::uint16_t* const kept = from.kept + i * lanes;
+    if constexpr (keeping == Keeping::reuse)
+        for (int k = 0; k < group; ++k) value[k] = keptValue<masked>(kept + k * lanes, from.keptPerValue);
+    else
+        // What is kept is kept of rays that have ended too: another curve may let more light through.
+        readGroup<keeping == Keeping::keep, masked, group, cut>(from, in, i, step, at, value);
+    if constexpr (keeping == Keeping::keep)
+        for (int k = 0; k < group; ++k) keepValue<masked>(value[k], from.keptPerValue, kept + k * lanes);
+    auto most = value[0];
+    for (int k = 1; k < group; ++k) most = hn::Max(most, value[k]);
+    // Half of the samples of a curve that clears fluid show nothing.
+    if (hn::AllFalse(floats, hn::Ge(most, set(from.firstVisible)))) return;
+    FloatVector opacity[group];
+    for (int k = 0; k < group; ++k) {
+        auto active = hn::And(in.template present<cut>(from.run, i + k), in.alive);
+        if constexpr (masked) active = hn::And(active, hn::Ge(value[k], set(0.0f)));
+        opacity[k] = opacityOf(from, masked ? hn::Max(value[k], set(0.0f)) : value[k], active);
+    }
+    for (int k = 0; k < group; ++k) {
+        const auto added = hn::NegMulAdd(opacity[k], sums.opacity, opacity[k]);
+        sums.opacity = hn::Add(sums.opacity, added);
+        if (from.clamped) value[k] = hn::Min(value[k], set(from.whiteValue));
+        sums.along = hn::MulAdd(added, value[k], sums.along);
+        opacity[k] = added;
+    }
+    // Bright samples are rare: most groups are below most bends.
+    for (int bend = 0; bend < from.bends; ++bend) {
+        const auto begin = set(from.whiteValue * ColourBends::at(bend));
+        if (hn::AllFalse(floats, hn::Gt(most, begin))) return;
+        for (int k = 0; k < group; ++k)
+            sums.beyond[bend] =
+                hn::MulAdd(opacity[k], hn::Max(hn::Sub(value[k], begin), set(0.0f)), sums.beyond[bend]);
+    }
+}
+
+/// As many samples at once as their intermediate results fit the registers.
+constexpr int samplesAtOnce = 4;
+
+/// Samples block ... last - 1.
+template <Keeping keeping, bool masked, typename Voxel>
+HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std::int64_t last, LaneMask alive,
+                           PlainSums& sums) {
+    const Floats floats;
+    const Run<Voxel>& run = from.run;
+    const auto someOf = [&](std::int64_t first, std::int64_t behind) {
+        return hn::And(hn::Lt(run.begin, set(static_cast<float>(behind))), hn::Gt(run.end, set(static_cast<float>(first))));
+    };
+    const auto whole =
+        hn::And(hn::Le(run.begin, set(static_cast<float>(block))), hn::Ge(run.end, set(static_cast<float>(last))));
+    const bool cut = !hn::AllFalse(floats, hn::AndNot(whole, someOf(block, last)));
+    const BlockLanes in{alive, whole};
+    const Position step = run.way();
+    Position at = run.at(set(static_cast<float>(block)));
+    constexpr int group = samplesAtOnce;
+    std::int64_t i = block;
+    if (!cut)
+        for (; i + group <= last; i += group) blendGroup<keeping, masked, group, false>(from, in, i, step, at, sums);
+    else
+        for (; i + group <= last; i += group) {
+            if (!hn::AllFalse(floats, someOf(i, i + group)))
+                blendGroup<keeping, masked, group, true>(from, in, i, step, at, sums);
+            else
+                at = run.at(set(static_cast<float>(i + group)));
+        }
+    // Runs of single rays may be shorter than a block.
+    for (; i < last; ++i) blendGroup<keeping, masked, 1, true>(from, in, i, step, at, sums);
+}
+
+/// endsAt(sample): nothing more is to be shown of the run from there on. Returns the number of samples done, as
+/// DirectKernel::castRun.
+template <Keeping keeping, bool masked, typename Voxel, typename EndsAt>
+HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& endsAt, PlainSums& result) {
+    const Floats floats;
+    const auto zero = set(0.0f);
+    PlainSums sums{zero, zero, {zero, zero, zero}};
+    std::int64_t block = 0;
+    for (; block < from.run.count; block += blockSize) {
+        const auto alive = hn::Lt(sums.opacity, from.limit);
+        if (hn::AllFalse(floats, hn::And(alive, hn::Gt(from.run.end, set(static_cast<float>(block)))))) break;
+        if (endsAt(block)) break;
+        blendBlock<keeping, masked>(from, block, std::min(from.run.count, block + blockSize), alive, sums);
+    }
+    result = sums;
+    return block;
+}
+
+template <bool masked, typename Voxel, typename EndsAt>
+std::int64_t blendRun(const PlainRun<Voxel>& from, Keeping keeping, const EndsAt& endsAt, PlainSums& result) {
+    switch (keeping) {
+        case Keeping::none: break;
+        case Keeping::keep: return blendRun<Keeping::keep, masked>(from, endsAt, result);
+        case Keeping::reuse: return blendRun<Keeping::reuse, masked>(from, endsAt, result);
+    }
+    return blendRun<Keeping::none, masked>(from, endsAt, result);
+}
+
+}  // namespace echolucent::ray_casting::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
