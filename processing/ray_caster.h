@@ -149,9 +149,11 @@ struct Picture {
 /// step also at the faces of the box.
 ///
 /// Trilinear samples are means over the data voxels around them; a sample with less than half its weight on data is
-/// transparent. Positions are exact to 1/65536 voxel, interpolated bytes to 1/50 of a level, other voxels to float. Opacities
-/// come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and seven between each two):
-/// exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve. Opacity is gathered in float over at most
+/// transparent. Positions are exact to 1/8192 voxel. Bytes are interpolated with shares of 15 bits, along y of 7, as if a
+/// sample lay up to 1/128 voxel beside its place (a tenth of a level where neighbours differ by 12); other voxels in float.
+/// Opacities come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and seven between each
+/// two), of bytes from the nearest of 16 intensities between two values:
+/// exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve, of bytes to 1/8160. Opacity is gathered in float over at most
 /// 64 samples and then in double, as opacity, not as transmittance: exact to 1e-5 over 2 * 10^5 samples. A ray ends at a
 /// multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1, step) / 128 to its pixel's opacity.
 /// Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
@@ -163,7 +165,8 @@ struct Picture {
 
 /// Casts rays through one volume again and again, and keeps what pictures have in common: the voxels in the order the
 /// kernel reads them, where they are empty under the curve, and, for an edit of the curve under a fixed camera, the
-/// samples themselves. Pictures are those of castRays(). One thread at a time.
+/// samples themselves. Pictures are those of castRays(), from kept samples to half an 8-bit level (RMSE 0.02): 16 bits are
+/// kept of each. One thread at a time.
 class RayCaster {
 public:
     explicit RayCaster(std::shared_ptr<const Volume> volume);

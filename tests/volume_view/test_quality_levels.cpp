@@ -51,6 +51,27 @@ private slots:
         }
     }
 
+    void aViewAloneIsShownAsAtRestWhereThatIsQuick() {
+        const RayCastSettings asked;
+        const RayCastSettings atRest = settingsAt(convergedLevel + 1, asked);
+        QVERIFY(qualityLevels[convergedLevel + 1].atRest);
+        QCOMPARE(PreviewQuality(33).levelAlone(asked), firstLevel);  // nothing is known yet
+        for (const double milliseconds : {35.0, 49.0, 51.0, 400.0}) {
+            PreviewQuality quality(33);
+            const double costPerSample = milliseconds / costOf(atRest, 1.0);
+            quality.sampled(atRest, milliseconds);
+            const std::size_t inMotion = quality.levelInMotion(asked), alone = quality.levelAlone(asked);
+            QVERIFY(costOf(settingsAt(inMotion, asked), costPerSample) <= 33.0);
+            QVERIFY(inMotion > convergedLevel + 1);
+            QCOMPARE(alone, milliseconds <= PreviewQuality::aloneFrames * 33.0 ? convergedLevel + 1 : inMotion);
+            QCOMPARE(quality.levelInMotion(asked), inMotion);  // what moves is as it was
+        }
+        // Finer than that only where it keeps within a frame too.
+        PreviewQuality quick(33);
+        quick.sampled(atRest, 0.5);
+        QCOMPARE(quick.levelAlone(asked), convergedLevel);
+    }
+
     void drawingTakesItsShareOfTheFrame() {
         PreviewQuality quality(33);
         quality.drawn(500);  // prepares OpenGL

@@ -64,6 +64,12 @@ std::size_t PreviewQuality::levelInMotion(const RayCastSettings& asked) {
     return m_level;
 }
 
+std::size_t PreviewQuality::levelAlone(const RayCastSettings& asked) {
+    const std::size_t inMotion = levelInMotion(asked), atRest = convergedLevel + 1;
+    const double cost = samplingCost(asked) * samplesAt(atRest, asked);
+    return cost > 0.0 && cost <= aloneFrames * m_frame ? std::min(inMotion, atRest) : inMotion;
+}
+
 std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked, bool inSeries) {
     if (samplingCost(asked) > 0.0)
         m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel, inSeries ? withinSeries : usual,

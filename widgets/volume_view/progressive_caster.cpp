@@ -41,7 +41,7 @@ std::size_t ProgressiveCaster::levelFor(const PictureRequest& request, bool edit
         m_keptLevel.reset();
     }
     m_editing = false;
-    return m_quality.levelInMotion(request.settings);
+    return m_inStream ? m_quality.levelInMotion(request.settings) : m_quality.levelAlone(request.settings);
 }
 
 void ProgressiveCaster::clear() {

@@ -28,7 +28,7 @@ struct QualityLevel {
 /// RMSE 0.1 and 1 at most, high quality by 0.15 and 3, a preview of all rays by 0.55 and 12 at step 1, 1.25 and 24 at 1.5.
 inline constexpr std::array<QualityLevel, 11> qualityLevels{{
     {"converged", 1.0, 0.25, true, false, false, 1.0 / 2048},
-    {"high quality", 1.0, 0.5, true, false, false, 1.0 / 512},
+    {"high quality", 1.0, 0.75, true, false, false, 1.0 / 256},
     {"preview", 1.0, 1.0},
     {"preview", 1.0, 1.5},
     {"preview", 1.5, 1.5},
