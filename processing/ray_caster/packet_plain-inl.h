@@ -183,8 +183,8 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
     }
 }
 
-/// As many samples at once as their intermediate results fit the registers.
-constexpr int samplesAtOnce = 4;
+/// Samples at once: where all rays have them, and where some do not, which are left out the sooner the fewer they are.
+constexpr int wholeGroup = 8, cutGroup = 4;
 
 /// Samples block ... last - 1.
 template <Keeping keeping, bool masked, typename Voxel>
@@ -201,16 +201,16 @@ HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std:
     const BlockLanes in{alive, whole};
     const Position step = run.way();
     Position at = run.at(set(static_cast<float>(block)));
-    constexpr int group = samplesAtOnce;
     std::int64_t i = block;
     if (!cut)
-        for (; i + group <= last; i += group) blendGroup<keeping, masked, group, false>(from, in, i, step, at, sums);
+        for (; i + wholeGroup <= last; i += wholeGroup)
+            blendGroup<keeping, masked, wholeGroup, false>(from, in, i, step, at, sums);
     else
-        for (; i + group <= last; i += group) {
-            if (!hn::AllFalse(floats, someOf(i, i + group)))
-                blendGroup<keeping, masked, group, true>(from, in, i, step, at, sums);
+        for (; i + cutGroup <= last; i += cutGroup) {
+            if (!hn::AllFalse(floats, someOf(i, i + cutGroup)))
+                blendGroup<keeping, masked, cutGroup, true>(from, in, i, step, at, sums);
             else
-                at = run.at(set(static_cast<float>(i + group)));
+                at = run.at(set(static_cast<float>(i + cutGroup)));
         }
     // Runs of single rays may be shorter than a block.
     for (; i < last; ++i) blendGroup<keeping, masked, 1, true>(from, in, i, step, at, sums);

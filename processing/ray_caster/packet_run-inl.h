@@ -175,8 +175,9 @@ public:
                 return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cellShift));
             };
             findRange(chosen, place, low[axis], high[axis]);
-            low[axis] = std::max(low[axis], 0.0);
+            // Where no ray is cut nothing is read; the corner must be one all the same.
             high[axis] = std::max(high[axis], 0.0);
+            low[axis] = std::clamp(low[axis], 0.0, high[axis]);
         }
         locate(run, low, high);
         const auto along = [&](int axis) {

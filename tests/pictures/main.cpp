@@ -1,11 +1,14 @@
 // echolucent-pictures FOLDER [FILE [--beam-axis AXIS] [--near MM] NAME]...: opens each volume (the word "simulated" for the
-// built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive OTF.
+// built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive OTF; and
+// what is on it with the adaptive one while a hand turns the volume.
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFile>
 #include <QScreen>
 #include <QTemporaryDir>
+#include <QTest>
+#include <QWindow>
 #include <cstdio>
 
 #include "app/main_window.h"
@@ -49,6 +52,29 @@ void waitUntilIdle(MainWindow& window) {
     QCoreApplication::processEvents();
 }
 
+void save(MainWindow& window, const QString& path) {
+    QGuiApplication::primaryScreen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()).save(path);
+    std::printf("%s\n", qPrintable(path));
+}
+
+/// Twelve moves of the mouse, each when the picture of the one before is on the screen.
+void takeInMotion(MainWindow& window, const QString& path) {
+    auto* picture = window.windowHandle()->findChild<QWindow*>();
+    QPoint hand(picture->width() / 2, picture->height() / 2);
+    QTest::mousePress(picture, Qt::LeftButton, {}, hand);
+    for (int i = 0; i < 12; ++i) {
+        bool drawn = false;
+        QObject context;
+        QObject::connect(&window.volumeView(), &VolumeViewWidget::pictureDrawn, &context, [&] { drawn = true; });
+        hand += QPoint(4, 1);
+        QTest::mouseMove(picture, hand);
+        while (!drawn) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
+    }
+    save(window, path);
+    QTest::mouseRelease(picture, Qt::LeftButton, {}, hand);
+    waitUntilIdle(window);
+}
+
 void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
     bool opened = false;
     QObject::connect(&window.session(), &Session::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
@@ -72,10 +98,9 @@ void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
     for (const auto& [kind, name] : kinds) {
         window.otfEditor().setActive(kind);
         waitUntilIdle(window);
-        const QString path = QString("%1/%2-%3.png").arg(folder, wanted.name, name);
-        QGuiApplication::primaryScreen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()).save(path);
-        std::printf("%s\n", qPrintable(path));
+        save(window, QString("%1/%2-%3.png").arg(folder, wanted.name, name));
     }
+    takeInMotion(window, QString("%1/%2-motion.png").arg(folder, wanted.name));
 }
 
 }  // namespace

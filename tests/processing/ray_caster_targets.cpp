@@ -53,6 +53,11 @@ std::vector<Case> casesFor(const Volume& volume, int width, int height) {
     add("kept", nothing, power).kept = true;
     add("kept, masked, shaded", shade, narrow).masked = true;
     cases.back().kept = true;
+    add("along an axis, where no step is cut", [&](Settings& s) {
+        const Settings straight = settingsFor(volume, View{}, width, height);
+        s.camera = straight.camera;
+        s.nearPlaneDepthMm = straight.nearPlaneDepthMm;
+    }, power);
     add("thick steps", [](Settings& s) { s.step = 2.7; }, power);
     return cases;
 }
