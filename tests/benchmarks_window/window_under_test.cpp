@@ -16,6 +16,7 @@ namespace {
 
 constexpr int patience = 300000;     // ms, a bound for broken programs
 constexpr double warmUpSeconds = 1;  // the quality follows the cost of the frames before
+constexpr int movementMilliseconds = 200;  // changes within that belong to one movement
 constexpr double wantedShare = 2.0 / 3;
 
 void await(const char* what, const std::function<bool()>& done) {
@@ -166,6 +167,8 @@ Row WindowUnderTest::highQuality(const Amount& amount) {
         view().setView({BeamAxis::plusZ, 180.0 * (2 * i + 1) / amount.views - 180.0, 20.0, 0, 0});
         await("the high-quality picture", [&] { return drawn; });
         waitUntilConverged();
+        // What follows sooner would be taken for part of a movement.
+        QTest::qWait(movementMilliseconds);
     }
     view().setView({});
     waitUntilConverged();

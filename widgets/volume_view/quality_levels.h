@@ -24,11 +24,12 @@ struct QualityLevel {
 /// While the hand moves, the finest that keeps within the frame budget is shown (PreviewQuality), whichever that is. At
 /// rest all finer ones marked atRest follow, one after another.
 ///
-/// From the study of error against run time (docs/rendering.md; unshaded, 199 x 197 x 199, levels of 255): converged errs by
-/// RMSE 0.1 and 1 at most, high quality by 0.15 and 3, a preview of all rays by 0.55 and 12 at step 1, 1.25 and 24 at 1.5.
+/// Errors, in levels of 255, of the worst of two phantoms and two curves at 512 x 512 (docs/performance.md, "Pictures a
+/// second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at step 1, 2.1 and 24 at
+/// 1.5. Why these settings: docs/rendering.md.
 inline constexpr std::array<QualityLevel, 11> qualityLevels{{
     {"converged", 1.0, 0.25, true, false, false, 1.0 / 2048},
-    {"high quality", 1.0, 0.75, true, false, false, 1.0 / 256},
+    {"high quality", 1.0, 0.75, true},
     {"preview", 1.0, 1.0},
     {"preview", 1.0, 1.5},
     {"preview", 1.5, 1.5},
