@@ -58,7 +58,7 @@ struct KernelJob {
     float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
     const ColourBends* colourBends = nullptr;        ///< null: there is light, depth or pre-integration
-    const ByteOpacities* byteOpacities = nullptr;    ///< of bytes
+    const ByteOpacities* byteOpacities = nullptr;    ///< of bytes whose white level is not too low; else `table`
     const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed
     float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
@@ -71,7 +71,7 @@ struct KernelJob {
     bool nearest = false;
     double endTransmittance = 0.0;
     KeptSamples* kept = nullptr;  ///< filled, or used where it is filled already
-    float keptPerPosition = KeptSamples::perTablePosition;  ///< of bytes perByte / toTable
+    float keptPerPosition = KeptSamples::perTablePosition;  ///< beside byteOpacities perByte / toTable
     Picture* picture = nullptr;
 };
 

@@ -61,7 +61,7 @@ std::int64_t strideOf(std::int64_t columns) {
 template <typename Out, typename Voxel, typename Read>
 std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
     const std::int64_t columns = strideOf(source.size[0]), rows = source.size[1] + extraCells,
-                       slices = source.size[2] + extraCells;
+                       slices = source.size[2] + extraCells + 1;  // the last is read with weight 0 by what is rounded up
     auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
@@ -86,8 +86,9 @@ bool anyMissing(const Source<Voxel>& source, std::int64_t count) {
 template <typename Voxel>
 float PackedVoxels<Voxel>::toTable(double whiteLevel) {
     if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
-    // More than that makes the smallest stored value white already, and must be finite.
-    return static_cast<float>(std::min(TransferTable::intervals / whiteLevel, 1e12));
+    // More than that makes the smallest stored value white already, less the largest one black; both must be finite and have
+    // an inverse.
+    return static_cast<float>(std::clamp(TransferTable::intervals / whiteLevel, 1e-12, 1e12));
 }
 
 template <typename Voxel>

@@ -33,7 +33,7 @@ public:
         if (common == 0) rays.kept = nullptr;  // samples are kept of all rays together
         const std::optional<PlainCuts> cuts = plainCuts();
         if (cuts)
-            add(cuts->head);
+            add(ofAlive(cuts->head));
         else
             castCut(packet.rays().head);
         for (std::int64_t next = packet.first(); next < packet.last();) {
@@ -52,7 +52,7 @@ public:
             if (!anyAlive()) return;
         }
         if (cuts)
-            add(cuts->tail);
+            add(ofAlive(cuts->tail));
         else
             castCut(packet.rays().tail);
     }
@@ -65,8 +65,9 @@ private:
         bool any = false;
         for (int i = 0; i < lanes; ++i) any = any || cut.length[i] > 0.0;
         if (!any) return;
-        if (m_rays->packet.longestCommonRun() > 0) {
-            blendCut(m_rays->packet.run(cut, -1), cut);
+        const Run<Voxel> all = m_rays->packet.run(cut, -1);
+        if (all.near) {
+            blendCut(all, cut);
             return;
         }
         for (int lane = 0; lane < lanes; ++lane)
@@ -154,9 +155,21 @@ private:
     };
     std::optional<PlainCuts> plainCuts() const {
         const Packet<Voxel>& packet = m_rays->packet;
-        if (m_job.colourBends == nullptr || packet.longestCommonRun() == 0) return std::nullopt;
+        if (m_job.colourBends == nullptr) return std::nullopt;
         const auto head = packet.run(packet.rays().head, -1), tail = packet.run(packet.rays().tail, -1);
+        if (!head.near || !tail.near) return std::nullopt;
         return PlainCuts{plainCut(head, packet.rays().head), plainCut(tail, packet.rays().tail)};
+    }
+    /// Nothing of rays that have ended.
+    Blend ofAlive(const Blend& blend) const {
+        const auto share = inFloats([&](Doubles, int i) {
+            const auto left = load(m_rays->gathered.transmittance + i), zero = setDouble(0.0);
+            const auto alive = hn::And(hn::Gt(left, zero), hn::Ge(left, setDouble(m_job.endTransmittance)));
+            return hn::IfThenElse(alive, setDouble(1.0), zero);
+        });
+        const auto alive = hn::Gt(share, set(0.5f));
+        const auto kept = [&](FloatVector value) { return hn::IfThenElseZero(alive, value); };
+        return {kept(blend.opacity), kept(blend.red), kept(blend.green), kept(blend.blue), blend.half};
     }
     HWY_INLINE Blend plainCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) const {
         const auto zero = set(0.0f);
@@ -264,21 +277,23 @@ private:
         std::uint16_t* const kept = keptAt(run, i);
         if (stored) {
             const auto value = hn::PromoteTo(ints, hn::LoadU(words, kept));
-            const auto position =
-                hn::Mul(hn::ConvertTo(floats, value), set(1.0f / m_job.keptPerPosition));
+            // Plain pictures keep what is brighter than white as it is.
+            const auto position = hn::Min(hn::Mul(hn::ConvertTo(floats, value), set(1.0f / m_job.keptPerPosition)),
+                                          set(static_cast<float>(TransferTable::intervals)));
             return hn::IfThenElse(hn::RebindMask(floats, hn::Eq(value, set(std::int32_t{KeptSamples::noData}))),
                                   set(-1.0f), position);
         }
         const auto position = sampled(run, run.at(number), run.inRange(number));
         const auto value = hn::NearestInt(hn::Mul(position, set(m_job.keptPerPosition)));
-        const auto known = hn::IfThenElse(hn::Lt(value, hn::Zero(ints)), set(std::int32_t{KeptSamples::noData}), value);
+        const auto none = hn::RebindMask(ints, hn::Lt(position, set(0.0f)));
+        const auto known = hn::IfThenElse(none, set(std::int32_t{KeptSamples::noData}), value);
         hn::StoreU(hn::DemoteTo(words, known), words, kept);
         return position;
     }
 
     /// position: 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
-        if constexpr (std::is_same_v<Voxel, std::uint8_t>)
+        if (m_job.byteOpacities != nullptr)
             return hn::GatherIndex(Floats(), m_job.byteOpacities->data(),
                                    rounded(hn::Mul(position, set(ByteOpacities::perLevel / m_job.toTable))));
         return entryAt(m_job.table->opacities(), position);

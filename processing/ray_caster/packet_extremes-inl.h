@@ -57,8 +57,9 @@ private:
             m_weight[i] = static_cast<float>(cut.length[i]);
         }
         if (!any) return;
-        if (m_packet.longestCommonRun() > 0) {
-            add(m_packet.run(cut, -1), cut.at);
+        const Run<Voxel> all = m_packet.run(cut, -1);
+        if (all.near) {
+            add(all, cut.at);
             return;
         }
         for (int lane = 0; lane < lanes; ++lane)

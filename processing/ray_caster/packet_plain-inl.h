@@ -64,8 +64,10 @@ template <bool masked>
 HWY_INLINE void keepValue(FloatVector value, float keptPerValue, std::uint16_t* kept) {
     const hn::Rebind<std::uint16_t, Floats> words;
     auto number = rounded(hn::Mul(value, set(keptPerValue)));
-    if constexpr (masked)
-        number = hn::IfThenElse(hn::Lt(number, set(0)), set(std::int32_t{KeptSamples::noData}), number);
+    if constexpr (masked) {
+        const auto none = hn::RebindMask(Ints(), hn::Lt(value, set(0.0f)));
+        number = hn::IfThenElse(none, set(std::int32_t{KeptSamples::noData}), number);
+    }
     hn::StoreU(hn::DemoteTo(words, number), words, kept);
 }
 template <bool masked>
@@ -148,7 +150,7 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
                            Position& at, PlainSums& sums) {
     const Floats floats;
     FloatVector value[group];
-    std::uint16_t* const kept = from.kept + i * lanes;
+    std::uint16_t* const kept = keeping == Keeping::none ? nullptr : from.kept + i * lanes;
     if constexpr (keeping == Keeping::reuse)
         for (int k = 0; k < group; ++k) value[k] = keptValue<masked>(kept + k * lanes, from.keptPerValue);
     else

@@ -30,6 +30,7 @@ struct Run {
     std::array<std::int64_t, 3> corner;  ///< cell
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cells
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
+    bool near = true;  ///< of cut steps: all lie near enough to the corner to be counted from it
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
@@ -178,6 +179,7 @@ public:
             // Where no ray is cut nothing is read; the corner must be one all the same.
             high[axis] = std::max(high[axis], 0.0);
             low[axis] = std::clamp(low[axis], 0.0, high[axis]);
+            run.near = run.near && high[axis] - low[axis] < roomFromCorner();
         }
         locate(run, low, high);
         const auto along = [&](int axis) {
@@ -235,15 +237,17 @@ private:
         m_longestRun = runWithin(widest);
     }
 
+    /// Cells along each axis that positions and offsets can be counted in.
+    [[nodiscard]] double roomFromCorner() const {
+        return std::min(16000.0, 0x1p29 / static_cast<double>(m_job.voxels->sliceStride()));
+    }
+
     /// Whole blocks whose samples, together with rays `widest` cells apart, stay near enough to a corner.
     [[nodiscard]] std::int64_t runWithin(double widest) const {
-        double room = 16000.0;
-        const double slice = static_cast<double>(m_job.voxels->sliceStride());
-        room = std::min(room, 0x1p29 / slice);
         double fastest = 1e-9;
         for (int axis = 0; axis < 3; ++axis)
             fastest = std::max({fastest, std::abs(m_extent.lowStep[axis]), std::abs(m_extent.highStep[axis])});
-        const double samples = (room - widest) / fastest;
+        const double samples = (roomFromCorner() - widest) / fastest;
         if (samples < 1.0) return 0;
         const auto most = static_cast<std::int64_t>(std::min(samples, static_cast<double>(longestRun)));
         return most >= blockSize ? most / blockSize * blockSize : most;

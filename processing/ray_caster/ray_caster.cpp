@@ -125,7 +125,6 @@ private:
         job.geometry = volume->geometry();
         job.rays = &rays;
         job.toTable = PackedVoxels<Voxel>::toTable(volume->whiteLevel());
-        if (std::is_same_v<Voxel, std::uint8_t>) job.keptPerPosition = KeptSamples::perByte / job.toTable;
         job.table = &table;
         job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
@@ -151,9 +150,13 @@ private:
         }
         const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.preIntegrated &&
                            !settings.findDepth;
-        if (plain) job.colourBends = &colourBends.emplace(settings.colourMap);
-        if (std::is_same_v<Voxel, std::uint8_t> && direct)
+        constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
+        const bool fine = bytes && volume->whiteLevel() >= ByteOpacities::leastWhite;
+        if (fine && direct) {
             job.byteOpacities = &byteOpacities.emplace(table, static_cast<double>(job.toTable));
+            job.keptPerPosition = KeptSamples::perByte / job.toTable;
+        }
+        if (plain && (fine || !bytes)) job.colourBends = &colourBends.emplace(settings.colourMap);
         if (direct && settings.skipEmptySpace) {
             m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();

@@ -70,6 +70,8 @@ private:
 class ByteOpacities {
 public:
     static constexpr int perLevel = 16;
+    /// Below, there would be fewer entries up to white than TransferTable has.
+    static constexpr double leastWhite = 128.0;
 
     /// toTable: from a voxel's value to its table position.
     ByteOpacities(const TransferTable& table, double toTable);

@@ -55,6 +55,10 @@ void expectEditsFollowedInEveryView() {
     RayCastSettings settings = obliqueSettings(volume);
     expectEditsFollowed(volume, settings, "parallel");
     expectEditsFollowed(sectorOf(volume), settings, "masked");
+    RayCastSettings plain = settings;
+    plain.findDepth = false;
+    expectEditsFollowed(volume, plain, "plain");
+    expectEditsFollowed(sectorOf(volume), plain, "plain, masked");
     settings.camera.projection = Projection::perspective;
     settings.camera.viewAngleDegrees = 60;
     settings.step = 0.37;
