@@ -137,18 +137,6 @@ private:
         return atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + sample) > 0;
     }
 
-    /// whiteValue: of the sums' values, intensity 1.
-    Blend blendOf(const PlainSums& sums, float whiteValue) const {
-        const ColourBends& bends = *m_job.colourBends;
-        const auto channel = [&](std::size_t c) {
-            auto change = hn::Mul(sums.along, set(bends.slope[c]));
-            for (std::size_t i = 0; i < ColourBends::count; ++i)
-                change = hn::MulAdd(sums.beyond[i], set(bends.change[c][i]), change);
-            return hn::MulAdd(change, set(1.0f / whiteValue), hn::Mul(sums.opacity, set(bends.base[c])));
-        };
-        return {sums.opacity, channel(0), channel(1), channel(2), set(-1.0f)};
-    }
-
     /// The cut steps of all rays, front and back: computed side by side, each waits for the other's voxels.
     struct PlainCuts {
         Blend head, tail;
@@ -180,7 +168,7 @@ private:
         PlainSums sums{opacity, hn::Mul(opacity, position), {zero, zero, zero}};
         for (int i = 0; i < ColourBends::count; ++i)
             sums.beyond[i] = hn::Mul(opacity, hn::Max(hn::Sub(position, set(white * ColourBends::at(i))), zero));
-        return blendOf(sums, white);
+        return blendOf(*m_job.colourBends, sums, white);
     }
     /// 1 - (1 - opacity)^length.
     HWY_INLINE FloatVector opacityOfPart(FloatVector position, const CutSteps<lanes>& cut) const {
@@ -212,7 +200,7 @@ private:
         const Keeping keeping = !keeps ? Keeping::none : stored ? Keeping::reuse : Keeping::keep;
         const std::int64_t behind = run.volume.mask == nullptr ? blendRun<false>(from, keeping, ends, sums)
                                                                : blendRun<true>(from, keeping, ends, sums);
-        add(blendOf(sums, white));
+        add(blendOf(*m_job.colourBends, sums, white));
         return done(run, behind, stored);
     }
 

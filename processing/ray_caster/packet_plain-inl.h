@@ -1,5 +1,5 @@
 // The loop in which most pictures' time goes: direct volume rendering without light and depth.
-#include "processing/ray_caster/packet_run-inl.h"
+#include "processing/ray_caster/packet_gathered-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_PLAIN_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ECHOLUCENT_PACKET_PLAIN_INL
@@ -36,6 +36,17 @@ struct PlainRun {
 struct PlainSums {
     FloatVector opacity, along, beyond[ColourBends::count];
 };
+
+/// whiteValue: of the sums' values, intensity 1.
+inline Blend blendOf(const ColourBends& bends, const PlainSums& sums, float whiteValue) {
+    const auto channel = [&](std::size_t c) {
+        auto change = hn::Mul(sums.along, set(bends.slope[c]));
+        for (std::size_t i = 0; i < ColourBends::count; ++i)
+            change = hn::MulAdd(sums.beyond[i], set(bends.change[c][i]), change);
+        return hn::MulAdd(change, set(1.0f / whiteValue), hn::Mul(sums.opacity, set(bends.base[c])));
+    };
+    return {sums.opacity, channel(0), channel(1), channel(2), set(-1.0f)};
+}
 
 HWY_INLINE FloatVector entriesOf(const float* entries, IntVector index, LaneMask active) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
