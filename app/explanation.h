@@ -5,7 +5,7 @@
 
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
-#include "processing/light_direction.h"
+#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/motion_mode.h"

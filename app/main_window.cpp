@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/motion/otf_course_panel.h"
-#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"

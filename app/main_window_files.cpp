@@ -7,7 +7,7 @@
 
 #include "app/main_window.h"
 #include "io/curve_file.h"
-#include "io/picture_file.h"
+#include "io/output/picture_file.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/raw_layout_dialog.h"
 #include "widgets/volume_view/volume_view_widget.h"

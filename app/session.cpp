@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 
 namespace echolucent {
 

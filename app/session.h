@@ -9,7 +9,7 @@
 
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
-#include "processing/histogram.h"
+#include "processing/volume/histogram.h"
 #include "processing/near_cut.h"
 #include "widgets/newest_wins_thread.h"
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "processing/light_direction.h"
+#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 #include "widgets/panels/preferred_renderer.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 #include "processing/result.h"
 
 namespace echolucent {

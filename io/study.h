@@ -10,7 +10,7 @@
 
 #include "processing/progress.h"
 #include "processing/result.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "processing/white_level.h"
+#include "processing/volume/white_level.h"
 
 namespace echolucent {
 

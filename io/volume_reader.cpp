@@ -2,11 +2,11 @@
 #include <new>
 #include <stdexcept>
 
-#include "io/dicom_reader.h"
-#include "io/header_text.h"
-#include "io/meta_image.h"
-#include "io/nrrd.h"
-#include "io/raw_volume.h"
+#include "io/dicom/dicom_reader.h"
+#include "io/headers/header_text.h"
+#include "io/headers/meta_image.h"
+#include "io/headers/nrrd.h"
+#include "io/headers/raw_volume.h"
 #include "io/study.h"
 #include "io/study_assembly.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -18,7 +18,7 @@
 #include "processing/tube_core/speckle_scale.h"
 #include "processing/tube_core/surface_detection.h"
 #include "processing/tube_core/tube_grid.h"
-#include "processing/tube_core/tube_profiles.h"
+#include "processing/tube_core/slabs/tube_profiles.h"
 #include "processing/tube_core/tube_quality.h"
 #include "processing/tube_core/tube_reader.h"
 

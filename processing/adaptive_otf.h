@@ -11,7 +11,7 @@
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
 #include "processing/view.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -7,7 +7,7 @@
 #include "processing/adaptive_otf.h"
 #include "processing/progress.h"
 #include "processing/view.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
 #include "processing/view.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

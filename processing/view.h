@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "processing/geometry.h"
-#include "processing/volume.h"
+#include "processing/volume/geometry.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

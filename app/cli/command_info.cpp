@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace echolucent::cli {
 

@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/otf_report.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace echolucent::cli {
 

@@ -4,9 +4,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/phantom_report.h"
-#include "io/atomic_file.h"
-#include "io/meta_image_writer.h"
-#include "processing/phantom.h"
+#include "io/output/atomic_file.h"
+#include "io/output/meta_image_writer.h"
+#include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
 

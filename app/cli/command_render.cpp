@@ -4,8 +4,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/picture_words.h"
-#include "io/picture_file.h"
-#include "processing/light_direction.h"
+#include "io/output/picture_file.h"
+#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {

@@ -8,8 +8,8 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_words.h"
 #include "app/cli/sweep_report.h"
-#include "io/atomic_file.h"
-#include "io/movie_file.h"
+#include "io/output/atomic_file.h"
+#include "io/output/movie_file.h"
 
 namespace echolucent::cli {
 

@@ -5,7 +5,7 @@
 
 #include "app/cli/command.h"
 #include "processing/adaptive_otf.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "processing/adaptive_otf.h"
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 #include "processing/view.h"
 
 namespace echolucent::cli {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
-#include "io/header_text.h"
+#include "io/headers/header_text.h"
 #include "io/voxel_types.h"
 
 namespace echolucent::cli {

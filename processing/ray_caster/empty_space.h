@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/ray_caster/transfer_table.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::ray_casting {
 

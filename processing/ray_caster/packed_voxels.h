@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::ray_casting {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 #include "processing/ray_caster.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::ray_casting {
 

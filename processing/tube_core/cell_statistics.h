@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "processing/tube_core/tube_samples.h"
-#include "processing/tube_core/tube_slabs.h"
+#include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/slabs/tube_slabs.h"
 
 namespace echolucent {
 

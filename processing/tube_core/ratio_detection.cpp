@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "processing/tube_core/profile_kernels.h"
+#include "processing/tube_core/slabs/profile_kernels.h"
 
 namespace echolucent {
 

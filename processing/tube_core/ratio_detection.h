@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "processing/tube_core/speckle_scale.h"
-#include "processing/tube_core/tube_profiles.h"
+#include "processing/tube_core/slabs/tube_profiles.h"
 
 namespace echolucent {
 

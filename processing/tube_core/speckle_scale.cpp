@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "processing/tube_core/profile_kernels.h"
+#include "processing/tube_core/slabs/profile_kernels.h"
 
 namespace echolucent {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "processing/tube_core/tube_profiles.h"
+#include "processing/tube_core/slabs/tube_profiles.h"
 
 namespace echolucent {
 

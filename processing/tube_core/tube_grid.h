@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "processing/adaptive_otf.h"
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 #include "processing/view.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "processing/tube_core/cell_statistics.h"
-#include "processing/tube_core/tube_profiles.h"
-#include "processing/tube_core/tube_samples.h"
-#include "processing/tube_core/tube_slabs.h"
+#include "processing/tube_core/slabs/tube_profiles.h"
+#include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/slabs/tube_slabs.h"
 
 namespace echolucent {
 

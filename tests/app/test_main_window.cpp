@@ -19,10 +19,10 @@
 
 #include "app/main_window.h"
 #include "io/curve_file.h"
-#include "io/meta_image_writer.h"
-#include "processing/phantom.h"
+#include "io/output/meta_image_writer.h"
+#include "processing/phantom/phantom.h"
 #include "tests/app/picture_measures.h"
-#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/raw_layout_dialog.h"

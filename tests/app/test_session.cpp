@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "app/session.h"
-#include "io/meta_image_writer.h"
+#include "io/output/meta_image_writer.h"
 
 using namespace echolucent;
 

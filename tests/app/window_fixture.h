@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "app/main_window.h"
-#include "io/meta_image_writer.h"
-#include "processing/phantom.h"
+#include "io/output/meta_image_writer.h"
+#include "processing/phantom/phantom.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
 

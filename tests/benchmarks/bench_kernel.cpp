@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/render_report.h"
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "processing/opacity_curve.h"
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"
 #include "processing/view.h"
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::bench {
 

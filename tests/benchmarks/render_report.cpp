@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "tests/benchmarks/measured_cost.h"
 
 namespace echolucent::bench {

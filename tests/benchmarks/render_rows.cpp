@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 
-#include "io/picture_file.h"
+#include "io/output/picture_file.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"

@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QTextStream>
 
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/report.h"
 #include "tests/benchmarks_window/window_under_test.h"
 

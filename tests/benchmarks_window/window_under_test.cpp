@@ -7,7 +7,7 @@
 #include <QWindow>
 #include <cmath>
 
-#include "io/meta_image_writer.h"
+#include "io/output/meta_image_writer.h"
 #include "widgets/otf_editor/otf_editor.h"
 
 namespace echolucent::bench {

@@ -31,11 +31,13 @@ forbid("VTK stays in widgets/volume_view" "${vtk}" widgets/otf_editor widgets/pa
 forbid("the scene knows no Qt" "${qt}" widgets/volume_view/scene)
 forbid("the scene knows no QVTK" "QVTK" widgets/volume_view/scene)
 forbid("the application reads DICOM through io only" "${dcmtk}" app)
-forbid("the command line knows no Qt" "${qt}" app/cli)
-forbid("the command line knows no widgets" "widgets/" app/cli)
+forbid("the command line knows no Qt" "${qt}" app/cli app/measuring)
+forbid("the command line knows no widgets" "widgets/" app/cli app/measuring)
+forbid("what measures stays out of the rooms that data flows through" "app/measuring/" processing io widgets app/cli)
+forbid("measures know the numeric core only" "(io|widgets|app/cli)/" app/measuring/measures)
 
 # DCMTK stays in the .cpp files of io: no header carries its types.
-file(GLOB headers ${SOURCE_DIR}/io/*.h)
+file(GLOB_RECURSE headers ${SOURCE_DIR}/io/*.h)
 foreach(file IN LISTS headers)
     file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]dcmtk/")
     if(lines)

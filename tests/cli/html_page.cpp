@@ -1,5 +1,5 @@
 // The report page and its plots: well-formed, escaped, readable, and true to what was given.
-#include "app/cli/study/html_page.h"
+#include "app/measuring/pages/html_page.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/cli/study/html_text.h"
-#include "app/cli/study/plot_axis.h"
-#include "app/cli/study/series_style.h"
-#include "app/cli/study/study.h"
+#include "app/measuring/pages/html_text.h"
+#include "app/measuring/pages/plot_axis.h"
+#include "app/measuring/pages/series_style.h"
+#include "app/measuring/study.h"
 
 namespace echolucent::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include "app/cli/study/study_otf.h"
+#include "app/measuring/otf/study_otf.h"
 #include "tests/cli/program.h"
 
 namespace echolucent {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "app/cli/study/study_render.h"
+#include "app/measuring/render/study_render.h"
 #include "tests/cli/program.h"
 
 namespace echolucent {

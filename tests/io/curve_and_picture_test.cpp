@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "io/curve_file.h"
-#include "io/picture_file.h"
+#include "io/output/picture_file.h"
 #include "temporary_folder.h"
 
 namespace echolucent {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 
 namespace echolucent {
 

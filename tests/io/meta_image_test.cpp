@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "io/meta_image_writer.h"
+#include "io/output/meta_image_writer.h"
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
 

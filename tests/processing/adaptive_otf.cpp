@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "plane_detection.h"
+#include "tests/processing/tube_core/plane_detection.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "plane_detection.h"
+#include "tests/processing/tube_core/plane_detection.h"
 #include "processing/adaptive_otf.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/ramp.h"

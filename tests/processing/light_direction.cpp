@@ -1,4 +1,4 @@
-#include "processing/light_direction.h"
+#include "processing/picture/light_direction.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "processing/adaptive_otf.h"
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 
 namespace echolucent {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "processing/measures/detection_quality.h"
-#include "processing/phantom.h"
+#include "app/measuring/measures/detection_quality.h"
+#include "processing/phantom/phantom.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-#include "processing/phantom.h"
+#include "processing/phantom/phantom.h"
 #include "tests/volume_view/drawn_scene.h"
 
 using namespace echolucent;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "processing/volume.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::testing {
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <memory>
 
-#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/otf_editor.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
 
 using namespace echolucent;
 

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <memory>
 
-#include "widgets/otf_editor/curve_canvas.h"
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
 
 using namespace echolucent;

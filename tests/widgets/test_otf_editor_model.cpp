@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/otf_editor/histogram_backdrop.h"
+#include "widgets/otf_editor/canvas/histogram_backdrop.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/otf_editor_model.h"
-#include "widgets/otf_editor/plot_axes.h"
+#include "widgets/otf_editor/canvas/plot_axes.h"
 
 using namespace echolucent;
 

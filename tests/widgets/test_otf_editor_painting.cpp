@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
-#include "widgets/otf_editor/curve_canvas.h"
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 
 using namespace echolucent;
 

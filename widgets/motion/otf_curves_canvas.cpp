@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "widgets/motion/course_drawing.h"
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 
 namespace echolucent {
 namespace {

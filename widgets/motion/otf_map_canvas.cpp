@@ -8,7 +8,7 @@
 
 #include "processing/adaptive_otf.h"
 #include "widgets/motion/course_drawing.h"
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 
 namespace echolucent {
 namespace {

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/otf_editor/curve_canvas.h"
-#include "widgets/otf_editor/curve_legend.h"
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/otf_editor/canvas/curve_legend.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "processing/histogram.h"
+#include "processing/volume/histogram.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 
 class QLabel;

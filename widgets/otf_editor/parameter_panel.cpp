@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 
 namespace echolucent {
 

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "processing/light_direction.h"
+#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 #include "processing/view.h"
 #include "widgets/panels/preferred_renderer.h"

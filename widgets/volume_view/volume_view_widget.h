@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "processing/light_direction.h"
+#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 #include "widgets/panels/preferred_renderer.h"
 

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <array>
 
-#include "widgets/volume_view/scene/graphics_card_volume.h"
+#include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
 #include "widgets/volume_view/scene/window_depth.h"
 
 namespace echolucent {

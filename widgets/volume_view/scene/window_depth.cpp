@@ -2,7 +2,7 @@
 
 #include <vtkCamera.h>
 
-#include "processing/geometry.h"
+#include "processing/volume/geometry.h"
 
 namespace echolucent {
 

@@ -1,0 +1,217 @@
+#include "app/measuring/bench/command_bench.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/cli/command.h"
+#include "io/output/atomic_file.h"
+#include "processing/motion/otf_sweep.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct BenchOptions {
+    VolumeOptions volume;
+    ViewOptions view;
+    MethodOptions method;
+    std::string json;
+    int runs = 51;
+};
+
+/// The view where nobody asks for an oblique one, degrees.
+constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
+/// Before any run counts, caches and page tables are filled.
+constexpr int warmUps = 3;
+/// OpenCV's version is that much slower: fewer runs tell as much.
+constexpr int runsPerOpenCvRun = 5;
+
+double millisecondsOf(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double leastOf(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+
+constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"sampling", &StageTimes::sampling},
+                                                                              {"cells", &StageTimes::cells},
+                                                                              {"detection", &StageTimes::detection},
+                                                                              {"weights", &StageTimes::weights},
+                                                                              {"curve", &StageTimes::curve}}};
+
+/// The runs of one view, side by side with what they are compared to.
+class ViewBench {
+public:
+    ViewBench(const Volume& volume, const View& view, const AdaptiveOtfConfig& config)
+        : m_volume(volume),
+          m_view(view),
+          m_config(config),
+          m_touch(volume, view, config),
+          m_openCv(volume, view, config) {}
+
+    void run(bool counts, bool withOpenCv) {
+        // Each is run once before it is timed: what came between has filled the caches with something else.
+        auto otf = adaptOpacity(m_volume, m_view, m_config);
+        const double total = millisecondsOf([&] { otf = adaptOpacity(m_volume, m_view, m_config); });
+        m_sink = m_sink + m_touch.run();
+        const double touch = millisecondsOf([&] { m_sink = m_sink + m_touch.run(); });
+        double openCv = 0.0;
+        if (withOpenCv) openCv = millisecondsOf([&] { m_sink = m_sink + m_openCv.run(); });
+        if (withOpenCv) m_difference = m_openCv.differenceTo(*otf);
+        if (!counts) return;
+        m_total.push_back(total);
+        m_touchTimes.push_back(touch);
+        if (withOpenCv) m_openCvTimes.push_back(openCv);
+        for (std::size_t i = 0; i < stages.size(); ++i) m_stages[i].push_back(otf->times.*stages[i].second);
+    }
+
+    [[nodiscard]] ordered_json report() const {
+        ordered_json report;
+        const double total = medianOf(m_total), touch = medianOf(m_touchTimes), openCv = medianOf(m_openCvTimes);
+        report["azimuth"] = m_view.azimuthDegrees;
+        report["elevation"] = m_view.elevationDegrees;
+        report["total_ms"] = total;
+        report["touch_ms"] = touch;
+        report["opencv_ms"] = openCv;
+        report["least_total_ms"] = leastOf(m_total);
+        report["least_touch_ms"] = leastOf(m_touchTimes);
+        report["times_touch"] = total / touch;
+        report["opencv_times_total"] = openCv / total;
+        for (std::size_t i = 0; i < stages.size(); ++i) report["stages_ms"][stages[i].first] = medianOf(m_stages[i]);
+        report["opencv_difference"] = m_difference;
+        return report;
+    }
+
+private:
+    const Volume& m_volume;
+    View m_view;
+    const AdaptiveOtfConfig& m_config;
+    Touch m_touch;
+    OpenCvOtf m_openCv;
+    volatile double m_sink = 0.0;
+    double m_difference = 0.0;
+    std::vector<double> m_total, m_touchTimes, m_openCvTimes;
+    std::array<std::vector<double>, stages.size()> m_stages;
+};
+
+constexpr int sweepViews = 91;
+constexpr double sweepFrom = -45.0, sweepTo = 45.0;
+
+/// Seconds for the OTFs of a probe that turns about y.
+double sweepSeconds(const std::shared_ptr<const Volume>& volume, const View& start, const AdaptiveOtfConfig& config) {
+    const auto frames = sweepFrames(start, SweepAxis::y, sweepFrom, sweepTo, 1.0, 1);
+    return millisecondsOf([&] { (void)sweepOtfs(std::span(&volume, 1), frames, config, OtfSmoothing::none); }) / 1000.0;
+}
+
+std::string tableOf(const ordered_json& report) {
+    std::string table = fmt::format("{:<28}{:>12}{:>12}\n", "median ms, one thread", "axis view", "oblique");
+    const auto row = [&](const std::string& name, const std::function<double(const ordered_json&)>& value, int digits) {
+        table += fmt::format("{:<28}{:>12.{}f}{:>12.{}f}\n", name, value(report["axis"]), digits,
+                             value(report["oblique"]), digits);
+    };
+    for (const auto& stage : stages)
+        row(
+            stage.first, [&](const ordered_json& view) { return view["stages_ms"][stage.first].get<double>(); }, 3);
+    for (const auto& [name, key] : {std::pair{"total", "total_ms"},
+                                    {"touching the voxels", "touch_ms"},
+                                    {"the same with OpenCV", "opencv_ms"},
+                                    {"least total", "least_total_ms"},
+                                    {"least touching", "least_touch_ms"}})
+        row(
+            name, [&, k = key](const ordered_json& view) { return view[k].get<double>(); }, 3);
+    row(
+        "total / touching", [](const ordered_json& view) { return view["times_touch"].get<double>(); }, 2);
+    row(
+        "OpenCV / total", [](const ordered_json& view) { return view["opencv_times_total"].get<double>(); }, 1);
+    table += fmt::format("sweep of {} views, {} thread(s): {:.3f} s\n", report["sweep_views"].get<int>(),
+                         report["threads"].get<int>(), report["sweep_s"].get<double>());
+    return table;
+}
+
+Result<std::shared_ptr<const Volume>> volumeOf(const BenchOptions& options) {
+    if (!options.volume.path.empty()) return options.volume.readPhase();
+    return std::make_shared<const Volume>(*makePhantom(defaultPhantom(PhantomScene::shapes)));
+}
+
+Result<void> bench(const BenchOptions& options) {
+    if (auto distinct = differentFiles({options.volume.path, options.json}); !distinct) return distinct;
+    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
+    const auto config = options.method.get();
+    if (!config) return tl::unexpected<Failure>(config.error());
+    const auto volume = volumeOf(options);
+    if (!volume) return tl::unexpected<Failure>(volume.error());
+    const auto view = options.view.get(**volume, *config);
+    if (!view) return tl::unexpected<Failure>(view.error());
+
+    View axis = *view, oblique = *view;
+    axis.azimuthDegrees = axis.elevationDegrees = 0.0;
+    if (oblique == axis) {
+        oblique.azimuthDegrees = defaultAzimuth;
+        oblique.elevationDegrees = defaultElevation;
+    }
+    ordered_json report;
+    const auto& size = (*volume)->geometry().size;
+    report["volume"] = {{"size", {size[0], size[1], size[2]}}, {"type", (*volume)->typeName()}};
+    report["tube_grid"] = {config->tubeColumns, config->tubeRows};
+    report["runs"] = options.runs;
+    {
+        const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+        ViewBench axisBench(**volume, axis, *config), obliqueBench(**volume, oblique, *config);
+        for (int i = -warmUps; i < options.runs; ++i)
+            for (ViewBench* side : {&axisBench, &obliqueBench}) side->run(i >= 0, i % runsPerOpenCvRun == 0);
+        report["axis"] = axisBench.report();
+        report["oblique"] = obliqueBench.report();
+    }
+    report["threads"] = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    report["sweep_views"] = sweepViews;
+    std::vector<double> sweeps;
+    for (int i = 0; i < 5; ++i) sweeps.push_back(sweepSeconds(*volume, axis, *config));
+    report["sweep_s"] = medianOf(sweeps);
+
+    if (!options.json.empty())
+        if (auto done = writeFileAtomically(options.json, report.dump(2) + "\n"); !done) return done;
+    if (options.json == "-") return {};
+    return writeFileAtomically("-", tableOf(report));
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<BenchOptions>();
+    CLI::App& command = *program.add_subcommand("bench", "Measures how fast a stage is");
+    command.require_subcommand(1);
+    CLI::App& otf = *command.add_subcommand(
+        "otf", "Times the adaptive OTF beside touching its voxels and beside OpenCV (docs/cli-bench.md)");
+    options->volume.addTo(otf);
+    otf.get_option("VOLUME")->required(false);
+    options->view.addTo(otf);
+    options->method.addTo(otf);
+    otf.add_option("--runs,--repeats", options->runs, "Runs of which the median is taken")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    otf.add_option("--json", options->json, "The figures as JSON; - is standard output")->type_name("FILE");
+    command.footer("Example: echolucent-cli bench otf --threads 2 --json bench.json");
+    otf.footer("Example: echolucent-cli bench otf chest.mha --beam-axis +y --near 18");
+    otf.callback([options, &action] { action = [options] { return bench(*options); }; });
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,50 @@
+// What `bench otf` compares the adaptive OTF with: touching the voxels it needs, and the same stages with OpenCV.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+#include "processing/tube_core/slabs/tube_samples.h"
+
+namespace echolucent::cli {
+
+/// The tube cores' samples of a view, row-major, as the method takes them.
+[[nodiscard]] std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const View& view,
+                                                      const AdaptiveOtfConfig& config);
+
+/// Reads what the method must read and does nothing with it but add it up. On voxels: all voxels of every row of the
+/// array (along x) that holds a sample. Else: one voxel a sample, at floor(position), in the order in which the method
+/// takes the samples.
+class Touch {
+public:
+    Touch(const Volume& volume, const View& view, const AdaptiveOtfConfig& config);
+    /// The sum, so that nothing is optimised away.
+    [[nodiscard]] double run() const;
+
+private:
+    const Volume& m_volume;
+    int m_columns;
+    std::vector<TubeSamples> m_tubes;
+    std::vector<std::size_t> m_rows;  ///< offsets of the rows; none: the tubes do not lie on voxels
+};
+
+/// The stages written with OpenCV as one would without knowing this program: cv::boxFilter and cv::sqrBoxFilter over
+/// slices where the tubes lie on voxels of slices, else trilinear interpolation sample by sample and cv::reduce; then
+/// one row of a matrix a tube core and cv::boxFilter, cv::log, cv::filter2D, cv::sort and cv::exp on those.
+class OpenCvOtf {
+public:
+    OpenCvOtf(const Volume& volume, const View& view, const AdaptiveOtfConfig& config);
+    /// Runs all stages once; the curve's sum.
+    [[nodiscard]] double run();
+    /// The largest difference between its cell means and those of the method, normalised intensity.
+    [[nodiscard]] double differenceTo(const AdaptiveOtf& otf) const;
+
+private:
+    struct Stages;
+    std::shared_ptr<Stages> m_stages;
+};
+
+}  // namespace echolucent::cli

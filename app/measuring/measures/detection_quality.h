@@ -1,0 +1,63 @@
+// How much of the weight lies on tubes that found the true surface of a phantom.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "processing/adaptive_otf.h"
+#include "processing/phantom/phantom.h"
+#include "processing/tube_core/tube_grid.h"
+
+namespace echolucent {
+
+struct DetectionQuality {
+    double weight = 0.0;       ///< sum of d over the tubes in the count
+    double rightWeight = 0.0;  ///< ... on tubes whose surface is within 3 units of the first fluid-tissue interface
+    double emptyWeight = 0.0;  ///< ... on tubes without such an interface
+    int tubesWithInterface = 0, tubesRight = 0, tubesLeftOut = 0;
+    int tubesFound = 0;          ///< of those with an interface: where any surface was found
+    double distanceUnits = 0.0;  ///< sum over them of |found - true|, units
+
+    [[nodiscard]] double rightShare() const { return weight > 0 ? rightWeight / weight : 0.0; }
+    [[nodiscard]] double emptyShare() const { return weight > 0 ? emptyWeight / weight : 0.0; }
+    [[nodiscard]] double foundShare() const {
+        return tubesWithInterface > 0 ? static_cast<double>(tubesRight) / tubesWithInterface : 0.0;
+    }
+    /// Mean |found - true| in units over the tubes with an interface where any surface was found.
+    [[nodiscard]] double meanDistanceUnits() const { return tubesFound > 0 ? distanceUnits / tubesFound : 0.0; }
+    void add(const DetectionQuality& other) {
+        weight += other.weight;
+        rightWeight += other.rightWeight;
+        emptyWeight += other.emptyWeight;
+        tubesWithInterface += other.tubesWithInterface;
+        tubesRight += other.tubesRight;
+        tubesLeftOut += other.tubesLeftOut;
+        tubesFound += other.tubesFound;
+        distanceUnits += other.distanceUnits;
+    }
+};
+
+/// Distance in mm along the view, from the grid's origin, of the first interface on a ray parallel to the axis, shifted
+/// by offsetMm (grid mm); none: no interface.
+[[nodiscard]] std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry,
+                                                     const View& view, const TubeAxis& axis, const Vec3& offsetMm);
+
+/// Whether the four corners of the tube core see the interface at depths no more than 10 units apart, or none of them.
+[[nodiscard]] bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
+                                const TubeAxis& axis, int cellSize);
+
+/// What the truth says of each tube core, as AdaptiveOtf::tubes is ordered: asked once for many runs over one grid.
+struct TubeTruth {
+    bool counts = false;                     ///< false: outside, or its corners disagree
+    std::optional<double> interfaceDepthMm;  ///< along its axis, as interfaceDepthMm()
+};
+[[nodiscard]] std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry,
+                                                const View& view, const AdaptiveOtfConfig& config);
+
+[[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth,
+                                                const VolumeGeometry& geometry);
+/// The same with the truth at hand: tubeTruths() of the same geometry, view, grid and cell size.
+[[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<TubeTruth>& truths,
+                                                const VolumeGeometry& geometry);
+
+}  // namespace echolucent

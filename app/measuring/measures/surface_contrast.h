@@ -1,0 +1,43 @@
+// How well a picture sets the surface off from haze before it and leakage behind it: CNR_S.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "processing/opacity_curve.h"
+#include "processing/phantom/phantom.h"
+#include "processing/view.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Over the rays whose first interface (PhantomTruth::firstInterface) leads from fluid into object.
+struct SurfaceContrast {
+    double meanSurface = 0.0;  ///< mean over these rays of the composited intensity that comes from -2 ... +6 units
+                               ///< around the true surface; levels of 255
+    double meanRest = 0.0;     ///< ... from before and behind
+    double varianceSurface = 0.0, varianceRest = 0.0;
+    int rays = 0;
+    /// (meanSurface - meanRest) / sqrt(varianceSurface + varianceRest); none: no such ray or no variance.
+    [[nodiscard]] std::optional<double> contrastToNoise() const;
+};
+
+/// Parallel rays, one per unit across the view, samples one unit apart, trilinear, no shading; eq. 3 with white for
+/// full intensity, on a black ground (docs/method.md).
+[[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const View& view,
+                                              const OpacityCurve& curve);
+
+/// One of these rays.
+struct ObjectRay {
+    Vec3 pointMm{0, 0, 0};        ///< a point of it, grid mm; its direction is the view's forward
+    double surfaceDepthMm = 0.0;  ///< of the true surface along forward, from the grid's origin
+};
+/// The rays that surfaceContrast looks at, row by row: where the truth is asked once for many curves.
+[[nodiscard]] std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
+                                                const View& view);
+/// One contrast a curve, of given rays; each equals surfaceContrast's, bit for bit. The volume is sampled once.
+[[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
+                                                            const View& view, std::span<const OpacityCurve> curves);
+
+}  // namespace echolucent

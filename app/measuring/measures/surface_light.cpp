@@ -1,0 +1,74 @@
+#include "app/measuring/measures/surface_light.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/measuring/measures/line_samples.h"
+#include "processing/tube_core/tube_grid.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr double unitsOfSurface = 3.0;
+
+struct TubeLight {
+    double share = 0.0, intensity = 0.0;
+};
+
+/// Of the ray along a tube core's axis, from the tube's first sample on.
+TubeLight lightAlong(const Volume& volume, const TubeCore& tube, const TubeAxis& axis, const OpacityTable& table) {
+    const VolumeGeometry& geometry = volume.geometry();
+    const double unit = geometry.unit();
+    const Vec3 first = geometry.gridMmFromVoxel(tube.firstSampleVoxel);
+    const auto span = spanInBox(geometry, first, axis.directionMm);
+    if (!span) return {};
+    std::vector<double> intensities(static_cast<std::size_t>(std::max(0.0, std::floor(span->to / unit))) + 1);
+    sampleLine(volume, tube.firstSampleVoxel, geometry.voxelFromGridMm(axis.directionMm * unit), intensities);
+    const double surface = axis.directionMm.dot(geometry.gridMmFromVoxel(*tube.surfaceVoxel) - first) / unit;
+    double transmittance = 1.0, ofSurface = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < intensities.size(); ++i) {
+        if (std::isnan(intensities[i])) continue;
+        const double opacity = table.at(intensities[i]);
+        const double light = transmittance * opacity * intensities[i];
+        all += light;
+        if (std::abs(static_cast<double>(i) - surface) <= unitsOfSurface) ofSurface += light;
+        transmittance *= 1.0 - opacity;
+    }
+    return {all > 0 ? ofSurface / all : 0.0, all};
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+}  // namespace
+
+SurfaceLight surfaceLight(const Volume& volume, const AdaptiveOtf& otf, const OpacityCurve& curve) {
+    const auto axes = tubeAxes(volume.geometry(), otf.view, otf.config);
+    std::vector<std::size_t> used;
+    for (std::size_t t = 0; t < otf.tubes.size(); ++t)
+        if (otf.tubes[t].surfaceVoxel && otf.tubes[t].d > 0) used.push_back(t);
+    SurfaceLight light;
+    light.rays = static_cast<int>(used.size());
+    if (used.empty()) return light;
+    const OpacityTable table(curve);
+    std::vector<double> shares(used.size()), intensities(used.size());
+    tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
+        const TubeLight own = lightAlong(volume, otf.tubes[used[i]], axes[used[i]], table);
+        shares[i] = own.share;
+        intensities[i] = own.intensity;
+    });
+    light.meanShare = std::accumulate(shares.begin(), shares.end(), 0.0) / light.rays;
+    light.meanIntensity = std::accumulate(intensities.begin(), intensities.end(), 0.0) / light.rays;
+    light.medianShare = medianOf(shares);
+    return light;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,84 @@
+// `study contrast`: CNR_S of the fixed curves and of the readings, condition by condition.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/measuring/study.h"
+#include "app/measuring/otf/study_phantoms.h"
+#include "io/output/atomic_file.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct ContrastOptions {
+    PhantomChoice phantoms;
+    ViewOptions view;
+    std::string csv;
+};
+
+using Values = std::vector<std::optional<double>>;
+
+std::string line(const std::string& name, const Values& values) {
+    std::string text = fmt::format("{:<22}", name);
+    for (const auto& value : values) text += value ? fmt::format("{:>11.2f}", *value) : fmt::format("{:>11}", "-");
+    return text + '\n';
+}
+
+/// Of every column the mean of the rows.
+Values columnMeans(const std::vector<Values>& rows) {
+    Values means;
+    for (std::size_t c = 0; c < rows.front().size(); ++c) {
+        Values column;
+        for (const Values& row : rows) column.push_back(row[c]);
+        means.push_back(meanOf(column));
+    }
+    return means;
+}
+
+Result<void> measureContrast(const ContrastOptions& options) {
+    const auto bases = options.phantoms.bases();
+    if (!bases) return tl::unexpected<Failure>(bases.error());
+    const auto view = options.view.get();
+    if (!view) return tl::unexpected<Failure>(view.error());
+    const std::vector<std::string> names{"x²", "eq. 1", "published", "settled", "default"};
+    std::string text = fmt::format("CNR_S, mean of {} seed(s)\n{:<22}", bases->size(), "condition");
+    for (const std::string& name : names) text += fmt::format("{:>{}}", name, 11);
+    text += '\n';
+    CsvTable csv({"condition", "seed", "curve", "cnr_s"});
+    std::vector<Values> conditions;
+    const std::size_t count = contrastConditions(bases->front()).size();
+    for (std::size_t c = 0; c < count; ++c) {
+        std::vector<Values> seeds;
+        std::string name;
+        for (const PhantomConfig& base : *bases) {
+            const NamedPhantom phantom = contrastConditions(base)[c];
+            name = phantom.name;
+            seeds.push_back(contrastsOf(StudyPhantom(phantom.config), *view));
+            for (std::size_t i = 0; i < names.size(); ++i)
+                csv.row({name, static_cast<std::int64_t>(base.seed), names[i], seeds.back()[i].value_or(NAN)});
+        }
+        conditions.push_back(columnMeans(seeds));
+        text += line(name, conditions.back());
+    }
+    text += line("mean", columnMeans(conditions));
+    if (!options.csv.empty())
+        if (auto written = writeFileAtomically(options.csv, csv.text()); !written) return written;
+    return writeFileAtomically("-", text);
+}
+
+}  // namespace
+
+void addStudyContrastCommand(CLI::App& study, Action& action) {
+    auto options = std::make_shared<ContrastOptions>();
+    CLI::App& command =
+        *study.add_subcommand("contrast", "How well the curves set known surfaces off from haze and leakage (CNR_S)");
+    options->phantoms.addTo(command);
+    options->view.addTo(command);
+    command.add_option("--csv", options->csv, "Also writes every value")->type_name("FILE");
+    command.footer("Example: echolucent-cli study contrast --seeds 1-4");
+    command.callback([options, &action] { action = [options] { return measureContrast(*options); }; });
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,120 @@
+// The parts of `study otf`: which settings are compared, what is measured of them, and the page about it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/measuring/pages/html_page.h"
+#include "app/measuring/otf/study_phantoms.h"
+#include "processing/adaptive_otf.h"
+#include "app/measuring/measures/surface_light.h"
+
+namespace echolucent::cli {
+
+/// One setting that is compared: the default but for one parameter.
+struct OtfVariant {
+    InterfaceFunction interfaceFunction = InterfaceFunction::variance;
+    std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": nothing but the interface function
+    std::string value;
+    AdaptiveOtfConfig config;
+    bool isReference = false;  ///< the densest: tube cores every 4 units, double precision
+    [[nodiscard]] std::string name() const { return value.empty() ? parameter : parameter + " " + value; }
+};
+[[nodiscard]] std::string nameOf(InterfaceFunction function);
+
+/// For the variance and then for the ratio: unchanged, the reference, and one parameter at a time. A grid of tube cores
+/// of a given spacing covers this volume in this view. The same number of variants in the same order for any volume.
+[[nodiscard]] std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const View& view);
+
+/// A volume in a view. truth: none where it is not known.
+struct OtfCase {
+    std::string name;
+    const Volume* volume = nullptr;
+    View view;
+    const PhantomTruth* truth = nullptr;
+};
+
+/// What is known of one variant over all cases.
+struct VariantResult {
+    OtfVariant variant;
+    DetectionQuality detection;
+    double largestDifference = 0.0;  ///< of opacity, from the reference of the same interface function and case
+    double sumOfSquares = 0.0;       ///< of these differences, over all cases' samples
+    std::size_t samples = 0;
+    std::vector<double> times, timeRatios;  ///< one a case: median ms; that over the default setting's
+    bool onFront = false;                   ///< no other is both faster and nearer to the reference
+
+    [[nodiscard]] double rmsDifference() const;
+    [[nodiscard]] double timeRatio() const;  ///< geometric mean over the cases
+    [[nodiscard]] double time() const;       ///< mean over the cases, ms
+};
+/// Adds the errors of every variant on a case to what is known.
+void measureErrors(const OtfCase& one, std::vector<VariantResult>& results);
+/// Adds the run times: every variant `repeats` times, interleaved. After measureErrors() of some case.
+void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
+/// Marks, for each interface function, the variants that no other beats in both run time and RMS difference. The
+/// reference is out of it: its difference is 0 by definition.
+void markFront(std::vector<VariantResult>& results);
+
+/// One reading on one case.
+struct ReadingResult {
+    std::string condition, group;  ///< group: "ordinary", "hard", "front wall", "empty"; of a volume: empty
+    std::uint64_t seed = 0;
+    View view;
+    MethodReading reading = MethodReading::standard;
+    DetectionQuality detection;
+    std::optional<double> contrast;  ///< CNR_S, of the six conditions along the beam
+    double sumOfWeights = 0.0;       ///< sum of d
+    int tubesWithSurface = 0;
+    SurfaceLight light;          ///< of the reading's own curve
+    SurfaceLight parabolaLight;  ///< of x^2 along the same tube cores
+    SurfaceLight linearLight;    ///< of eq. 1 with L_L = 20/255, a = 0.5
+    std::string message;
+    SampledCurve curve;
+};
+inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
+                                                          MethodReading::standard};
+[[nodiscard]] ReadingResult measureReading(const OtfCase& one, MethodReading reading);
+
+/// CNR_S of the curves that no tube core shapes, on the six conditions.
+struct FixedContrast {
+    std::string condition;
+    std::uint64_t seed = 0;
+    std::optional<double> parabola, linear;
+};
+
+/// Everything `study otf` found.
+struct OtfStudy {
+    std::string subject;  ///< what was measured, a sentence
+    bool truthKnown = false;
+    int repeats = 0;
+    std::vector<VariantResult> variants;
+    std::vector<ReadingResult> readings;
+    std::vector<FixedContrast> fixed;
+};
+[[nodiscard]] std::string variantsCsv(const OtfStudy& study);
+[[nodiscard]] std::string readingsCsv(const OtfStudy& study);
+[[nodiscard]] std::string summaryText(const OtfStudy& study);
+/// Run time against RMS difference of opacity, or, with ofDetection, against the weight that is not on right tubes.
+[[nodiscard]] Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetection);
+[[nodiscard]] std::string otfPage(const OtfStudy& study);
+
+/// A table of text: columns, then rows.
+struct TextTable {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+[[nodiscard]] TextTable variantTable(const OtfStudy& study);
+/// The readings side by side: detection by condition and by group.
+[[nodiscard]] TextTable detectionTable(const OtfStudy& study);
+/// CNR_S by condition, with the fixed curves.
+[[nodiscard]] TextTable contrastTable(const OtfStudy& study);
+/// Of a volume without truth: tube cores, weight, surface light.
+[[nodiscard]] TextTable volumeTable(const OtfStudy& study);
+/// For the terminal: columns padded with spaces.
+[[nodiscard]] std::string plainText(const TextTable& table);
+
+}  // namespace echolucent::cli

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/measuring/otf/study_otf.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+double errorOf(const VariantResult& result, bool ofDetection) {
+    return ofDetection ? 100.0 * (1.0 - result.detection.rightShare()) : result.rmsDifference();
+}
+
+/// The variants of one parameter, or with an empty name those of the front, by run time.
+PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std::string& name, bool ofDetection) {
+    PlotSeries series;
+    series.name = name;
+    series.line = false;
+    series.markers = true;
+    for (const VariantResult* result : results) {
+        series.x.push_back(result->timeRatio());
+        series.y.push_back(errorOf(*result, ofDetection));
+        series.labels.push_back(result->variant.value.empty() ? result->variant.name() : result->variant.value);
+    }
+    return series;
+}
+
+/// Where nothing that is faster is nearer: the steps below and left of which there is nothing.
+PlotSeries frontSeries(std::vector<const VariantResult*> results, bool ofDetection) {
+    std::sort(results.begin(), results.end(),
+              [](const auto* a, const auto* b) { return a->timeRatio() < b->timeRatio(); });
+    PlotSeries series;
+    series.name = "front";
+    double least = std::numeric_limits<double>::infinity();
+    for (const VariantResult* result : results) {
+        const double error = errorOf(*result, ofDetection);
+        if (result->variant.isReference || !(error < least)) continue;
+        if (!series.x.empty()) {
+            series.x.push_back(result->timeRatio());
+            series.y.push_back(least);
+        }
+        series.x.push_back(result->timeRatio());
+        series.y.push_back(error);
+        least = error;
+    }
+    return series;
+}
+
+Plot curvesPlot(const OtfStudy& study) {
+    Plot plot{"Opacity curves", "normalised intensity", "opacity per unit", false, false, {}};
+    const auto sampled = [](const OpacityCurve& curve) {
+        return SampledCurve{sampledOpacities(curve, AdaptiveOtf::sampleCount)};
+    };
+    std::vector<std::pair<std::string, SampledCurve>> curves;
+    const std::size_t count = std::min(study.readings.size(), allReadings.size());
+    for (std::size_t i = count; i-- > 0;)
+        curves.emplace_back((i + 1 == count ? "adaptive, " : "") + std::string(nameOf(study.readings[i].reading)),
+                            study.readings[i].curve);
+    curves.emplace_back("parabolic, x²", sampled(parabolaCurve()));
+    curves.emplace_back("linear, eq. 1 with L_L = 20/255, a = 0.5", sampled(linearCurve()));
+    for (const auto& [name, curve] : curves) {
+        PlotSeries series;
+        series.name = name;
+        for (std::size_t i = 0; i < curve.opacities.size(); ++i) {
+            series.x.push_back(static_cast<double>(i) / static_cast<double>(curve.opacities.size() - 1));
+            series.y.push_back(curve.opacities[i]);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
+void addReadings(const OtfStudy& study, HtmlPage& page) {
+    page.heading("The readings of the method");
+    page.paragraph(
+        "Published: the paper's words taken literally, with the erratum of eq. 5. Settled: the open points settled as "
+        "the project's method notes tell. Default: what the program uses where nobody asks for another.");
+    if (!study.truthKnown) {
+        const TextTable table = volumeTable(study);
+        page.table(
+            table.columns, table.rows,
+            "Light from the surfaces: of the rays along the tube cores' axes, the share of the composited "
+            "intensity that comes from within 3 units of the surface found; of the reading's own curve and of the "
+            "curves that no tube core shapes.");
+        for (const ReadingResult& result : study.readings)
+            if (!result.message.empty()) page.paragraph(fmt::format("{}: {}", nameOf(result.reading), result.message));
+        page.plot(curvesPlot(study));
+        return;
+    }
+    const TextTable detection = detectionTable(study);
+    page.table(detection.columns, detection.rows,
+               "Right: share of the weight Σd on tube cores whose surface is within 3 units of the first interface "
+               "from fluid. On none: on tube cores without one. Found: share of the tube cores with an interface that "
+               "found it. Σd: a volume without fluid should have none.");
+    const TextTable contrast = contrastTable(study);
+    page.table(contrast.columns, contrast.rows,
+               "CNR_S: light from 2 units before to 6 behind the true surface of objects against all other light, over "
+               "the root of the sum of both variances; parallel rays along the beam, step 1, no shading.");
+    page.plot(curvesPlot(study));
+}
+
+}  // namespace
+
+Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetection) {
+    Plot plot;
+    plot.title = fmt::format("{} by {}", ofDetection ? "Detection" : "Curve", nameOf(function));
+    plot.xLabel = "run time, as a ratio to the default setting";
+    plot.yLabel = ofDetection ? "weight not on right tube cores, %" : "RMS difference of opacity from the reference";
+    plot.logX = true;
+    plot.logY = !ofDetection;
+    std::vector<const VariantResult*> own;
+    std::vector<std::string> parameters;
+    for (const VariantResult& result : study.variants) {
+        if (result.variant.interfaceFunction != function) continue;
+        own.push_back(&result);
+        if (std::find(parameters.begin(), parameters.end(), result.variant.parameter) == parameters.end())
+            parameters.push_back(result.variant.parameter);
+    }
+    plot.series.push_back(frontSeries(own, ofDetection));
+    for (const std::string& parameter : parameters) {
+        // Its error is 0 by definition: no place on a logarithmic axis.
+        if (parameter == "reference" && !ofDetection) continue;
+        std::vector<const VariantResult*> some;
+        for (const VariantResult* result : own)
+            if (result->variant.parameter == parameter) some.push_back(result);
+        plot.series.push_back(seriesOf(some, parameter, ofDetection));
+    }
+    return plot;
+}
+
+std::string summaryText(const OtfStudy& study) {
+    std::string text = study.subject + "\n\n" + plainText(variantTable(study)) + "\n";
+    if (!study.truthKnown) return text + plainText(volumeTable(study));
+    return text + plainText(detectionTable(study)) + "\nCNR_S\n" + plainText(contrastTable(study));
+}
+
+std::string otfPage(const OtfStudy& study) {
+    HtmlPage page("The adaptive opacity transfer function: error against run time");
+    page.paragraph(study.subject);
+    page.paragraph(fmt::format(
+        "Each setting is the default but for one parameter. Run time: the median of {} runs, the settings in turn, as "
+        "a "
+        "ratio to the default setting's on the same volume and view; the mean of these ratios over the volumes is "
+        "geometric. Error of the curve: difference of opacity from the densest reference of the same interface "
+        "function "
+        "(tube cores every 4 units, double precision), over all intensities. The reference itself has no error by "
+        "definition; like every error of 0 it is not on a logarithmic axis.",
+        study.repeats));
+    page.heading("Error against run time");
+    for (const bool ofDetection : {false, true}) {
+        if (ofDetection && !study.truthKnown) continue;
+        for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio})
+            page.plot(paretoPlot(study, function, ofDetection));
+    }
+    const TextTable settings = variantTable(study);
+    page.table(settings.columns, settings.rows,
+               "●: on the front of the curve's error, nothing else is both faster and nearer to the reference.");
+    addReadings(study, page);
+    return page.text();
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,96 @@
+#include "app/measuring/otf/study_phantoms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/measuring/study.h"
+
+namespace echolucent::cli {
+
+void PhantomChoice::addTo(CLI::App& command) {
+    command.add_option("--seeds", seeds, "Seeds of the phantoms: 1,2,5 or 1-4")
+        ->type_name("N,...")
+        ->capture_default_str();
+    command.add_option("--size", size, "Voxels of the phantoms, one number or XxYxZ [199x197x199]")->type_name("XxYxZ");
+}
+
+Result<std::vector<PhantomConfig>> PhantomChoice::bases() const {
+    PhantomConfig base = defaultPhantom(PhantomScene::shapes);
+    if (!size.empty()) {
+        const bool one = size.find_first_of("x,") == std::string::npos;
+        const auto counts = parseNumbers(size, one ? 1 : 3, "--size");
+        if (!counts) return tl::unexpected<Failure>(counts.error());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double count = (*counts)[one ? 0 : axis];
+            if (!(count >= 8 && count <= 512) || count != std::floor(count))
+                return fail(FailureKind::wrongUsage, "", "--size", "must be whole numbers from 8 to 512");
+            base.size[axis] = static_cast<std::int64_t>(count);
+        }
+    }
+    const auto chosen = parseSeeds(seeds, "--seeds");
+    if (!chosen) return tl::unexpected<Failure>(chosen.error());
+    std::vector<PhantomConfig> all;
+    for (const std::uint64_t seed : *chosen) {
+        base.seed = seed;
+        all.push_back(base);
+    }
+    return all;
+}
+
+std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base) {
+    std::vector<NamedPhantom> known = ordinaryConditions(base);
+    for (NamedPhantom& hard : hardConditions(base)) known.push_back(std::move(hard));
+    std::vector<NamedPhantom> chosen;
+    for (const char* name :
+         {"base", "specular", "little_speckle", "attenuation_shadow", "hard_full_speckle", "hard_log_compressed"}) {
+        const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+        if (found == known.end()) throw std::logic_error("contrastConditions: a condition has lost its name");
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+OpacityCurve parabolaCurve() { return PowerCurve{2, 1.0}; }
+
+OpacityCurve linearCurve() { return LinearCurve{20.0 / 255.0, 0.5, 1.0}; }
+
+ContrastCurves contrastCurvesOf(const Volume& volume, const View& view) {
+    ContrastCurves all{{"x²", "eq. 1"}, {parabolaCurve(), linearCurve()}};
+    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
+        all.names.emplace_back(nameOf(reading));
+        all.curves.emplace_back(adaptOpacity(volume, view, configOf(reading))->curve);
+    }
+    return all;
+}
+
+std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const View& view) {
+    const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
+    std::vector<std::optional<double>> values;
+    for (const SurfaceContrast& contrast :
+         surfaceContrasts(phantom.volume, rays, view, contrastCurvesOf(phantom.volume, view).curves))
+        values.push_back(contrast.contrastToNoise());
+    return values;
+}
+
+std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& value : values)
+        if (value) {
+            sum += *value;
+            ++count;
+        }
+    if (count == 0) return std::nullopt;
+    return sum / count;
+}
+
+double medianOf(std::vector<double> values) {
+    if (values.empty()) throw std::invalid_argument("medianOf: needs a value");
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,56 @@
+// The simulated scans of the studies, with what is true of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/measuring/measures/detection_quality.h"
+#include "app/measuring/measures/surface_contrast.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent::cli {
+
+/// --seeds, --size: which phantoms a study is made over.
+struct PhantomChoice {
+    std::string seeds = "1,2", size;
+    void addTo(CLI::App& command);
+    /// The shapes of a seed, of the size asked for. Fails (wrong usage) where an option makes no sense.
+    [[nodiscard]] Result<std::vector<PhantomConfig>> bases() const;
+};
+
+/// The six conditions of CNR_S in method.md: base, specular, little_speckle, attenuation_shadow, hard_full_speckle,
+/// hard_log_compressed.
+[[nodiscard]] std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base);
+
+/// One volume with its truth.
+struct StudyPhantom {
+    PhantomConfig config;
+    PhantomTruth truth;
+    Volume volume;
+    explicit StudyPhantom(const PhantomConfig& given) : config(given), truth(given), volume(*makePhantom(given)) {}
+};
+
+/// What the adaptive curve is compared with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
+[[nodiscard]] OpacityCurve parabolaCurve();
+[[nodiscard]] OpacityCurve linearCurve();
+
+/// What contrast is measured of: the fixed curves and the readings' curves, in this order everywhere.
+struct ContrastCurves {
+    std::vector<std::string> names;
+    std::vector<OpacityCurve> curves;
+};
+/// parabolaCurve(), linearCurve(), and the adaptive curves of the published, settled and default readings.
+[[nodiscard]] ContrastCurves contrastCurvesOf(const Volume& volume, const View& view);
+
+/// CNR_S of each of these curves.
+[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const View& view);
+
+/// Mean of the values there are; none: there is none.
+[[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);
+/// Of values that are finite, at least one.
+[[nodiscard]] double medianOf(std::vector<double> values);
+
+}  // namespace echolucent::cli

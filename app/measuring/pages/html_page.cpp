@@ -1,0 +1,179 @@
+#include "app/measuring/pages/html_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "app/measuring/pages/html_text.h"
+#include "app/measuring/pages/plot_axis.h"
+#include "app/measuring/pages/series_style.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+constexpr std::string_view style = R"(
+:root{color-scheme:light dark}
+body{font:15px/1.5 system-ui,sans-serif;max-width:1600px;margin:2rem auto;padding:0 1rem;background:#fff;color:#222}
+h1{font-size:1.7rem;margin-bottom:.3rem}h2{font-size:1.25rem;margin-top:2.2rem}p{max-width:52rem}
+.scroll{overflow-x:auto}table{border-collapse:collapse;margin:1rem 0;font-size:13.5px}
+caption{text-align:left;padding-bottom:.4rem;color:#555}
+th,td{padding:.25rem .7rem;border-bottom:1px solid #d5d9de;text-align:left;vertical-align:top}
+th{border-bottom:2px solid #888}.number{text-align:right;font-variant-numeric:tabular-nums}
+figure{display:inline-block;margin:.6rem .8rem .6rem 0;vertical-align:top;max-width:100%}
+figcaption{color:#555;font-size:13px;max-width:32rem}svg,img{max-width:100%;height:auto}
+footer{margin-top:3rem;color:#555;font-size:13px}
+)";
+constexpr std::string_view darkStyle =
+    "body{background:#16191d;color:#dde1e6}caption,figcaption,footer{color:#a3abb5}"
+    "th,td{border-color:#343a42}th{border-color:#7c8591}svg .ink{fill:#dde1e6}svg .grid{stroke:#343a42}"
+    "svg .frame{stroke:#7c8591}";
+
+std::string wholeStyle() {
+    std::string dark(darkStyle);
+    for (std::size_t i = 0; i < seriesColours.size(); ++i)
+        dark += fmt::format("svg path.c{0}{{stroke:{1}}}svg path.marker.c{0}{{stroke:none;fill:{1}}}", i,
+                            seriesColours[i].onDark);
+    return std::string(style) + "@media (prefers-color-scheme:dark){" + dark + "}\n";
+}
+
+/// Says nothing either way: the dashes and blanks that stand where a table has no value.
+bool isBlank(const std::string& cell) { return cell.empty() || cell == "-" || cell == "—" || cell == "–"; }
+
+bool isNumeric(const std::string& cell) {
+    std::size_t at = cell.find_first_not_of("+-<>≤≥− ");
+    return at != std::string::npos && std::isdigit(static_cast<unsigned char>(cell[at]));
+}
+
+std::vector<bool> numericColumns(std::size_t columns, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<bool> numeric(columns, false);
+    for (std::size_t c = 0; c < columns; ++c) {
+        bool any = false, all = true;
+        for (const auto& row : rows) {
+            if (c >= row.size() || isBlank(row[c])) continue;
+            any = true;
+            all = all && isNumeric(row[c]);
+        }
+        numeric[c] = any && all;
+    }
+    return numeric;
+}
+
+/// Values in [0,1] as colours of the viridis map, which is even to the eye and to the colour blind; grey where none.
+std::vector<std::uint8_t> coloured(const std::vector<double>& values) {
+    constexpr std::uint8_t greyOfNone = 128;
+    cv::Mat levels(1, static_cast<int>(values.size()), CV_8U), bgr;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = std::isfinite(values[i]) ? std::clamp(values[i], 0.0, 1.0) : 0.0;
+        levels.at<std::uint8_t>(static_cast<int>(i)) = static_cast<std::uint8_t>(std::lround(value * 255.0));
+    }
+    cv::applyColorMap(levels, bgr, cv::COLORMAP_VIRIDIS);
+    std::vector<std::uint8_t> rgb(values.size() * 3);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rgb[3 * i + channel] = std::isfinite(values[i])
+                                       ? bgr.at<cv::Vec3b>(static_cast<int>(i))[2 - static_cast<int>(channel)]
+                                       : greyOfNone;
+    return rgb;
+}
+
+std::string inkText(double x, double y, std::string_view anchor, const std::string& text) {
+    return fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x,
+                       y, anchor, escaped(text));
+}
+
+std::string stretchedImage(double x, double y, double width, double height, const std::string& uri) {
+    return fmt::format(
+        "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" preserveAspectRatio=\"none\" "
+        "style=\"image-rendering:pixelated\" href=\"{4}\" xlink:href=\"{4}\"/>\n",
+        x, y, width, height, uri);
+}
+
+/// The map with ticks at its sides and the scale of its colours beside it.
+std::string svgOf(const HeatMap& map) {
+    constexpr double left = 78, top = 40, wide = 560, high = 344, barLeft = 664, barWide = 18, steps = 5;
+    const int columns = static_cast<int>(map.columns), rows = static_cast<int>(map.values.size() / map.columns);
+    std::string body = fmt::format(
+        "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", left,
+        escaped(map.title));
+    body += stretchedImage(left, top, wide, high, pngDataUri(columns, rows, coloured(map.values)));
+    std::vector<double> scale(256);
+    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = 1.0 - static_cast<double>(i) / 255.0;
+    body += stretchedImage(barLeft, top, barWide, high, pngDataUri(1, 256, coloured(scale)));
+    for (int i = 0; i <= static_cast<int>(steps); ++i) {
+        const double share = i / steps;
+        // First and last name the outermost cells' centres, half a cell inside the picture.
+        const double x = left + wide * (0.5 + share * (columns - 1)) / columns;
+        const double y = top + high * (0.5 + share * (rows - 1)) / rows;
+        body += inkText(x, top + high + 18, "middle", shortNumber(map.xFirst + share * (map.xLast - map.xFirst)));
+        body += inkText(left - 8, y + 4, "end", shortNumber(map.yFirst + share * (map.yLast - map.yFirst)));
+        body += inkText(barLeft + barWide + 8, top + high * (1 - share) + 4, "start", shortNumber(share));
+    }
+    body += inkText(left + wide / 2, top + high + 38, "middle", map.xLabel);
+    body += fmt::format(
+        "<text class=\"ink\" fill=\"#333\" x=\"18\" y=\"{0}\" text-anchor=\"middle\" transform=\"rotate(-90 18 "
+        "{0})\">{1}"
+        "</text>\n",
+        top + high / 2, escaped(map.yLabel));
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 760 436\" width=\"760\" height=\"436\" role=\"img\" "
+        "font-family=\"sans-serif\" font-size=\"12\">\n<title>{}</title>\n{}</svg>\n",
+        escaped(map.title), body);
+}
+
+}  // namespace
+
+HtmlPage::HtmlPage(std::string title) : m_title(std::move(title)) {}
+
+void HtmlPage::heading(const std::string& text) { m_body += "<h2>" + escaped(text) + "</h2>\n"; }
+
+void HtmlPage::paragraph(const std::string& text) { m_body += "<p>" + escaped(text) + "</p>\n"; }
+
+void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
+                     const std::string& caption) {
+    const auto numeric = numericColumns(columns.size(), rows);
+    const auto cell = [&](std::string_view tag, std::size_t column, const std::string& text) {
+        const bool right = column < numeric.size() && numeric[column];
+        return fmt::format("<{0}{1}>{2}</{0}>", tag, right ? " class=\"number\"" : "", escaped(text));
+    };
+    m_body += "<div class=\"scroll\"><table>\n";
+    if (!caption.empty()) m_body += "<caption>" + escaped(caption) + "</caption>\n";
+    m_body += "<thead><tr>";
+    for (std::size_t c = 0; c < columns.size(); ++c) m_body += cell("th", c, columns[c]);
+    m_body += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : rows) {
+        m_body += "<tr>";
+        for (std::size_t c = 0; c < row.size(); ++c) m_body += cell("td", c, row[c]);
+        m_body += "</tr>\n";
+    }
+    m_body += "</tbody></table></div>\n";
+}
+
+void HtmlPage::plot(const Plot& plot) { m_body += "<figure>" + cli::svgOf(plot) + "</figure>\n"; }
+
+void HtmlPage::heatMap(const HeatMap& map) {
+    if (map.columns == 0 || map.values.empty() || map.values.size() % map.columns != 0)
+        throw std::invalid_argument("HtmlPage::heatMap: the values do not fill whole rows");
+    m_body += "<figure>" + svgOf(map) + "</figure>\n";
+}
+
+void HtmlPage::picture(const Picture& picture, const std::string& caption) {
+    m_body += fmt::format(
+        "<figure><img alt=\"{0}\" width=\"{1}\" height=\"{2}\" src=\"{3}\"/><figcaption>{0}</figcaption></figure>\n",
+        escaped(caption), picture.width, picture.height,
+        pngDataUri(picture.width, picture.height, overBackground(picture, {0, 0, 0})));
+}
+
+std::string HtmlPage::text() const {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+           "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+           escaped(m_title) + "</title>\n<style>" + wholeStyle() + "</style>\n</head>\n<body>\n<h1>" +
+           escaped(m_title) + "</h1>\n" + m_body +
+           "<footer>Echolucent is not a medical device.</footer>\n</body>\n</html>\n";
+}
+
+}  // namespace echolucent::cli

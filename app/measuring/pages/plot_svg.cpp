@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/measuring/pages/html_page.h"
+#include "app/measuring/pages/html_text.h"
+#include "app/measuring/pages/plot_axis.h"
+#include "app/measuring/pages/series_style.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+constexpr double width = 760, left = 78, right = 736, top = 40, bottom = 384;
+constexpr double characterWidth = 6.6;  // of the legend's and the labels' type, a little generous
+constexpr double legendRow = 20, legendSample = 34;
+
+struct Box {
+    double x, y, width, height;
+    [[nodiscard]] bool meets(const Box& other) const {
+        return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
+    }
+};
+
+/// Characters, not bytes: UTF-8's continuation bytes add no width.
+double textWidth(const std::string& text) {
+    return characterWidth *
+           static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::vector<double> valuesOf(const Plot& plot, bool ofX) {
+    std::vector<double> values;
+    for (const PlotSeries& series : plot.series) {
+        const auto& own = ofX ? series.x : series.y;
+        values.insert(values.end(), own.begin(), own.end());
+    }
+    return values;
+}
+
+class PlotDrawing {
+public:
+    explicit PlotDrawing(const Plot& plot)
+        : m_plot(plot),
+          m_x(valuesOf(plot, true), plot.logX),
+          m_y(valuesOf(plot, false), plot.logY),
+          m_colours(coloursOf(plot.series)) {}
+
+    std::string text() {
+        drawGrid();
+        drawTitles();
+        for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawLine(i);
+        for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawMarkers(i);
+        for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawLabels(i);
+        const double height = drawLegend();
+        return fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+            "role=\"img\" font-family=\"sans-serif\" font-size=\"12\">\n<title>{2}</title>\n{3}</svg>\n",
+            width, height, escaped(m_plot.title), m_body);
+    }
+
+private:
+    [[nodiscard]] double pixelX(double value) const { return left + (right - left) * m_x.placeOf(value); }
+    [[nodiscard]] double pixelY(double value) const { return bottom - (bottom - top) * m_y.placeOf(value); }
+    [[nodiscard]] bool shows(const PlotSeries& series, std::size_t i) const {
+        return m_x.shows(series.x[i]) && m_y.shows(series.y[i]);
+    }
+    [[nodiscard]] static std::size_t countOf(const PlotSeries& series) {
+        return std::min(series.x.size(), series.y.size());
+    }
+    [[nodiscard]] const SeriesColour& colour(std::size_t i) const { return seriesColours[m_colours[i]]; }
+
+    void drawGrid();
+    void drawTitles();
+    void drawLine(std::size_t index);
+    void drawMarkers(std::size_t index);
+    void drawLabels(std::size_t index);
+    void drawMarker(std::size_t index, double x, double y, const std::string& says);
+    double drawLegend();
+
+    const Plot& m_plot;
+    PlotAxis m_x, m_y;
+    std::vector<std::size_t> m_colours;
+    std::vector<Box> m_taken;  ///< where markers and labels stand
+    std::string m_body;
+};
+
+void PlotDrawing::drawGrid() {
+    for (const PlotTick& tick : m_x.ticks()) {
+        const double x = pixelX(tick.value);
+        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{0:.2f} {1}V{2}\"/>\n", x, top, bottom);
+        if (!tick.label.empty())
+            m_body += fmt::format(
+                "<text class=\"ink\" fill=\"#333\" x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x,
+                bottom + 18, escaped(tick.label));
+    }
+    for (const PlotTick& tick : m_y.ticks()) {
+        const double y = pixelY(tick.value);
+        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{1} {0:.2f}H{2}\"/>\n", y, left, right);
+        if (!tick.label.empty())
+            m_body +=
+                fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
+                            left - 8, y + 4, escaped(tick.label));
+    }
+    m_body += fmt::format(
+        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#666\"/>\n", left,
+        top, right - left, bottom - top);
+}
+
+void PlotDrawing::drawTitles() {
+    constexpr double middleY = (top + bottom) / 2;
+    m_body += fmt::format(
+        "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", left,
+        escaped(m_plot.title));
+    m_body += fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+                          (left + right) / 2, bottom + 38, escaped(m_plot.xLabel));
+    m_body += fmt::format(
+        "<text class=\"ink\" fill=\"#333\" x=\"18\" y=\"{0}\" text-anchor=\"middle\" transform=\"rotate(-90 18 "
+        "{0})\">{1}"
+        "</text>\n",
+        middleY, escaped(m_plot.yLabel));
+}
+
+void PlotDrawing::drawLine(std::size_t index) {
+    const PlotSeries& series = m_plot.series[index];
+    if (!series.line) return;
+    std::string path;
+    const std::size_t count = countOf(series);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!shows(series, i)) continue;
+        const bool begins = i == 0 || !shows(series, i - 1), ends = i + 1 == count || !shows(series, i + 1);
+        const double x = pixelX(series.x[i]), y = pixelY(series.y[i]);
+        path += fmt::format("{}{:.2f} {:.2f}", begins ? 'M' : 'L', x, y);
+        // A point between two gaps has no line of its own; a round cap on nothing shows it.
+        if (begins && ends) path += "h0";
+    }
+    if (path.empty()) return;
+    m_body += fmt::format(
+        "<path class=\"line c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linecap=\"round\" "
+        "stroke-linejoin=\"round\"{} d=\"{}\"/>\n",
+        m_colours[index], colour(index).onLight,
+        colour(index).dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", colour(index).dashes), path);
+}
+
+void PlotDrawing::drawMarker(std::size_t index, double x, double y, const std::string& says) {
+    static constexpr std::array<std::string_view, 5> shapes{"M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
+                                                            "M-3.6 -3.6h7.2v7.2h-7.2z", "M0 -5L5 0L0 5L-5 0z",
+                                                            "M0 -4.8L4.6 3.6H-4.6z", "M0 4.8L4.6 -3.6H-4.6z"};
+    m_body += fmt::format("<path class=\"marker c{}\" fill=\"{}\" transform=\"translate({:.2f} {:.2f})\" d=\"{}\">",
+                          m_colours[index], colour(index).onLight, x, y, shapes[index % shapes.size()]);
+    if (!says.empty()) m_body += "<title>" + escaped(says) + "</title>";
+    m_body += "</path>\n";
+}
+
+void PlotDrawing::drawMarkers(std::size_t index) {
+    const PlotSeries& series = m_plot.series[index];
+    if (!series.markers) return;
+    for (std::size_t i = 0; i < countOf(series); ++i) {
+        if (!shows(series, i)) continue;
+        const double x = pixelX(series.x[i]), y = pixelY(series.y[i]);
+        const auto& names = series.names.empty() ? series.labels : series.names;
+        const std::string label = i < names.size() ? names[i] + ": " : std::string();
+        drawMarker(index, x, y, fmt::format("{}{}, {}", label, shortNumber(series.x[i]), shortNumber(series.y[i])));
+        m_taken.push_back({x - 4, y - 4, 8, 8});
+    }
+}
+
+void PlotDrawing::drawLabels(std::size_t index) {
+    constexpr double height = 12, gap = 7;
+    const PlotSeries& series = m_plot.series[index];
+    for (std::size_t i = 0; i < std::min(countOf(series), series.labels.size()); ++i) {
+        if (!shows(series, i) || series.labels[i].empty()) continue;
+        const double x = pixelX(series.x[i]), y = pixelY(series.y[i]), wide = textWidth(series.labels[i]);
+        const std::array<Box, 5> places{
+            Box{x + 4, y - 3 - height, wide, height}, Box{x + gap, y - height / 2, wide, height},
+            Box{x - wide / 2, y - gap - height, wide, height}, Box{x - gap - wide, y - height / 2, wide, height},
+            Box{x - wide / 2, y + gap, wide, height}};
+        // Where no side is free the label is left to the marker's tooltip: two on top of each other tell nothing.
+        const auto free = std::find_if(places.begin(), places.end(), [&](const Box& place) {
+            return place.x >= left && place.x + wide <= right && place.y >= top && place.y + height <= bottom &&
+                   std::none_of(m_taken.begin(), m_taken.end(), [&](const Box& box) { return box.meets(place); });
+        });
+        if (free == places.end()) continue;
+        m_taken.push_back(*free);
+        m_body +=
+            fmt::format("<text class=\"ink\" fill=\"#333\" font-size=\"11\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n",
+                        free->x, free->y + height - 2, escaped(series.labels[i]));
+    }
+}
+
+double PlotDrawing::drawLegend() {
+    double x = left, y = bottom + 62;
+    for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
+        const PlotSeries& series = m_plot.series[i];
+        const double wide = legendSample + textWidth(series.name) + 22;
+        if (x > left && x + wide > right) {
+            x = left;
+            y += legendRow;
+        }
+        if (series.line)
+            m_body += fmt::format(
+                "<path class=\"c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} d=\"M{} {}h26\"/>\n",
+                m_colours[i], colour(i).onLight,
+                colour(i).dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", colour(i).dashes), x, y - 4);
+        if (series.markers) drawMarker(i, x + 13, y - 4, {});
+        m_body += fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{}\">{}</text>\n", x + legendSample, y,
+                              escaped(series.name));
+        x += wide;
+    }
+    return y + (m_plot.series.empty() ? -8 : 12);
+}
+
+}  // namespace
+
+std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series) {
+    std::array<bool, seriesColours.size()> used{};
+    std::vector<std::size_t> colours(series.size(), seriesColours.size());
+    for (std::size_t i = 0; i < series.size(); ++i)
+        for (std::size_t c = 0; c < seriesColours.size(); ++c) {
+            const std::string_view curve = seriesColours[c].curve;
+            if (curve.empty() || used[c] || !series[i].name.starts_with(curve)) continue;
+            used[c] = true;
+            colours[i] = c;
+            break;
+        }
+    std::size_t next = 0;
+    for (std::size_t& own : colours) {
+        if (own < seriesColours.size()) continue;
+        while (next < seriesColours.size() && used[next]) ++next;
+        if (next == seriesColours.size()) {
+            used.fill(false);
+            next = 0;
+        }
+        used[next] = true;
+        own = next;
+    }
+    return colours;
+}
+
+std::string svgOf(const Plot& plot) { return PlotDrawing(plot).text(); }
+
+}  // namespace echolucent::cli

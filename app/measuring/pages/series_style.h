@@ -1,0 +1,32 @@
+// How the series of a plot are told apart, in print, on light and on dark ground.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "app/measuring/pages/html_page.h"
+
+namespace echolucent::cli {
+
+/// The colours of the program's own curves (the editor's); a plot drawn on light ground takes the darker ones, which
+/// stand off white by 4.5:1 and more.
+struct SeriesColour {
+    std::string_view curve;  ///< the opacity curve that has this colour; empty: no curve's own
+    std::string_view onLight, onDark;
+    std::string_view dashes;  ///< SVG's stroke-dasharray; empty: solid
+};
+inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8c", "#4fb3bf", ""},
+                                                            {"manual", "#966400", "#e8b04b", ""},
+                                                            {"linear", "#66717d", "#9aa5b1", "7 4"},
+                                                            {"parabolic", "#905a8a", "#b48ead", "2 3"},
+                                                            {"quartic", "#3c7f3c", "#8fbc8f", "8 3 2 3"},
+                                                            {"", "#b83f4b", "#e07a83", ""},
+                                                            {"", "#2f66b5", "#81a9e0", "10 3"},
+                                                            {"", "#a04e26", "#e39a78", "4 2"}}};
+
+/// For each series the index of its colour: a curve's own where the series' name begins with the curve's, else the next
+/// one that is free; beyond the eighth they repeat.
+[[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
+
+}  // namespace echolucent::cli

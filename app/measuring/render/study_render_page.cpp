@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/measuring/render/study_render.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+constexpr int overviewEdge = 320, detailEdge = 160;  // pixels; the page stays below 1.5 MB
+constexpr double amplification = 8.0;
+
+/// Settings of one axis, by run time and RMSE.
+PlotSeries seriesOf(const std::vector<RenderResult>& results, const std::string& axis) {
+    PlotSeries series;
+    series.name = axis;
+    series.line = false;
+    series.markers = true;
+    for (const RenderResult& result : results) {
+        if (result.variant.plain || result.variant.axis != axis) continue;
+        series.x.push_back(result.timeRatio);
+        series.y.push_back(result.error.rmse);
+        series.labels.push_back(result.letter);
+        series.names.push_back(result.letter + ", " + result.variant.name());
+    }
+    return series;
+}
+
+/// The steps below and left of which there is no setting.
+PlotSeries frontSeries(const std::vector<RenderResult>& results) {
+    std::vector<const RenderResult*> front;
+    for (const RenderResult& result : results)
+        if (result.onFront) front.push_back(&result);
+    std::sort(front.begin(), front.end(), [](const auto* a, const auto* b) { return a->timeRatio < b->timeRatio; });
+    PlotSeries series;
+    series.name = "front";
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        if (i > 0) {
+            series.x.push_back(front[i]->timeRatio);
+            series.y.push_back(front[i - 1]->error.rmse);
+        }
+        series.x.push_back(front[i]->timeRatio);
+        series.y.push_back(front[i]->error.rmse);
+    }
+    return series;
+}
+
+/// RMSE over the step: one sample a step, pre-integrated, jittered.
+Plot stepPlot(const RenderStudy& study) {
+    Plot plot{"Error over the step", "step, units", "RMSE, 8-bit levels", true, true, {}};
+    const auto add = [&](const std::string& name, const std::string& axis) {
+        std::vector<const RenderResult*> along;
+        for (const RenderResult& result : study.results)
+            if (result.variant.axis == axis || (axis == "step" && result.variant.axis == "reference"))
+                along.push_back(&result);
+        std::sort(along.begin(), along.end(),
+                  [](const auto* a, const auto* b) { return a->variant.settings.step < b->variant.settings.step; });
+        if (along.empty()) return;
+        PlotSeries series;
+        series.name = name;
+        series.markers = true;
+        for (const RenderResult* result : along) {
+            series.x.push_back(result->variant.settings.step);
+            series.y.push_back(result->error.rmse);
+        }
+        plot.series.push_back(std::move(series));
+    };
+    add("one sample a step", "step");
+    add("pre-integrated", "pre-integration");
+    add("jittered", "jitter");
+    return plot;
+}
+
+/// The reference setting, the fastest within each bound, and what older hardware did.
+std::vector<std::pair<std::string, const RenderResult*>> shownResults(const RenderStudy& study) {
+    std::vector<std::pair<std::string, const RenderResult*>> shown{{"reference setting", &study.results.front()}};
+    const auto add = [&](const std::string& name, const RenderResult* result) {
+        if (result == nullptr) return;
+        const auto known =
+            std::find_if(shown.begin(), shown.end(), [&](const auto& one) { return one.second == result; });
+        if (known == shown.end())
+            shown.emplace_back(name, result);
+        else
+            known->first += ", " + name;
+    };
+    for (const QualityBound& bound : qualityBounds()) add(bound.name, fastestWithin(bound, study.results));
+    for (const RenderResult& result : study.results) {
+        if (result.variant.axis == "interpolation") add("nearest voxel", &result);
+        if (result.variant.plain == asTheKernel(1.0, CompositingPrecision::eightBit) &&
+            result.variant.settings.step == 1.0)
+            add("bytes", &result);
+    }
+    return shown;
+}
+
+void addPictures(HtmlPage& page, const RenderStudy& study, const RenderCase& one) {
+    page.heading("Pictures");
+    page.paragraph(fmt::format(
+        "The converged reference, and of each setting the middle {0} pixels an edge with its difference from the "
+        "reference: grey where there is none, brighter where the setting's picture is, {1:g} times amplified (black "
+        "and white are {2:.0f} levels off).",
+        detailEdge, amplification, 127.5 / amplification));
+    page.picture(overviewOf(study.converged, overviewEdge), "The converged reference, reduced");
+    const Picture detail = middleOf(study.converged, detailEdge, detailEdge);
+    page.picture(detail, "Its middle");
+    RayCaster caster(one.volume);
+    page.picture(overviewOf(signedDifference(pictureOf(study.results.front().variant, one, caster), study.converged,
+                                             amplification),
+                            overviewEdge),
+                 "The reference setting's difference over the whole picture, reduced");
+    for (const auto& [name, result] : shownResults(study)) {
+        const Picture middle = middleOf(pictureOf(result->variant, one, caster), detailEdge, detailEdge);
+        page.picture(middle, fmt::format("{}. {}: {}", result->letter, name, result->variant.name()));
+        page.picture(signedDifference(middle, detail, amplification),
+                     fmt::format("{}. Difference. RMSE {:.3g}, maximum {:.3g}, SSIM {:.5f}", result->letter,
+                                 result->error.rmse, result->error.largest, result->error.ssim));
+    }
+}
+
+void addMethod(HtmlPage& page, const RenderStudy& study) {
+    page.paragraph(study.subject);
+    page.paragraph(fmt::format(
+        "Error: red, green and blue over black, in 8-bit levels, computed from the floats before they are rounded; "
+        "from a converged reference by the plain route (step 0.1 unit, trilinear, double, no ray ends early; "
+        "it took {:.0f} s). RMSE over pixels and colours, the largest "
+        "difference, and the mean SSIM of luminance (Wang et al. "
+        "2004: 11 x 11 Gaussian window, sigma 1.5).",
+        study.referenceSeconds));
+    page.paragraph(fmt::format(
+        "Run time: wall time of a picture with {} thread(s), the median of {} runs, all settings in turn, each after a "
+        "run that is not timed; as a ratio to the reference setting (step 1 unit, trilinear, float, rays end at 1/512, "
+        "whole size). Between runs the camera turns by 0.01 degree or more, so that no samples of an unchanged view "
+        "are "
+        "reused; errors are those at the reference camera. Smaller pictures are enlarged bilinearly as the screen does "
+        "it: a texture stretched over the whole picture, its pixel centres at halves, clamped at the edges; the time "
+        "is "
+        "that of the casting.",
+        study.threads, study.repeats));
+    page.paragraph(sameRaysText(study));
+}
+
+}  // namespace
+
+Plot frontPlot(const RenderStudy& study) {
+    Plot plot{"Error against run time",
+              "run time, as a ratio to the reference setting",
+              "RMSE, 8-bit levels",
+              true,
+              true,
+              {}};
+    plot.series.push_back(frontSeries(study.results));
+    std::vector<std::string> axes;
+    for (const RenderResult& result : study.results)
+        if (!result.variant.plain && std::find(axes.begin(), axes.end(), result.variant.axis) == axes.end())
+            axes.push_back(result.variant.axis);
+    for (const std::string& axis : axes) plot.series.push_back(seriesOf(study.results, axis));
+    return plot;
+}
+
+std::string renderPage(const RenderStudy& study, const RenderCase& one) {
+    HtmlPage page("The ray caster: error against run time");
+    addMethod(page, study);
+    page.heading("Error against run time");
+    page.plot(frontPlot(study));
+    page.plot(stepPlot(study));
+    const TextTable bounds = boundsTable(study);
+    page.table(bounds.columns, bounds.rows,
+               "The fastest setting of the kernel within each bound; frames/s are those of the casting alone.");
+    addPictures(page, study, one);
+    page.heading("All settings");
+    const TextTable settings = settingsTable(study);
+    page.table(settings.columns, settings.rows,
+               "●: on the front, no other setting of the kernel is both faster and nearer to the reference. A "
+               "combination ends its rays at a transmittance of 1/128.");
+    page.heading("Compositing precision, and whole steps only");
+    const TextTable precisions = precisionTable(study);
+    page.table(
+        precisions.columns, precisions.rows,
+        fmt::format(
+            "How colour and transmittance are stored after every sample, by the plain route; all between "
+            "is double. Its run times (the median of {} runs, as a ratio to double at step 1) compare "
+            "among themselves only, not with the kernel's. Steps are cut where the volume's box begins and ends "
+            "and count with the length that is left; \"whole steps only\" tells what it would cost not to do that.",
+            study.plainRepeats));
+    return page.text();
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,142 @@
+// `study stability`: every extreme case with its result and its reference.
+#include "app/measuring/stability/study_stability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/measuring/pages/html_page.h"
+#include "app/measuring/study.h"
+#include "io/output/atomic_file.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+std::string shown(double value) { return fmt::format("{:.3g}", value); }
+
+std::string numbersCsv(const std::vector<NumericCheck>& checks) {
+    CsvTable csv({"quantity", "condition", "way", "value", "reference", "error", "allowed"});
+    for (const NumericCheck& check : checks)
+        csv.row({check.quantity, check.condition, check.way, check.value, check.reference,
+                 std::isfinite(check.error) ? CsvCell(check.error) : CsvCell("infinite"),
+                 check.allowed ? CsvCell(*check.allowed) : CsvCell("")});
+    return csv.text();
+}
+
+std::string casesCsv(const std::vector<ExtremeResult>& results) {
+    CsvTable csv({"case", "reading", "tubes", "surfaces", "finite", "least_opacity", "largest_opacity",
+                  "largest_difference_from_initial", "sound", "message"});
+    for (const ExtremeResult& result : results)
+        csv.row({result.name, result.reading, std::int64_t{result.tubes}, std::int64_t{result.surfaces},
+                 std::int64_t{result.finite}, result.leastOpacity, result.mostOpacity, result.deviation,
+                 std::int64_t{result.isSound()}, result.message});
+    return csv.text();
+}
+
+/// Of the basis function, over the gap.
+Plot basisPlot(const std::vector<NumericCheck>& checks) {
+    Plot plot{"Error of the basis function", "I_H - I_L", "largest error", true, true, {}};
+    for (const bool here : {true, false}) {
+        PlotSeries series;
+        series.name = here ? "as here" : "eq. 6 literally";
+        series.markers = true;
+        for (const NumericCheck& check : checks) {
+            if (!check.abscissa || check.isOurs() != here) continue;
+            series.x.push_back(*check.abscissa);
+            // A logarithmic axis has no 0, and what is not finite ends at the top.
+            series.y.push_back(std::clamp(check.error, 1e-18, 1e3));
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
+/// As many digits of a reference as tell it from a double; the tables as CSV hold all 50.
+std::string shortened(const std::string& digits) {
+    constexpr std::size_t shownDigits = 24;
+    const auto exponent = std::min(digits.find('e'), digits.size());
+    if (exponent <= shownDigits) return digits;
+    return digits.substr(0, shownDigits) + "…" + digits.substr(exponent);
+}
+
+void addNumbers(const std::vector<NumericCheck>& checks, HtmlPage& page) {
+    page.heading("Numbers");
+    page.paragraph(
+        "Each quantity as the program computes it, and as the textbook formula gives it in the same precision. "
+        "References have 50 digits (tests/fixtures holds the script that made them, stability-numbers.csv all digits) "
+        "or are exact fractions. The error is the largest of its condition; value and reference are those of the place "
+        "where it is.");
+    page.plot(basisPlot(checks));
+    for (auto first = checks.begin(); first != checks.end();) {
+        const auto last = std::find_if(first, checks.end(),
+                                       [&](const NumericCheck& check) { return check.quantity != first->quantity; });
+        std::vector<std::vector<std::string>> rows;
+        for (auto check = first; check != last; ++check)
+            rows.push_back({check->condition, check->way, fmt::format("{:.17g}", check->value),
+                            shortened(check->reference), shown(check->error),
+                            check->allowed ? shown(*check->allowed) : "",
+                            !check->isOurs() ? ""
+                            : check->fails() ? "fails"
+                                             : "holds"});
+        page.table({"condition", "way", "value", "reference", "error", "allowed", ""}, rows, first->quantity);
+        first = last;
+    }
+}
+
+void addCases(const std::vector<ExtremeResult>& results, HtmlPage& page) {
+    page.heading("Extreme volumes and settings");
+    page.paragraph(
+        "Each must end in a curve of opacities between 0 and 1, or in a sentence and the initial function; nothing may "
+        "become NaN. The difference is the largest between the curve and the initial function.");
+    std::vector<std::vector<std::string>> rows;
+    for (const ExtremeResult& result : results)
+        rows.push_back({result.name, result.reading, std::to_string(result.tubes), std::to_string(result.surfaces),
+                        result.finite ? "yes" : "no",
+                        fmt::format("{:.4g} to {:.4g}", result.leastOpacity, result.mostOpacity),
+                        shown(result.deviation), result.isSound() ? "sound" : "unsound",
+                        result.message.empty() ? "a curve" : result.message});
+    page.table({"case", "reading", "T", "surfaces with weight", "finite", "opacities", "difference", "", "result"},
+               rows);
+}
+
+Result<void> studyStability(const std::string& path) {
+    const auto folder = StudyFolder::at(path);
+    if (!folder) return tl::unexpected<Failure>(folder.error());
+    const std::vector<NumericCheck> checks = numericChecks();
+    std::vector<ExtremeResult> results;
+    for (const ExtremeCase& extreme : extremeCases())
+        for (const MethodReading reading :
+             {MethodReading::asPublished, MethodReading::settled, MethodReading::standard})
+            results.push_back(resultOf(extreme, std::string(nameOf(reading)), configOf(reading)));
+
+    HtmlPage page("Stability of the adaptive opacity transfer function");
+    addNumbers(checks, page);
+    addCases(results, page);
+    for (const auto& [name, text] : {std::pair{"stability.html", page.text()},
+                                     {"stability-numbers.csv", numbersCsv(checks)},
+                                     {"stability-cases.csv", casesCsv(results)}})
+        if (auto done = folder->write(name, text); !done) return done;
+    const auto failing = std::count_if(checks.begin(), checks.end(), [](const auto& check) { return check.fails(); });
+    const auto unsound =
+        std::count_if(results.begin(), results.end(), [](const auto& result) { return !result.isSound(); });
+    const auto held = std::count_if(checks.begin(), checks.end(), [](const auto& check) { return check.isOurs(); });
+    return writeFileAtomically(
+        "-", fmt::format("{} of {} numbers hold their bound, {} of {} extreme cases are sound: {}\n", held - failing,
+                         held, static_cast<std::ptrdiff_t>(results.size()) - unsound, results.size(),
+                         folder->pathOf("stability.html")));
+}
+
+}  // namespace
+
+void addStudyStabilityCommand(CLI::App& study, Action& action) {
+    auto folder = std::make_shared<std::string>();
+    CLI::App& command = *study.add_subcommand("stability", "Extreme cases, each with its result and its reference");
+    command.add_option("-o,--output", *folder, "Folder for the page and the tables")->required()->type_name("DIR");
+    command.footer("Example: echolucent-cli study stability -o study");
+    command.callback([folder, &action] { action = [folder] { return studyStability(*folder); }; });
+}
+
+}  // namespace echolucent::cli

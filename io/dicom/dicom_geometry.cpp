@@ -1,0 +1,134 @@
+#include "io/dicom/dicom_geometry.h"
+
+#include <cmath>
+#include <initializer_list>
+
+#include "io/dicom/dicom_attributes.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag sharedGroups{0x5200, 0x9229};
+constexpr DicomTag perFrameGroups{0x5200, 0x9230};
+constexpr DicomTag positionPatient{0x0020, 0x0032};
+constexpr DicomTag orientationPatient{0x0020, 0x0037};
+constexpr DicomTag pixelSpacing{0x0028, 0x0030};
+
+std::optional<Vec3> pointFrom(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag);
+    if (values.size() != 3) return std::nullopt;
+    return Vec3(values[0], values[1], values[2]);
+}
+
+/// Two perpendicular directions, made unit vectors.
+std::optional<std::array<Vec3, 2>> orientationFrom(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag);
+    if (values.size() != 6) return std::nullopt;
+    const Vec3 alongRow(values[0], values[1], values[2]);
+    const Vec3 alongColumn(values[3], values[4], values[5]);
+    if (length(alongRow) < 0.5 || length(alongColumn) < 0.5) return std::nullopt;
+    const Vec3 row = normalized(alongRow);
+    const Vec3 column = normalized(alongColumn);
+    if (std::abs(row.dot(column)) > 0.01) return std::nullopt;
+    return std::array<Vec3, 2>{row, normalized(column - row * row.dot(column))};
+}
+
+std::optional<std::array<double, 2>> spacingFrom(DcmItem& item) {
+    const auto values = dicomNumbers(item, pixelSpacing);
+    if (values.size() != 2 || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
+    return std::array<double, 2>{values[1], values[0]};  // the tag holds the distance between rows first
+}
+
+/// Takes over what one item of functional groups says.
+void readGroups(DcmItem& groups, FramePlacement& placement) {
+    for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9113}, positionPatient},
+                                        std::pair{DicomTag{0x0020, 0x930e}, DicomTag{0x0020, 0x9301}}})
+        if (DcmItem* item = dicomSequenceItem(groups, sequence))
+            if (const auto point = pointFrom(*item, tag)) placement.position = point;
+    for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9116}, orientationPatient},
+                                        std::pair{DicomTag{0x0020, 0x930f}, DicomTag{0x0020, 0x9302}}})
+        if (DcmItem* item = dicomSequenceItem(groups, sequence))
+            if (const auto orientation = orientationFrom(*item, tag)) placement.orientation = orientation;
+    if (DcmItem* item = dicomSequenceItem(groups, {0x0028, 0x9110}))
+        if (const auto spacing = spacingFrom(*item)) placement.pixelSpacing = spacing;
+    if (DcmItem* item = dicomSequenceItem(groups, {0x0018, 0x9807}))
+        placement.dataType = dicomText(*item, {0x0018, 0x9808});
+    if (DcmItem* item = dicomSequenceItem(groups, {0x0020, 0x9111}))
+        if (const auto index = dicomWholeNumber(*item, {0x0020, 0x9128}); index && !placement.time) {
+            placement.time = static_cast<double>(*index);
+            placement.timeIsIndex = true;
+        }
+    if (DcmItem* item = dicomSequenceItem(groups, {0x0020, 0x9310}))
+        if (const auto seconds = dicomNumbers(*item, {0x0020, 0x930d}); seconds.size() == 1) {
+            placement.time = seconds[0];
+            placement.timeIsIndex = false;
+        }
+}
+
+bool framesFollowInTime(DcmItem& dataset) {
+    const std::string pointer = dicomText(dataset, {0x0028, 0x0009});
+    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
+    FramePlacement placement;
+    placement.position = pointFrom(dataset, positionPatient);
+    placement.orientation = orientationFrom(dataset, orientationPatient);
+    placement.pixelSpacing = spacingFrom(dataset);
+    if (!placement.position || !placement.orientation) return std::nullopt;
+    return placement;
+}
+
+std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames) {
+    const std::size_t described = std::min(frames, dicomSequenceLength(dataset, perFrameGroups));
+    FramePlacement shared;
+    if (DcmItem* groups = dicomSequenceItem(dataset, sharedGroups)) readGroups(*groups, shared);
+    std::vector<FramePlacement> placements(described, shared);
+    for (std::size_t frame = 0; frame < described; ++frame)
+        if (DcmItem* groups = dicomSequenceItem(dataset, perFrameGroups, frame)) readGroups(*groups, placements[frame]);
+    return placements;
+}
+
+std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t frames) {
+    const auto spacing = spacingFrom(dataset);
+    if (!spacing || framesFollowInTime(dataset)) return {};
+    auto offsets = dicomNumbers(dataset, {0x3004, 0x000c});
+    if (offsets.size() != frames) {
+        const auto between = dicomNumbers(dataset, {0x0018, 0x0088});
+        if (between.size() != 1 || between[0] == 0.0) return {};
+        offsets.resize(frames);
+        for (std::size_t frame = 0; frame < frames; ++frame) offsets[frame] = static_cast<double>(frame) * between[0];
+    }
+    const auto orientation =
+        orientationFrom(dataset, orientationPatient).value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
+    const Vec3 origin = pointFrom(dataset, positionPatient).value_or(Vec3(0, 0, 0));
+    const Vec3 normal = orientation[0].cross(orientation[1]);
+    std::vector<FramePlacement> placements(frames);
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        placements[frame].position = origin + normal * offsets[frame];
+        placements[frame].orientation = orientation;
+        placements[frame].pixelSpacing = spacing;
+    }
+    return placements;
+}
+
+std::optional<std::array<double, 2>> pixelSpacingOf(DcmItem& dataset, std::string& source) {
+    if (const auto spacing = spacingFrom(dataset)) {
+        source = tagText(pixelSpacing);
+        return spacing;
+    }
+    DcmItem* region = dicomSequenceItem(dataset, {0x0018, 0x6011});
+    if (region == nullptr) return std::nullopt;
+    const auto x = dicomNumbers(*region, {0x0018, 0x602c});
+    const auto y = dicomNumbers(*region, {0x0018, 0x602e});
+    const bool centimetres =
+        dicomWholeNumber(*region, {0x0018, 0x6024}) == 3 && dicomWholeNumber(*region, {0x0018, 0x6026}) == 3;
+    if (!centimetres || x.size() != 1 || y.size() != 1 || x[0] == 0 || y[0] == 0) return std::nullopt;
+    source = "(0018,602c), (0018,602e)";
+    return std::array<double, 2>{std::abs(x[0]) * 10.0, std::abs(y[0]) * 10.0};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,229 @@
+#include "io/dicom/dicom_grey.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "io/dicom/dicom_attributes.h"
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag samplesTag{0x0028, 0x0002};
+constexpr DicomTag photometricTag{0x0028, 0x0004};
+constexpr DicomTag planarTag{0x0028, 0x0006};
+constexpr DicomTag framesTag{0x0028, 0x0008};
+constexpr DicomTag rowsTag{0x0028, 0x0010};
+constexpr DicomTag columnsTag{0x0028, 0x0011};
+constexpr DicomTag bitsAllocatedTag{0x0028, 0x0100};
+constexpr DicomTag bitsStoredTag{0x0028, 0x0101};
+constexpr DicomTag highBitTag{0x0028, 0x0102};
+constexpr DicomTag signTag{0x0028, 0x0103};
+
+using Problem = std::optional<PixelFormatProblem>;
+
+Problem problemAt(DicomTag tag, const char* name, std::string text) {
+    return PixelFormatProblem{tagText(tag) + " " + name, std::move(text)};
+}
+
+Problem readShape(DcmItem& item, DicomPixelFormat& format) {
+    const auto rows = dicomWholeNumber(item, rowsTag);
+    const auto columns = dicomWholeNumber(item, columnsTag);
+    if (!rows || *rows < 1) return problemAt(rowsTag, "Rows", "is missing or not above 0");
+    if (!columns || *columns < 1) return problemAt(columnsTag, "Columns", "is missing or not above 0");
+    format.rows = *rows;
+    format.columns = *columns;
+    if (!dicomText(item, framesTag).empty()) {
+        const auto frames = dicomWholeNumber(item, framesTag);
+        if (!frames || *frames < 1 || *frames > 100000000)
+            return problemAt(framesTag, "Number of Frames",
+                             "is not a number above 0: " + quotedText(dicomText(item, framesTag)));
+        format.frames = *frames;
+    }
+    return std::nullopt;
+}
+
+Problem readBits(DcmItem& item, DicomPixelFormat& format) {
+    const auto samples = dicomWholeNumber(item, samplesTag).value_or(1);
+    if (samples != 1 && samples != 3)
+        return problemAt(samplesTag, "Samples per Pixel", fmt::format("is {}; only 1 and 3 can be read", samples));
+    const auto allocated = dicomWholeNumber(item, bitsAllocatedTag);
+    if (!allocated || (*allocated != 8 && *allocated != 16))
+        return problemAt(bitsAllocatedTag, "Bits Allocated",
+                         allocated ? fmt::format("is {}; only 8 and 16 can be read", *allocated) : "is missing");
+    const auto stored = dicomWholeNumber(item, bitsStoredTag).value_or(*allocated);
+    if (stored < 1 || stored > *allocated)
+        return problemAt(bitsStoredTag, "Bits Stored", fmt::format("is {} where {} are allocated", stored, *allocated));
+    const auto high = dicomWholeNumber(item, highBitTag).value_or(stored - 1);
+    if (high < stored - 1 || high >= *allocated)
+        return problemAt(highBitTag, "High Bit",
+                         fmt::format("is {} where {} of {} bits are stored", high, stored, *allocated));
+    format.samples = static_cast<int>(samples);
+    format.bitsAllocated = static_cast<int>(*allocated);
+    format.bitsStored = static_cast<int>(stored);
+    format.highBit = static_cast<int>(high);
+    format.isSigned = dicomWholeNumber(item, signTag).value_or(0) == 1;
+    format.planar = format.samples == 3 && dicomWholeNumber(item, planarTag).value_or(0) == 1;
+    return std::nullopt;
+}
+
+std::uint8_t lumaOf(double red, double green, double blue) {
+    return static_cast<std::uint8_t>(std::lround(0.299 * red + 0.587 * green + 0.114 * blue));
+}
+
+/// One palette's entries as 8-bit values; empty where it is missing or too short.
+std::vector<std::uint8_t> paletteEntries(DcmItem& item, DicomTag descriptorTag, DicomTag dataTag) {
+    const auto descriptor = dicomNumbers(item, descriptorTag);
+    const auto words = dicomWords(item, dataTag);
+    if (descriptor.size() != 3 || words.empty()) return {};
+    const auto declared = static_cast<std::int64_t>(descriptor[0]);
+    const std::size_t count =
+        declared == 0 ? 65536 : static_cast<std::size_t>(std::clamp<std::int64_t>(declared, 0, 65536));
+    const bool packed = words.size() < count && words.size() * 2 >= count;  // two 8-bit entries in a word
+    if (words.size() < count && !packed) return {};
+    // Some programs declare 16 bits and store 8.
+    const bool high =
+        !packed && *std::max_element(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count)) > 255;
+    std::vector<std::uint8_t> entries(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint16_t word = words[packed ? i / 2 : i];
+        const int shift = packed ? (i % 2 == 0 ? 0 : 8) : (high ? 8 : 0);
+        entries[i] = static_cast<std::uint8_t>(word >> shift);
+    }
+    return entries;
+}
+
+Problem readPalette(DcmItem& item, DicomPixelFormat& format) {
+    constexpr DicomTag redDescriptor{0x0028, 0x1101};
+    const auto red = paletteEntries(item, redDescriptor, {0x0028, 0x1201});
+    const auto green = paletteEntries(item, {0x0028, 0x1102}, {0x0028, 0x1202});
+    const auto blue = paletteEntries(item, {0x0028, 0x1103}, {0x0028, 0x1203});
+    if (red.empty() || green.size() != red.size() || blue.size() != red.size())
+        return problemAt(
+            redDescriptor, "Palette Color Lookup Table",
+            dicomHas(item, {0x0028, 0x1221}) ? "is segmented, which cannot be read" : "is missing or too short");
+    format.paletteFirst = static_cast<std::int64_t>(dicomNumbers(item, redDescriptor)[1]);
+    format.paletteLuma.resize(red.size());
+    for (std::size_t i = 0; i < red.size(); ++i) format.paletteLuma[i] = lumaOf(red[i], green[i], blue[i]);
+    return std::nullopt;
+}
+
+Problem readColour(DcmItem& item, DicomPixelFormat& format) {
+    format.photometric = dicomText(item, photometricTag);
+    const std::string& name = format.photometric;
+    const int samples = name == "MONOCHROME1" || name == "MONOCHROME2" || name == "PALETTE COLOR" ? 1 : 3;
+    if (name == "MONOCHROME1")
+        format.model = ColourModel::monochrome1;
+    else if (name == "MONOCHROME2" || (name.empty() && format.samples == 1))
+        format.model = ColourModel::monochrome2;
+    else if (name == "PALETTE COLOR")
+        format.model = ColourModel::palette;
+    else if (name == "RGB" || name == "YBR_RCT" || name == "YBR_ICT")
+        format.model = ColourModel::rgb;
+    else if (name == "YBR_FULL" || name == "YBR_FULL_422" || name == "YBR_PARTIAL_422" || name == "YBR_PARTIAL_420")
+        format.model = ColourModel::lumaFirst;
+    else
+        return problemAt(photometricTag, "Photometric Interpretation",
+                         "is " + quotedText(name) + ", which cannot be read");
+    if (!name.empty() && format.samples != samples)
+        return problemAt(samplesTag, "Samples per Pixel",
+                         fmt::format("is {} where {} needs {}", format.samples, name, samples));
+    format.halved = name == "YBR_FULL_422" || name == "YBR_PARTIAL_422";
+    return format.model == ColourModel::palette ? readPalette(item, format) : std::nullopt;
+}
+
+/// Sample `index` of the frame with the bits the data set says are in use.
+class SampleReader {
+public:
+    SampleReader(const DicomPixelFormat& format, const DecodedFrame& frame)
+        : m_bytes(frame.bytes),
+          m_wide(format.bytesPerSample() == 2),
+          m_shift(frame.rightAligned ? 0 : format.highBit + 1 - format.bitsStored),
+          m_mask((1 << format.bitsStored) - 1),
+          m_sign(format.isSigned ? 1 << (format.bitsStored - 1) : 0) {}
+
+    [[nodiscard]] int at(std::size_t index) const {
+        int raw = 0;
+        if (m_wide) {
+            std::uint16_t word = 0;
+            std::memcpy(&word, m_bytes.data() + 2 * index, 2);
+            raw = word;
+        } else {
+            raw = m_bytes[index];
+        }
+        const int value = (raw >> m_shift) & m_mask;
+        return (value ^ m_sign) - m_sign;
+    }
+
+private:
+    const std::vector<std::uint8_t>& m_bytes;
+    bool m_wide;
+    int m_shift;
+    int m_mask;
+    int m_sign;
+};
+
+}  // namespace
+
+StoredType DicomPixelFormat::greyType() const {
+    if (model == ColourModel::palette) return StoredType::uint8;
+    if (bitsAllocated == 8) return isSigned ? StoredType::int8 : StoredType::uint8;
+    return isSigned ? StoredType::int16 : StoredType::uint16;
+}
+
+double DicomPixelFormat::whiteLevel() const {
+    if (model == ColourModel::palette) return 255.0;
+    return static_cast<double>((1 << (isSigned ? bitsStored - 1 : bitsStored)) - 1);
+}
+
+std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format) {
+    if (auto problem = readShape(item, format)) return problem;
+    if (auto problem = readBits(item, format)) return problem;
+    if (auto problem = readColour(item, format)) return problem;
+    if (format.isSigned && format.bitsStored < 2)
+        return problemAt(bitsStoredTag, "Bits Stored", "is 1 for signed values");
+    return std::nullopt;
+}
+
+void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out) {
+    const SampleReader sample(format, frame);
+    const auto pixels = static_cast<std::size_t>(format.pixels());
+    const std::size_t step = frame.planar ? 1 : static_cast<std::size_t>(format.samples);
+    const std::size_t plane = frame.planar ? pixels : 1;
+    const int low = format.isSigned ? -(1 << (format.bitsStored - 1)) : 0;
+    const int high =
+        static_cast<int>(format.isSigned ? (1 << (format.bitsStored - 1)) - 1 : (1 << format.bitsStored) - 1);
+    const bool wide = bytesOf(format.greyType()) == 2;
+    const ColourModel model = frame.lumaFirst && format.samples == 3 ? ColourModel::lumaFirst : format.model;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        int value = 0;
+        switch (model) {
+            case ColourModel::monochrome2: value = sample.at(i); break;
+            case ColourModel::monochrome1: value = low + high - sample.at(i); break;
+            case ColourModel::palette: {
+                const auto entry = std::clamp<std::int64_t>(sample.at(i) - format.paletteFirst, 0,
+                                                            static_cast<std::int64_t>(format.paletteLuma.size()) - 1);
+                value = format.paletteLuma[static_cast<std::size_t>(entry)];
+                break;
+            }
+            case ColourModel::rgb:
+                value = static_cast<int>(std::lround(0.299 * sample.at(i * step) + 0.587 * sample.at(i * step + plane) +
+                                                     0.114 * sample.at(i * step + 2 * plane)));
+                break;
+            case ColourModel::lumaFirst: value = sample.at(frame.halved ? i / 2 * 4 + i % 2 : i * step); break;
+        }
+        if (wide) {
+            const auto word = static_cast<std::uint16_t>(value);
+            std::memcpy(out.data() + 2 * i, &word, 2);
+        } else {
+            out[i] = static_cast<std::uint8_t>(value);
+        }
+    }
+}
+
+}  // namespace echolucent

@@ -1,0 +1,47 @@
+// The frames of a DICOM data set as grey values: decoded, reduced to luma, one after the other.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/dicom/dicom_scan.h"
+#include "io/study.h"
+#include "io/voxel_types.h"
+
+class DcmDataset;
+
+namespace echolucent {
+
+/// Frames of one data set, which must outlive this.
+class DicomFrames {
+public:
+    /// Checks everything the data set says about its pixels against what is there, before memory is taken for them.
+    [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan);
+    DicomFrames(DicomFrames&&) noexcept;
+    ~DicomFrames();
+
+    [[nodiscard]] std::int64_t columns() const;
+    [[nodiscard]] std::int64_t rows() const;
+    [[nodiscard]] std::int64_t frames() const;
+    [[nodiscard]] StoredType type() const;          ///< of the grey values: uint8, int8, uint16 or int16
+    [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
+    [[nodiscard]] double whiteLevel() const;        ///< largest value the bits can hold
+    [[nodiscard]] std::string whiteLevelSource() const;
+    [[nodiscard]] bool lossyCompressed() const;
+    /// Transfer syntax, photometric interpretation, lossy compression.
+    [[nodiscard]] std::vector<ImportFact> facts() const;
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+    /// Decodes frame `index` (from 0) into grey values in this machine's byte order; out.size() == frameBytes().
+    [[nodiscard]] Result<void> readGrey(std::int64_t index, std::span<std::uint8_t> out);
+
+private:
+    struct State;
+    explicit DicomFrames(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,334 @@
+#include "io/dicom/dicom_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/headers/header_text.h"
+#include "io/input_file.h"
+#include "io/headers/raw_inflater.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::uint64_t endless = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint32_t undefinedLength = 0xffffffffU;
+constexpr std::uint32_t itemTag = 0xfffee000U;
+constexpr std::uint32_t itemEndTag = 0xfffee00dU;
+constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
+constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+
+/// The file's bytes in order, from the file or through inflate, with a position that can be moved forward.
+class ByteStream {
+public:
+    explicit ByteStream(const InputFile& file) : m_file(&file) {}
+
+    [[nodiscard]] std::uint64_t position() const { return m_position; }
+    /// Everything from here on is a raw deflate stream.
+    void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
+
+    bool read(std::uint8_t* bytes, std::size_t count) {
+        if (m_inflater) {
+            if (m_inflater->read({bytes, count}) != count) return false;
+        } else {
+            for (std::size_t done = 0; done < count; ++done) {
+                if (m_position + done >= m_file->size()) return false;
+                if (!buffered(m_position + done)) return false;
+                bytes[done] = m_buffer[static_cast<std::size_t>(m_position + done - m_bufferStart)];
+            }
+        }
+        m_position += count;
+        return true;
+    }
+
+    /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
+    std::uint64_t skip(std::uint64_t count) {
+        std::uint64_t skipped = 0;
+        if (!m_inflater) {
+            skipped = std::min(count, m_file->size() - std::min(m_position, m_file->size()));
+        } else {
+            std::array<std::uint8_t, 65536> scratch{};
+            while (skipped < count) {
+                const auto want = static_cast<std::size_t>(std::min<std::uint64_t>(scratch.size(), count - skipped));
+                const std::size_t got = m_inflater->read({scratch.data(), want});
+                skipped += got;
+                if (got < want) break;
+            }
+        }
+        m_position += skipped;
+        return skipped;
+    }
+
+private:
+    bool buffered(std::uint64_t position) {
+        if (position >= m_bufferStart && position < m_bufferStart + m_buffer.size()) return true;
+        m_buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(4096, m_file->size() - position)));
+        m_bufferStart = position;
+        return static_cast<bool>(m_file->readAt(position, m_buffer));
+    }
+
+    const InputFile* m_file;
+    std::uint64_t m_position = 0;
+    std::vector<std::uint8_t> m_buffer;
+    std::uint64_t m_bufferStart = 0;
+    std::unique_ptr<RawInflater> m_inflater;
+};
+
+enum class LevelKind { dataset, sequence, item, fragments };
+
+struct Level {
+    LevelKind kind = LevelKind::dataset;
+    std::uint64_t end = endless;
+    bool implicitVr = false;
+};
+
+bool isVr(const std::uint8_t* bytes) {
+    return bytes[0] >= 'A' && bytes[0] <= 'Z' && bytes[1] >= 'A' && bytes[1] <= 'Z';
+}
+
+bool hasLongLength(std::string_view vr) {
+    constexpr std::array<std::string_view, 13> longVrs{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                       "UN", "UC", "UR", "UT", "SV", "UV"};
+    return std::find(longVrs.begin(), longVrs.end(), vr) != longVrs.end();
+}
+
+class Walk {
+public:
+    Walk(const InputFile& file, DicomScan& scan) : m_file(file), m_stream(file), m_scan(scan) {}
+
+    /// False where sequences are nested too deep.
+    bool run() {
+        if (!readMeta()) return true;
+        while (step() && m_sequences <= deepestSequence) {
+        }
+        return m_sequences <= deepestSequence;
+    }
+
+private:
+    bool readMeta();
+    bool step();
+    bool readElement(std::uint32_t tag);
+    bool readDelimiter(std::uint32_t tag);
+    bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
+    bool enterIfItem(std::uint32_t length);
+    bool recover();
+    void push(LevelKind kind, std::uint32_t length, bool implicitVr);
+    void pop();
+    void notePixelData(std::uint32_t length);
+
+    std::optional<std::uint32_t> readTag();
+    std::optional<std::uint32_t> read32();
+    std::optional<std::uint32_t> read16();
+
+    const InputFile& m_file;
+    ByteStream m_stream;
+    DicomScan& m_scan;
+    std::vector<Level> m_levels;
+    int m_sequences = 0;
+    bool m_bigEndian = false;
+    std::optional<std::uint32_t> m_pendingTag;  // read ahead
+};
+
+std::optional<std::uint32_t> Walk::read16() {
+    std::array<std::uint8_t, 2> b{};
+    if (!m_stream.read(b.data(), b.size())) return std::nullopt;
+    return m_bigEndian ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
+}
+
+std::optional<std::uint32_t> Walk::read32() {
+    const auto first = read16();
+    const auto second = read16();
+    if (!first || !second) return std::nullopt;
+    return m_bigEndian ? *first << 16 | *second : *second << 16 | *first;
+}
+
+std::optional<std::uint32_t> Walk::readTag() {
+    if (m_pendingTag) return std::exchange(m_pendingTag, std::nullopt);
+    const auto group = read16();
+    const auto element = read16();
+    if (!group || !element) return std::nullopt;
+    return *group << 16 | *element;
+}
+
+/// Reads preamble and meta header, and from there how the data set is written. False where the file is too short.
+bool Walk::readMeta() {
+    const auto beginning = m_file.beginning(132);
+    if (!beginning || beginning->size() < 8) return false;
+    const bool preamble = beginning->size() == 132 && beginning->substr(128) == "DICM";
+    m_stream.skip(preamble ? 132 : 0);
+    std::optional<std::uint32_t> tag;
+    while ((tag = readTag()) && *tag >> 16 == 0x0002) {
+        std::array<std::uint8_t, 2> vr{};
+        if (!m_stream.read(vr.data(), 2)) return false;
+        const bool isLong = hasLongLength({reinterpret_cast<const char*>(vr.data()), 2});
+        if (isLong) m_stream.skip(2);
+        const auto length = isLong ? read32() : read16();
+        if (!length) return false;
+        const bool wanted = *tag == 0x00020010 || *tag == 0x00020002;
+        if (wanted && *length <= 128) {
+            std::string value(*length, '\0');
+            if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+            value = trimmed(value.substr(0, value.find('\0')));
+            (*tag == 0x00020010 ? m_scan.transferSyntax : m_scan.sopClass) = value;
+        } else {
+            m_stream.skip(*length);
+        }
+    }
+    if (!tag) return false;
+    if (m_scan.transferSyntax == "1.2.840.10008.1.2.1.99") {
+        // The tag just read was already deflated data: go back to it.
+        ByteStream again(m_file);
+        again.skip(m_stream.position() - 4);
+        m_stream = std::move(again);
+        m_stream.inflateFromHere();
+    } else {
+        m_bigEndian = m_scan.transferSyntax == "1.2.840.10008.1.2.2";
+        const std::uint32_t swapped =
+            (*tag >> 24 & 0xff) << 16 | (*tag >> 16 & 0xff) << 24 | (*tag & 0xff) << 8 | (*tag >> 8 & 0xff);
+        if (!m_bigEndian && m_scan.transferSyntax.empty()) m_bigEndian = *tag >> 16 == 0x0800;
+        m_pendingTag = m_bigEndian ? swapped : *tag;
+    }
+    Level dataset;
+    dataset.implicitVr = m_scan.transferSyntax == "1.2.840.10008.1.2";
+    if (m_scan.transferSyntax.empty()) {
+        std::array<std::uint8_t, 2> vr{};
+        if (m_file.readAt(m_stream.position(), vr)) dataset.implicitVr = !isVr(vr.data());
+    }
+    m_levels.push_back(dataset);
+    return true;
+}
+
+void Walk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
+    const std::uint64_t start = m_stream.position() - (m_pendingTag ? 4 : 0);
+    m_levels.push_back({kind, length == undefinedLength ? endless : start + length, implicitVr});
+    m_sequences += kind == LevelKind::sequence ? 1 : 0;
+}
+
+void Walk::pop() {
+    m_sequences -= m_levels.back().kind == LevelKind::sequence ? 1 : 0;
+    m_levels.pop_back();
+}
+
+/// Leaves what cannot be understood at the nearest end that is known; false where none is.
+bool Walk::recover() {
+    m_pendingTag.reset();
+    while (m_levels.size() > 1) {
+        const Level level = m_levels.back();
+        pop();
+        if (level.end == endless || level.end < m_stream.position()) continue;
+        const std::uint64_t rest = level.end - m_stream.position();
+        return m_stream.skip(rest) == rest;
+    }
+    return false;
+}
+
+bool Walk::step() {
+    const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
+    if (m_levels.size() > 1 && position >= m_levels.back().end) {
+        pop();
+        return true;
+    }
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (*tag >> 16 == 0xfffe) return readDelimiter(*tag);
+    const LevelKind kind = m_levels.back().kind;
+    if (kind == LevelKind::sequence || kind == LevelKind::fragments) return recover();
+    return readElement(*tag);
+}
+
+bool Walk::readDelimiter(std::uint32_t tag) {
+    const auto length = read32();
+    if (!length) return false;
+    const LevelKind kind = m_levels.back().kind;
+    if (tag == itemTag) {
+        if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
+        if (kind != LevelKind::sequence) return recover();
+        push(LevelKind::item, *length, m_levels.back().implicitVr);
+        return true;
+    }
+    if (tag == itemEndTag && kind == LevelKind::item) {
+        pop();
+        return true;
+    }
+    if (tag == sequenceEndTag && (kind == LevelKind::sequence || kind == LevelKind::fragments)) {
+        pop();
+        return true;
+    }
+    return recover();
+}
+
+bool Walk::readElement(std::uint32_t tag) {
+    if (m_levels.back().implicitVr) {
+        const auto length = read32();
+        return length && enterValue(tag, "", *length);
+    }
+    std::array<std::uint8_t, 2> bytes{};
+    if (!m_stream.read(bytes.data(), 2)) return false;
+    const std::string_view vr(reinterpret_cast<const char*>(bytes.data()), 2);
+    const bool isLong = hasLongLength(vr);
+    if (isLong && m_stream.skip(2) != 2) return false;
+    const auto length = isLong ? read32() : read16();
+    return length && enterValue(tag, vr, *length);
+}
+
+void Walk::notePixelData(std::uint32_t length) {
+    m_scan.hasPixelData = true;
+    if (length == undefinedLength) return;
+    m_scan.pixelBytesDeclared = length;
+    if (m_scan.transferSyntax != "1.2.840.10008.1.2.1.99")
+        m_scan.pixelBytesHeld = std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
+    else
+        m_scan.pixelBytesHeld = length;
+}
+
+bool Walk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
+    if (tag == pixelDataTag && m_levels.size() == 1) notePixelData(length);
+    const bool implicitVr = m_levels.back().implicitVr;
+    if (length == undefinedLength) {
+        const bool fragments = !implicitVr && vr != "SQ" && vr != "UN";
+        push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
+        return true;
+    }
+    if (vr == "SQ") {
+        push(LevelKind::sequence, length, false);
+        return true;
+    }
+    if (implicitVr || vr == "UN") return enterIfItem(length);
+    return m_stream.skip(length) == length;
+}
+
+/// A value of unknown kind is a sequence where it begins with an item.
+bool Walk::enterIfItem(std::uint32_t length) {
+    if (length < 8) return m_stream.skip(length) == length;
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (*tag != itemTag) return m_stream.skip(length - 4) == length - 4;
+    m_pendingTag = tag;
+    push(LevelKind::sequence, length, true);
+    return true;
+}
+
+}  // namespace
+
+Result<DicomScan> scanDicom(const std::string& path) {
+    const auto file = InputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    DicomScan scan;
+    scan.fileSize = file->size();
+    if (!Walk(*file, scan).run())
+        return fail(
+            FailureKind::unreadable, path, "",
+            fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence),
+            "The file is damaged or made to do harm: do not open it.");
+    return scan;
+}
+
+}  // namespace echolucent

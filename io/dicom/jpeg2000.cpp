@@ -1,0 +1,102 @@
+#include "io/dicom/jpeg2000.h"
+
+#include <openjpeg.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace echolucent {
+
+namespace {
+
+struct Memory {
+    std::span<const std::uint8_t> data;
+    std::size_t position = 0;
+};
+
+OPJ_SIZE_T readMemory(void* buffer, OPJ_SIZE_T count, void* user) {
+    auto& memory = *static_cast<Memory*>(user);
+    const std::size_t rest = memory.data.size() - memory.position;
+    if (rest == 0) return static_cast<OPJ_SIZE_T>(-1);
+    const std::size_t taken = std::min<std::size_t>(count, rest);
+    std::memcpy(buffer, memory.data.data() + memory.position, taken);
+    memory.position += taken;
+    return taken;
+}
+
+OPJ_OFF_T skipMemory(OPJ_OFF_T count, void* user) {
+    auto& memory = *static_cast<Memory*>(user);
+    if (count < 0) return -1;
+    const std::size_t taken =
+        std::min<std::size_t>(static_cast<std::size_t>(count), memory.data.size() - memory.position);
+    memory.position += taken;
+    return static_cast<OPJ_OFF_T>(taken);
+}
+
+OPJ_BOOL seekMemory(OPJ_OFF_T position, void* user) {
+    auto& memory = *static_cast<Memory*>(user);
+    if (position < 0 || static_cast<std::size_t>(position) > memory.data.size()) return OPJ_FALSE;
+    memory.position = static_cast<std::size_t>(position);
+    return OPJ_TRUE;
+}
+
+using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
+using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
+using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
+
+std::string disagreement(const opj_image_t& image, const Jpeg2000Frame& expected) {
+    const auto width = static_cast<std::int64_t>(image.x1) - image.x0;
+    const auto height = static_cast<std::int64_t>(image.y1) - image.y0;
+    if (width != expected.columns || height != expected.rows)
+        return fmt::format("has a JPEG 2000 frame of {} x {} pixels where {} x {} are declared", width, height,
+                           expected.columns, expected.rows);
+    if (image.numcomps < expected.samples)
+        return fmt::format("has a JPEG 2000 frame of {} samples where {} are declared", image.numcomps,
+                           expected.samples);
+    return {};
+}
+
+}  // namespace
+
+std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
+                           std::vector<std::int32_t>& values, bool& colourIsYbr) {
+    constexpr std::uint8_t jp2Signature[] = {0, 0, 0, 12, 'j', 'P', ' ', ' '};
+    const bool jp2 = data.size() > sizeof(jp2Signature) &&
+                     std::equal(std::begin(jp2Signature), std::end(jp2Signature), data.begin());
+    Memory memory{data};
+    const Stream stream(opj_stream_create(std::size_t{1} << 16, OPJ_TRUE), &opj_stream_destroy);
+    const Codec codec(opj_create_decompress(jp2 ? OPJ_CODEC_JP2 : OPJ_CODEC_J2K), &opj_destroy_codec);
+    if (!stream || !codec) return "could not be decoded: OpenJPEG did not start";
+    opj_stream_set_user_data(stream.get(), &memory, nullptr);
+    opj_stream_set_user_data_length(stream.get(), data.size());
+    opj_stream_set_read_function(stream.get(), &readMemory);
+    opj_stream_set_skip_function(stream.get(), &skipMemory);
+    opj_stream_set_seek_function(stream.get(), &seekMemory);
+    opj_dparameters_t parameters;
+    opj_set_default_decoder_parameters(&parameters);
+    opj_setup_decoder(codec.get(), &parameters);
+
+    opj_image_t* header = nullptr;
+    const bool read = opj_read_header(stream.get(), codec.get(), &header) == OPJ_TRUE;
+    const Image image(header, &opj_image_destroy);
+    if (!read || !image) return "has a frame that is not JPEG 2000";
+    if (auto problem = disagreement(*image, expected); !problem.empty()) return problem;
+    if (opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return "has a damaged JPEG 2000 frame";
+
+    const std::size_t pixels = std::size_t{expected.columns} * expected.rows;
+    colourIsYbr = image->color_space == OPJ_CLRSPC_SYCC;
+    const std::uint32_t planes = colourIsYbr ? 1 : expected.samples;
+    values.clear();
+    for (std::uint32_t plane = 0; plane < planes; ++plane) {
+        const opj_image_comp_t& component = image->comps[plane];
+        if (component.data == nullptr || component.w != expected.columns || component.h != expected.rows)
+            return "has a JPEG 2000 frame with subsampled or missing planes";
+        values.insert(values.end(), component.data, component.data + pixels);
+    }
+    return {};
+}
+
+}  // namespace echolucent

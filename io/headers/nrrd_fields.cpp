@@ -1,0 +1,167 @@
+#include "io/headers/nrrd_fields.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "io/headers/header_text.h"
+#include "io/input_file.h"
+
+namespace echolucent {
+
+namespace {
+
+struct TypeAlias {
+    std::string_view name;
+    StoredType type;
+};
+constexpr std::array<TypeAlias, 38> typeAliases{{{"signed char", StoredType::int8},
+                                                 {"int8", StoredType::int8},
+                                                 {"int8_t", StoredType::int8},
+                                                 {"uchar", StoredType::uint8},
+                                                 {"unsigned char", StoredType::uint8},
+                                                 {"uint8", StoredType::uint8},
+                                                 {"uint8_t", StoredType::uint8},
+                                                 {"short", StoredType::int16},
+                                                 {"short int", StoredType::int16},
+                                                 {"signed short", StoredType::int16},
+                                                 {"signed short int", StoredType::int16},
+                                                 {"int16", StoredType::int16},
+                                                 {"int16_t", StoredType::int16},
+                                                 {"ushort", StoredType::uint16},
+                                                 {"unsigned short", StoredType::uint16},
+                                                 {"unsigned short int", StoredType::uint16},
+                                                 {"uint16", StoredType::uint16},
+                                                 {"uint16_t", StoredType::uint16},
+                                                 {"int", StoredType::int32},
+                                                 {"signed int", StoredType::int32},
+                                                 {"int32", StoredType::int32},
+                                                 {"int32_t", StoredType::int32},
+                                                 {"uint", StoredType::uint32},
+                                                 {"unsigned int", StoredType::uint32},
+                                                 {"uint32", StoredType::uint32},
+                                                 {"uint32_t", StoredType::uint32},
+                                                 {"longlong", StoredType::int64},
+                                                 {"long long", StoredType::int64},
+                                                 {"long long int", StoredType::int64},
+                                                 {"int64", StoredType::int64},
+                                                 {"int64_t", StoredType::int64},
+                                                 {"ulonglong", StoredType::uint64},
+                                                 {"unsigned long long", StoredType::uint64},
+                                                 {"unsigned long long int", StoredType::uint64},
+                                                 {"uint64", StoredType::uint64},
+                                                 {"uint64_t", StoredType::uint64},
+                                                 {"float", StoredType::float32},
+                                                 {"double", StoredType::float64}}};
+
+Result<void> readLine(const std::string& path, std::string_view line, int number, NrrdFields& result) {
+    if (line.starts_with('#')) return {};
+    const auto colon = line.find(':');
+    const bool isKey = colon != std::string_view::npos && line.substr(colon).starts_with(":=");
+    const bool isField = colon != std::string_view::npos && line.substr(colon).starts_with(": ");
+    if (isKey) {
+        result.keys[trimmed(line.substr(0, colon))] = trimmed(line.substr(colon + 2));
+        return {};
+    }
+    if (!isField && !(colon != std::string_view::npos && colon + 1 == line.size()))
+        return fail(FailureKind::unreadable, path, "",
+                    fmt::format("has no \"field: value\" in line {} of its header ({})", number, quotedText(line)),
+                    "This is no NRRD file, or its header is damaged.");
+    std::string field = lowerCase(trimmed(line.substr(0, colon)));
+    if (field == "datafile") field = "data file";
+    if (field == "lineskip") field = "line skip";
+    if (field == "byteskip") field = "byte skip";
+    if (!result.fields.emplace(field, trimmed(line.substr(colon + 1))).second)
+        return fail(FailureKind::unreadable, path, quotedText(field), "appears twice in the header",
+                    "Correct the header or export the volume again.");
+    return {};
+}
+
+}  // namespace
+
+Result<NrrdFields> readNrrdFields(const std::string& path) {
+    const auto file = InputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    const auto beginning = file->beginning(headerLimit);
+    if (!beginning) return tl::unexpected(beginning.error());
+    std::string_view rest = *beginning;
+    const auto magic = nextLine(rest);
+    if (!magic || magic->size() != 8 || !magic->starts_with("NRRD000"))
+        return fail(FailureKind::unreadable, path, "", "does not begin with NRRD and a version",
+                    "This is no NRRD file.");
+    if (magic->back() < '1' || magic->back() > '5')
+        return fail(FailureKind::unreadable, path, "",
+                    "is of NRRD version " + quotedText(magic->substr(4)) + ", only 0001 to 0005 are known",
+                    "Export the volume again as NRRD0004 or NRRD0005.");
+    NrrdFields result;
+    for (int number = 2; const auto line = nextLine(rest); ++number) {
+        if (line->empty()) {
+            result.ended = true;
+            break;
+        }
+        if (const auto read = readLine(path, *line, number, result); !read) return tl::unexpected(read.error());
+    }
+    result.headerBytes = beginning->size() - rest.size();
+    return result;
+}
+
+std::optional<StoredType> nrrdType(const std::string& text) {
+    const std::string name = lowerCase(text);
+    const auto known = std::find_if(typeAliases.begin(), typeAliases.end(),
+                                    [&](const TypeAlias& alias) { return alias.name == name; });
+    return known == typeAliases.end() ? std::nullopt : std::optional(known->type);
+}
+
+std::optional<std::vector<NrrdVector>> nrrdVectors(const std::string& text) {
+    std::vector<NrrdVector> vectors;
+    std::string_view rest = text;
+    while (true) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        if (rest.empty()) return vectors;
+        if (rest.starts_with("none")) {
+            vectors.emplace_back(std::nullopt);
+            rest.remove_prefix(4);
+            continue;
+        }
+        const auto end = rest.find(')');
+        if (rest.front() != '(' || end == std::string_view::npos) return std::nullopt;
+        std::string numbers(rest.substr(1, end - 1));
+        std::replace(numbers.begin(), numbers.end(), ',', ' ');
+        const auto values = realNumbers(numbers);
+        if (!values || values->size() < 2 || values->size() > 4) return std::nullopt;
+        vectors.emplace_back(*values);
+        rest.remove_prefix(end + 1);
+    }
+}
+
+std::vector<std::string> nrrdQuotedWords(const std::string& text) {
+    std::vector<std::string> words;
+    std::size_t position = 0;
+    while ((position = text.find('"', position)) != std::string::npos) {
+        const auto end = text.find('"', position + 1);
+        if (end == std::string::npos) break;
+        words.push_back(trimmed(std::string_view(text).substr(position + 1, end - position - 1)));
+        position = end + 1;
+    }
+    return words;
+}
+
+std::optional<double> mmOfUnit(const std::string& unit) {
+    const std::string name = lowerCase(unit);
+    if (name.empty() || name == "mm" || name == "millimeter" || name == "millimeters") return 1.0;
+    if (name == "cm" || name == "centimeter" || name == "centimeters") return 10.0;
+    if (name == "m" || name == "meter" || name == "meters") return 1000.0;
+    if (name == "um" || name == "\xc2\xb5m" || name == "\xce\xbcm" || name == "micron" || name == "microns")
+        return 0.001;
+    return std::nullopt;
+}
+
+std::optional<double> secondsOfUnit(const std::string& unit) {
+    const std::string name = lowerCase(unit);
+    if (name == "s" || name == "sec" || name == "second" || name == "seconds") return 1.0;
+    if (name == "ms" || name == "msec" || name == "millisecond" || name == "milliseconds") return 0.001;
+    return std::nullopt;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,116 @@
+#include "io/output/meta_image_writer.h"
+
+#include <zlib.h>
+
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "io/output/atomic_file.h"
+
+namespace echolucent {
+
+namespace {
+
+// Speckle hardly compresses: higher levels cost much time and win little.
+constexpr int compressionLevel = 3;
+
+class Compressor {
+public:
+    Compressor() {
+        if (deflateInit(&m_stream, compressionLevel) != Z_OK) throw std::bad_alloc();
+    }
+    ~Compressor() { deflateEnd(&m_stream); }
+    Compressor(const Compressor&) = delete;
+    Compressor& operator=(const Compressor&) = delete;
+
+    void add(const std::uint8_t* bytes, std::size_t count) {
+        constexpr std::size_t piece = std::size_t{1} << 30;  // zlib counts in 32 bits
+        for (std::size_t done = 0; done < count;) {
+            const std::size_t next = std::min(piece, count - done);
+            m_stream.next_in = const_cast<Bytef*>(bytes + done);
+            m_stream.avail_in = static_cast<uInt>(next);
+            drain(Z_NO_FLUSH);
+            done += next;
+        }
+    }
+    std::string finish() {
+        m_stream.avail_in = 0;
+        drain(Z_FINISH);
+        return std::move(m_output);
+    }
+
+private:
+    void drain(int flush) {
+        do {
+            m_stream.next_out = m_buffer.data();
+            m_stream.avail_out = static_cast<uInt>(m_buffer.size());
+            deflate(&m_stream, flush);
+            m_output.append(reinterpret_cast<const char*>(m_buffer.data()), m_buffer.size() - m_stream.avail_out);
+        } while (m_stream.avail_out == 0);
+    }
+
+    z_stream m_stream{};
+    std::vector<std::uint8_t> m_buffer = std::vector<std::uint8_t>(std::size_t{1} << 18);
+    std::string m_output;
+};
+
+std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    Compressor compressor;
+    for (const auto& phase : phases)
+        std::visit(
+            [&](const auto& values) {
+                compressor.add(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(values[0]));
+            },
+            phase->voxels());
+    return compressor.finish();
+}
+
+/// Rows are the directions of the grid axes; a time axis stands alone.
+std::string matrixText(const Mat3& direction, int dimensions) {
+    std::string text;
+    for (int axis = 0; axis < dimensions; ++axis)
+        for (int row = 0; row < dimensions; ++row) {
+            const bool space = axis < 3 && row < 3;
+            text += fmt::format(" {}", space ? direction(row, axis) : (axis == row ? 1.0 : 0.0));
+        }
+    return text;
+}
+
+std::string headerText(const Volume& volume, std::size_t phases, std::size_t compressedBytes) {
+    constexpr std::array<const char*, 3> types{"MET_UCHAR", "MET_USHORT", "MET_FLOAT"};
+    const VolumeGeometry& geometry = volume.geometry();
+    const bool moving = phases > 1;
+    const int dimensions = moving ? 4 : 3;
+    std::string text = "ObjectType = Image\n";
+    text += fmt::format("NDims = {}\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = True\n",
+                        dimensions);
+    text += fmt::format("CompressedDataSize = {}\n", compressedBytes);
+    text += fmt::format("TransformMatrix ={}\n", matrixText(geometry.direction, dimensions));
+    text += fmt::format("Offset = {} {} {}{}\n", geometry.origin[0], geometry.origin[1], geometry.origin[2],
+                        moving ? " 0" : "");
+    text += fmt::format("ElementSpacing = {} {} {}{}\n", geometry.spacing[0], geometry.spacing[1], geometry.spacing[2],
+                        moving ? " 1" : "");
+    if (!geometry.spacingKnown) text += "SpacingKnown = False\n";
+    text += fmt::format("DimSize = {} {} {}", geometry.size[0], geometry.size[1], geometry.size[2]);
+    text += moving ? fmt::format(" {}\n", phases) : "\n";
+    text += fmt::format("WhiteLevel = {}\n", volume.whiteLevel());
+    return text + fmt::format("ElementType = {}\nElementDataFile = LOCAL\n", types[volume.voxels().index()]);
+}
+
+}  // namespace
+
+Result<void> writeMetaImage(const std::string& path, const std::vector<std::shared_ptr<const Volume>>& phases) {
+    if (phases.empty()) throw std::invalid_argument("writeMetaImage: no volume");
+    for (const auto& phase : phases)
+        if (phase->geometry().size != phases.front()->geometry().size ||
+            phase->voxels().index() != phases.front()->voxels().index())
+            throw std::invalid_argument("writeMetaImage: phases of different size or type");
+    std::string voxels = compressed(phases);
+    std::string bytes = headerText(*phases.front(), phases.size(), voxels.size());
+    bytes += voxels;
+    return writeFileAtomically(path, bytes);
+}
+
+}  // namespace echolucent

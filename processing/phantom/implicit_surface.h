@@ -1,0 +1,114 @@
+// Smooth bodies in closed form: signed distance functions joined and carved with rounded seams. The simulated scans are
+// drawn from them, and their true surfaces are found on them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// A similarity that places a drawing: local coordinates to grid mm. `axes` is orthonormal, its columns are the images
+/// of the local axes; `scale` is mm per local unit.
+struct Pose {
+    Mat3 axes = Mat3::eye();
+    Vec3 origin{0, 0, 0};
+    double scale = 1.0;
+
+    [[nodiscard]] Vec3 point(const Vec3& local) const { return origin + axes * local * scale; }
+    /// This pose, followed inside it by another: (a * b).point(p) == a.point(b.point(p)).
+    [[nodiscard]] Pose operator*(const Pose& inner) const {
+        return {axes * inner.axes, point(inner.origin), scale * inner.scale};
+    }
+};
+
+/// One primitive in grid mm. Its distance function is negative inside, exact to first order at the surface.
+struct ImplicitPrimitive {
+    enum class Kind { ellipsoid, roundCone, roundBox, cylinder, wavyPlane };
+    Kind kind = Kind::ellipsoid;
+    std::string name;         ///< anatomy, for people
+    Vec3 centre{0, 0, 0};     ///< ellipsoid, box: centre; round cone, cylinder: first end; plane: a point on it
+    Vec3 end{0, 0, 0};        ///< round cone, cylinder: second end
+    Vec3 radii{1, 1, 1};      ///< ellipsoid: radii; box: half sizes; round cone: end radii; cylinder: radius;
+                              ///< plane: depth of the waves and their wavelength
+    Mat3 axes = Mat3::eye();  ///< columns: local axes of ellipsoid and box; last column: the plane's outward normal
+    double rounding = 0.0;    ///< radius of box and cylinder edges, within the stated size
+
+    /// Derived by prepare(): what the distance functions use.
+    Vec3 inverseRadii{1, 1, 1};
+    Vec3 along{0, 0, 0};              ///< end - centre
+    double inverseLengthSquared = 0;  ///< of `along`
+    double slant = 1;                 ///< cosine that turns radial into normal distance on a cone
+    Vec3 boundCentre{0, 0, 0};
+    double boundRadius = 0;  ///< of a ball that holds the primitive
+    void prepare();
+};
+
+[[nodiscard]] ImplicitPrimitive ellipsoid(std::string name, const Vec3& centre, const Vec3& radii,
+                                          const Mat3& axes = Mat3::eye());
+[[nodiscard]] ImplicitPrimitive sphere(std::string name, const Vec3& centre, double radius);
+/// A capsule whose radius changes linearly from one end to the other.
+[[nodiscard]] ImplicitPrimitive roundCone(std::string name, const Vec3& from, const Vec3& to, double fromRadius,
+                                          double toRadius);
+[[nodiscard]] ImplicitPrimitive roundBox(std::string name, const Vec3& centre, const Vec3& halfSize, double rounding,
+                                         const Mat3& axes = Mat3::eye());
+[[nodiscard]] ImplicitPrimitive cylinder(std::string name, const Vec3& from, const Vec3& to, double radius,
+                                         double rounding);
+/// The half space behind a plane (against its normal) whose surface is gently waved along x and y.
+[[nodiscard]] ImplicitPrimitive wavyPlane(std::string name, const Vec3& point, const Vec3& normal, double waveDepth,
+                                          double waveLength);
+
+/// The same drawing placed by a pose.
+[[nodiscard]] ImplicitPrimitive placed(const Pose& pose, ImplicitPrimitive primitive);
+
+/// Signed distance in mm at a point in grid mm.
+[[nodiscard]] double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point);
+
+/// Radius of a ball around the point that surely lies inside the primitive; 0 or less where the point may be outside.
+[[nodiscard]] double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
+
+/// Radius of a ball around the point that surely lies outside the primitive; 0 or less where the point may be inside.
+[[nodiscard]] double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
+
+/// Smooth minimum with a seam of finite width (polynomial): the plain minimum where |a - b| >= width.
+[[nodiscard]] inline double smoothMinimum(double a, double b, double width) {
+    const double share = width > 0.0 ? std::max(width - std::abs(a - b), 0.0) / width : 0.0;
+    return std::min(a, b) - share * share * width * 0.25;
+}
+
+/// A body: primitives joined to it or carved out of it, in order, each with a rounded seam.
+class ImplicitBody {
+public:
+    static constexpr double far = 1e6;  ///< distance to an empty body, mm
+
+    /// `seam`: width of the rounded seam, mm; 0 for a sharp one.
+    void join(ImplicitPrimitive primitive, double seam = 0.0) { add(std::move(primitive), seam, false); }
+    void carve(ImplicitPrimitive primitive, double seam = 0.0) { add(std::move(primitive), seam, true); }
+
+    struct Term {
+        ImplicitPrimitive primitive;
+        double seam = 0.0;
+        bool carves = false;
+        double reach = 0.0;  ///< widest of its own and all later seams: how far beyond its surface it matters
+    };
+    [[nodiscard]] const std::vector<Term>& terms() const { return m_terms; }
+
+    /// Signed distance in mm, negative inside.
+    [[nodiscard]] double distance(const Vec3& point) const;
+
+    /// How a ball stands to the body, up to `band` mm beyond its surface.
+    enum class Standing { outside, inside, mixed };
+    /// `active` gets the terms that can matter within the ball where it is mixed: leaving out the others changes the
+    /// distance only where it is beyond +-band.
+    [[nodiscard]] Standing standingOf(const Vec3& centre, double radius, double band, std::vector<int>& active) const;
+
+private:
+    void add(ImplicitPrimitive primitive, double seam, bool carves);
+    std::vector<Term> m_terms;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,36 @@
+// The parts of the simulated fetus. Local coordinates: first anterior, second towards the crown, third to the fetus's
+// side nearer the probe; body parts in crown-rump lengths, the head's in its own unit.
+#pragma once
+
+#include <utility>
+
+#include "processing/phantom/implicit_surface.h"
+
+namespace echolucent {
+
+/// A body under construction in local coordinates.
+struct Sculpture {
+    ImplicitBody& body;
+    Pose pose;
+
+    void join(const ImplicitPrimitive& primitive, double seam) {
+        body.join(placed(pose, primitive), seam * pose.scale);
+    }
+    void carve(const ImplicitPrimitive& primitive, double seam) {
+        body.carve(placed(pose, primitive), seam * pose.scale);
+    }
+    [[nodiscard]] Sculpture within(const Pose& inner) const { return {body, pose * inner}; }
+};
+
+/// Soft parts (skin and flesh), bright parts (bone) and dark parts (fluid) of the fetus.
+struct FetusBodies {
+    ImplicitBody flesh, bone, chambers;
+};
+
+/// `fetus` places crown-rump lengths into grid mm; `phase` (turns) moves one arm and the heart.
+void addHead(FetusBodies& bodies, const Pose& fetus);
+void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase);
+void addArms(FetusBodies& bodies, const Pose& fetus, double phase);
+void addLegs(FetusBodies& bodies, const Pose& fetus);
+
+}  // namespace echolucent

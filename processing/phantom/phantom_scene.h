@@ -1,0 +1,64 @@
+// The anatomy of the simulated scans: bodies in grid mm, painted one over the other. Shared by the voxels and the
+// truth.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "processing/phantom/implicit_surface.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent {
+
+/// One body and what it is made of; it covers the layers before it.
+struct PhantomLayer {
+    ImplicitBody body;
+    PhantomMaterial material = PhantomMaterial::tissue;
+    double echo = 0;       ///< mean echo, 0..255
+    double shadowing = 0;  ///< share of PhantomConfig::shadow it casts, [0,1]
+};
+
+struct PhantomScenery {
+    double tissueEcho = 0;  ///< of what no layer covers
+    std::vector<PhantomLayer> layers;
+};
+
+/// Echo and shadowing of the layers at signed distances `distances` (mm) from their bodies, ramps included.
+struct PaintedEcho {
+    double echo = 0;
+    double shadowing = 0;
+    double fluidDistance = ImplicitBody::far;  ///< signed distance to the fluid (mm), negative in it
+};
+[[nodiscard]] inline PaintedEcho paintOver(PaintedEcho below, const PhantomLayer& layer, double distance,
+                                           double inverseRampMm) {
+    const double cover = std::clamp(0.5 - distance * inverseRampMm, 0.0, 1.0);
+    below.echo += cover * (layer.echo - below.echo);
+    below.shadowing += cover * (layer.shadowing - below.shadowing);
+    below.fluidDistance = layer.material == PhantomMaterial::fluid ? std::min(below.fluidDistance, distance)
+                                                                   : std::max(below.fluidDistance, -distance);
+    return below;
+}
+
+/// 1 / width of the ramp in mm; a ramp of 0 becomes a step.
+[[nodiscard]] double inverseRampPerMm(const PhantomConfig& config);
+/// Grid geometry of the phantom. Throws std::invalid_argument where the config makes no sense.
+[[nodiscard]] VolumeGeometry phantomGeometry(const PhantomConfig& config);
+
+/// The scene's layers, laid out relative to the volume's extent in mm: one scale for all axes (the smallest extent),
+/// centred across the beam, anchored at the probe's face along it. A front wall, if any, is the last layer.
+[[nodiscard]] PhantomScenery buildScenery(const PhantomConfig& config);
+
+/// Where scenes are drawn: [0,1] across the smallest extent, x and y centred at 0.5, z from the probe's face.
+[[nodiscard]] Pose sceneryPose(const VolumeGeometry& geometry);
+
+void addShapes(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
+void addFetus(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
+
+/// The noise-free, unattenuated echo of every voxel, and what follows from it along the beam: specular brightening,
+/// shadow, attenuation, gain. Empty where cancelled.
+[[nodiscard]] std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config,
+                                               const Progress& progress);
+
+}  // namespace echolucent

@@ -1,0 +1,25 @@
+// Where the light of a shaded picture stands, in the two angles that a person moves.
+#pragma once
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// As seen from what is looked at; (0, 0) is the viewer's own place.
+struct LightDirection {
+    double azimuthDegrees = -33.0;   ///< to the right of the viewer, [-180, 180]
+    double elevationDegrees = 33.0;  ///< above the viewer, [-90, 90]
+    friend bool operator==(const LightDirection&, const LightDirection&) = default;
+};
+
+/// The unit vector for Shading::towardsLight, in camera axes (right, down, forward). Exact in multiples of 90 degrees.
+[[nodiscard]] Vec3 towardsLight(const LightDirection& light);
+
+/// The angles of a vector of any length above 0; azimuth 0 for a light straight above or below.
+[[nodiscard]] LightDirection lightDirectionOf(const Vec3& towardsLight);
+
+/// The light moved by a drag in shares of the picture's height, to the right and down: it follows the hand, half a turn
+/// for a height. The azimuth wraps, the elevation stops at +-90 degrees.
+[[nodiscard]] LightDirection moved(const LightDirection& light, double right, double down);
+
+}  // namespace echolucent

@@ -1,0 +1,280 @@
+#include "processing/ray_caster/plain/plain_caster.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "processing/ray_caster/plain/plain_sampler.h"
+#include "processing/ray_caster/plain/plain_segment.h"
+#include "processing/ray_caster/ray_geometry.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+double roundedToHalf(double value) {
+    if (value == 0.0) return 0.0;
+    constexpr int significantBits = 11, leastExponent = -13;  // as std::frexp() counts: 2^-14 is the least normal
+    int exponent = 0;
+    (void)std::frexp(value, &exponent);
+    const double spacing = std::ldexp(1.0, std::max(exponent, leastExponent) - significantBits);
+    return std::nearbyint(value / spacing) * spacing;
+}
+
+double stored(double value, CompositingPrecision precision) {
+    switch (precision) {
+        case CompositingPrecision::eightBit: return std::nearbyint(value * 255.0) / 255.0;
+        case CompositingPrecision::half: return roundedToHalf(value);
+        case CompositingPrecision::single: return static_cast<double>(static_cast<float>(value));
+        case CompositingPrecision::twofold: return value;
+    }
+    return value;
+}
+
+/// Colour times alpha, alpha, and Picture::depthMm.
+struct PlainPixel {
+    Vec3 colour{0, 0, 0};
+    double alpha = 0.0;
+    double depthMm = nowhere;
+};
+
+/// What one step of a ray shows.
+struct Step {
+    double alpha = 0.0;
+    Vec3 colour{0, 0, 0};
+};
+
+/// The least and the largest depth of the volume's box.
+struct DepthRange {
+    double nearest = nowhere, farthest = -nowhere;
+};
+
+DepthRange depthsOf(const VolumeGeometry& geometry, const Vec3& forward) {
+    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
+    DepthRange range;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double depth =
+            forward.dot(Vec3((corner & 1) != 0 ? high[0] : low[0], (corner & 2) != 0 ? high[1] : low[1],
+                             (corner & 4) != 0 ? high[2] : low[2]));
+        range.nearest = std::min(range.nearest, depth);
+        range.farthest = std::max(range.farthest, depth);
+    }
+    return range;
+}
+
+class PlainCaster {
+public:
+    PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                const PlainCasting& casting)
+        : m_geometry(volume.geometry()),
+          m_curve(curve),
+          m_settings(settings),
+          m_casting(casting),
+          m_rays(volume.geometry(), settings),
+          m_sampler(volume, settings.interpolation),
+          m_depths(depthsOf(volume.geometry(), settings.camera.frame.forward)),
+          m_preIntegrates(settings.preIntegrated && !settings.shading) {
+        m_depths.nearest = std::max(m_depths.nearest, settings.nearPlaneDepthMm);
+        if (m_preIntegrates) m_segments.emplace(curve);
+        if (!settings.shading) return;
+        if (!(settings.shading->gradientReach > 0.0))
+            throw std::invalid_argument("castRays: the gradient's reach must be above 0");
+        const Vec3& light = settings.shading->towardsLight;
+        const ViewFrame& frame = settings.camera.frame;
+        m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
+    }
+
+    [[nodiscard]] PlainPixel pixel(int column, int row) const {
+        const ray_casting::Ray ray = m_rays.rayThrough(column, row);
+        return m_settings.mode == RenderMode::direct ? composited(ray) : projected(ray);
+    }
+
+private:
+    [[nodiscard]] double depthOf(const Vec3& voxel) const {
+        return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
+    }
+
+    /// A step of a ray or what is left of it, in steps from the ray's origin.
+    struct Stretch {
+        double begin, end;
+        [[nodiscard]] double length() const { return end - begin; }
+    };
+
+    /// Calls visit(stretch) from front to back until it returns false.
+    template <typename Visit>
+    void walk(const ray_casting::Ray& ray, const Visit& visit) const {
+        if (!(ray.enter < ray.leave)) return;
+        for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
+            const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
+            const bool seen = m_casting.wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
+            if (seen && !visit(m_casting.wholeSteps ? whole : left)) return;
+        }
+    }
+
+    static Vec3 placeOf(const ray_casting::Ray& ray, double steps) { return ray.origin + ray.step * steps; }
+    static Vec3 middleOf(const ray_casting::Ray& ray, const Stretch& stretch) {
+        return placeOf(ray, 0.5 * (stretch.begin + stretch.end));
+    }
+
+    /// Eqs. 2 and 3.
+    [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray) const {
+        PlainPixel pixel;
+        double transmittance = 1.0;
+        walk(ray, [&](const Stretch& stretch) {
+            const Vec3 voxel = middleOf(ray, stretch);
+            const Step step =
+                m_preIntegrates && stretch.length() == 1.0 ? segmentOf(ray, stretch) : sampleAt(voxel, stretch);
+            if (!(step.alpha > 0.0)) return true;
+            const double seen = transmittance * step.alpha;
+            Vec3 colour = step.colour;
+            if (m_settings.shading) colour = lit(colour, voxel, ray.direction, seen);
+            if (m_settings.depthColouring) colour = colour.mul(tintAt(depthOf(voxel)));
+            for (int channel = 0; channel < 3; ++channel)
+                pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
+            transmittance = stored(transmittance * (1.0 - step.alpha), m_casting.precision);
+            if (pixel.depthMm == nowhere && transmittance <= 0.5) pixel.depthMm = depthOf(voxel);
+            return transmittance >= m_settings.terminationTransmittance;
+        });
+        pixel.alpha = 1.0 - transmittance;
+        return pixel;
+    }
+
+    /// Maximum, minimum, mean.
+    [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const {
+        PlainPixel pixel;
+        double shown = 0.0, sum = 0.0, steps = 0.0;
+        walk(ray, [&](const Stretch& stretch) {
+            const Vec3 voxel = middleOf(ray, stretch);
+            const auto intensity = m_sampler.intensityAt(voxel);
+            if (!intensity) return true;
+            const bool isShown = steps == 0.0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
+                                 (m_settings.mode == RenderMode::minimum && *intensity < shown);
+            if (isShown) {
+                shown = *intensity;
+                pixel.depthMm = depthOf(voxel);
+            }
+            sum += *intensity * stretch.length();
+            steps += stretch.length();
+            return true;
+        });
+        if (steps == 0.0) return pixel;
+        if (m_settings.mode == RenderMode::mean) shown = sum / steps;
+        pixel.colour = colourOf(m_settings.colourMap, shown);
+        pixel.alpha = 1.0;
+        return pixel;
+    }
+
+    [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const {
+        const auto intensity = m_sampler.intensityAt(voxel);
+        if (!intensity) return {};
+        const double length = m_settings.step * stretch.length();
+        return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
+    }
+
+    [[nodiscard]] Step segmentOf(const ray_casting::Ray& ray, const Stretch& stretch) const {
+        const auto before = m_sampler.intensityAt(placeOf(ray, stretch.begin));
+        const auto behind = m_sampler.intensityAt(placeOf(ray, stretch.end));
+        if (!before && !behind) return {};
+        const double length = m_settings.step * (before && behind ? 1.0 : 0.5);
+        const Extinction extinction = m_segments->between(before ? *before : *behind, behind ? *behind : *before);
+        return {-std::expm1(-length * extinction.mean), colourOf(m_settings.colourMap, extinction.intensity)};
+    }
+
+    /// Shading's formula; `seen` is what the sample adds to its pixel's opacity.
+    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const {
+        const Shading& shading = *m_settings.shading;
+        const Vec3 gradient =
+            seen >= m_casting.leastLitOpacity ? m_sampler.gradientAt(voxel, shading.gradientReach) : Vec3(0, 0, 0);
+        const double magnitude = length(gradient);
+        double surface = 0.0, diffuse = 0.0, specular = 0.0;
+        if (magnitude > 0.0) {
+            const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - rayDirection;
+            surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
+            diffuse = std::max(0.0, (normal.dot(m_towardsLight) + shading.wrap) / (1.0 + shading.wrap));
+            if (length(half) > 0.0)
+                specular = std::pow(std::max(0.0, normal.dot(normalized(half))), shading.specularPower);
+        }
+        const double factor = shading.ambient +
+                              shading.diffuse * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
+                              surface * shading.specular * specular;
+        const Vec3 tint = shadowTintOf(m_settings.colourMap);
+        Vec3 bright;
+        for (int channel = 0; channel < 3; ++channel)
+            bright[channel] = std::min(
+                1.0, colour[channel] * factor * (tint[channel] + (1.0 - tint[channel]) * std::min(1.0, factor)));
+        return bright;
+    }
+
+    [[nodiscard]] Vec3 tintAt(double depthMm) const {
+        const double extent = m_depths.farthest - m_depths.nearest;
+        const double share = extent > 0.0 ? std::clamp((depthMm - m_depths.nearest) / extent, 0.0, 1.0) : 0.0;
+        const DepthColouring& tints = *m_settings.depthColouring;
+        return tints.nearTint * (1.0 - share) + tints.farTint * share;
+    }
+
+    using Extinction = plain_casting::Extinction;
+
+    const VolumeGeometry& m_geometry;
+    const OpacityCurve& m_curve;
+    const RayCastSettings& m_settings;
+    const PlainCasting& m_casting;
+    ray_casting::RayGeometry m_rays;
+    plain_casting::Sampler m_sampler;
+    DepthRange m_depths;  ///< of the depth colouring's ends
+    bool m_preIntegrates;
+    std::optional<plain_casting::SegmentIntegral> m_segments;
+    Vec3 m_towardsLight{0, 0, 0};
+};
+
+void castRow(const PlainCaster& caster, int row, Picture& picture) {
+    for (int column = 0; column < picture.width; ++column) {
+        const PlainPixel pixel = caster.pixel(column, row);
+        const std::size_t at =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(column);
+        for (int channel = 0; channel < 3; ++channel)
+            picture.rgba[at * 4 + static_cast<std::size_t>(channel)] = static_cast<float>(pixel.colour[channel]);
+        picture.rgba[at * 4 + 3] = static_cast<float>(pixel.alpha);
+        if (!picture.depthMm.empty()) picture.depthMm[at] = static_cast<float>(pixel.depthMm);
+    }
+}
+
+}  // namespace
+
+std::string_view nameOf(CompositingPrecision precision) {
+    switch (precision) {
+        case CompositingPrecision::eightBit: return "8 bit";
+        case CompositingPrecision::half: return "half";
+        case CompositingPrecision::single: return "single";
+        case CompositingPrecision::twofold: return "double";
+    }
+    return "";
+}
+
+std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                                       const PlainCasting& casting, const Progress& progress) {
+    const PlainCaster caster(volume, curve, settings, casting);
+    Picture picture{settings.width, settings.height, {}, {}};
+    const std::size_t pixels = static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+    picture.rgba.assign(pixels * 4, 0.0f);
+    if (settings.findDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
+    std::atomic<int> rowsDone = 0;
+    const auto callingThread = std::this_thread::get_id();
+    tbb::parallel_for(0, settings.height, [&](int row) {
+        if (progress.cancelled()) return;
+        castRow(caster, row, picture);
+        const int done = rowsDone.fetch_add(1, std::memory_order_relaxed) + 1;
+        if (std::this_thread::get_id() == callingThread) progress.at(static_cast<double>(done) / settings.height);
+    });
+    if (progress.cancelled()) return std::nullopt;
+    return picture;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,54 @@
+// What all tube cores of a view see slab by slab: the input of detection by ratio, which looks at all tubes before it
+// judges one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/slabs/tube_slabs.h"
+
+namespace echolucent {
+
+/// Mean and spread of every slab of every tube core, tube after tube. A slab is one unit of the tube's length,
+/// cellSize x cellSize samples. A tube begins at its first slab of which at least half is data and ends at the last;
+/// a slab of less data between them holds the values of the one before.
+class TubeProfiles {
+public:
+    TubeProfiles(std::size_t tubes, int longest);
+
+    /// Takes one tube's slabs; different tubes may be set side by side.
+    void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
+    /// Of stored values, with their second moments; whiteLevel: the one of normalised intensity 1.
+    void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
+    /// whiteLevel: times slabScale(), as the means are.
+    void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
+
+    [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
+    /// Index of the tube's first slab among its samples.
+    [[nodiscard]] int firstSlab(std::size_t tube) const { return m_first[tube]; }
+    /// Whether any of its samples has data.
+    [[nodiscard]] bool anyData(std::size_t tube) const { return m_anyData[tube] != 0; }
+    /// Mean normalised intensity from that slab on; empty: no slab holds enough data.
+    [[nodiscard]] std::span<const float> means(std::size_t tube) const { return part(m_means, tube); }
+    /// Standard deviation of a slab's samples, normalised intensity; as long as means().
+    [[nodiscard]] std::span<const float> spreads(std::size_t tube) const { return part(m_spreads, tube); }
+
+private:
+    /// countOf(k): samples of slab k with data. write(first, count, means, spreads): both, of so
+    /// many slabs; those of too little data are overwritten.
+    template <typename CountOf, typename Write>
+    void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
+    [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {
+        return {values.data() + tube * m_stride, static_cast<std::size_t>(m_count[tube])};
+    }
+
+    std::size_t m_stride;
+    std::vector<float> m_means, m_spreads;
+    std::vector<int> m_first, m_count;
+    std::vector<std::uint8_t> m_anyData;
+};
+
+}  // namespace echolucent

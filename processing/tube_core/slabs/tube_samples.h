@@ -1,0 +1,48 @@
+// The voxels of a tube core, gathered slab by slab: a slab is one unit of the tube's length, cellSize x cellSize
+// samples.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "processing/tube_core/tube_grid.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Where the samples of a tube core lie, voxel index space. Sample (a, b) of slab k, 0 <= a, b < cellSize, lies at
+/// first + k * along + (a - (cellSize - 1) / 2) * right + (b - (cellSize - 1) / 2) * down.
+struct TubeSamples {
+    Vec3 first{0, 0, 0};                                 ///< on the axis
+    Vec3 along{0, 0, 1}, right{1, 0, 0}, down{0, 1, 0};  ///< one unit along the view's axes
+    int slabs = 0;
+    int cellSize = 5;
+    bool onVoxels = false;  ///< all coordinates of samples are whole numbers: nothing is interpolated
+
+    [[nodiscard]] Vec3 onAxis(double slab) const { return first + along * slab; }
+};
+
+/// The samples of a tube core's axis; no slab where the axis misses the picture. Slabs lie half a unit behind the entry
+/// and then one unit apart; on voxels, at the voxel centres from the entry on.
+[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view,
+                                    int cellSize, bool onVoxels);
+
+/// Mean and sum of squared deviations over the samples of a slab that have data, in normalised intensity.
+struct SlabMoments {
+    std::uint32_t count = 0;
+    double mean = 0.0;
+    double squaredDeviations = 0.0;
+};
+
+/// Moments of any tube in double precision, one sample after the other: the reference for tube_slabs.h. Trilinear
+/// interpolation (exact voxels where the position is whole) or the nearest voxel. A sample outside the box is left out;
+/// one with a no-data voxel among its neighbours takes the nearest voxel, or is left out with it. values: scratch,
+/// reused between calls.
+void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+                 std::vector<double>& values);
+
+/// Normalised intensity at a position in voxel index space, as sampleSlabs() takes it by trilinear interpolation; NaN:
+/// left out.
+[[nodiscard]] double intensityAt(const Volume& volume, const Vec3& voxel);
+
+}  // namespace echolucent

@@ -1,0 +1,88 @@
+// A 3D ultrasound volume: voxels, geometry, and which voxels carry data. Immutable once built and shared between
+// threads as shared_ptr<const Volume>.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "processing/volume/geometry.h"
+#include "processing/result.h"
+
+namespace echolucent {
+
+/// The voxel types kept in memory. Readers convert every other stored type without loss into one of them where
+/// possible (int8/int16 without negative values become unsigned) and say in the import report where it was not.
+using Voxels = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
+
+/// Where the voxels are. Index order: x fastest, then y, then z. Voxel centres lie at integer indices; the volume's
+/// box reaches half a voxel beyond them, from -0.5 to size-0.5.
+struct VolumeGeometry {
+    std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z; each at least 1
+    Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
+    Vec3 origin{0, 0, 0};                       ///< patient position (mm, LPS) of the centre of voxel (0,0,0)
+    Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
+    bool spacingKnown = true;                   ///< false: spacing is a guess; the picture must say so, no mm shown as fact
+
+    [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
+    /// Offset of voxel (x,y,z) in the voxel array.
+    [[nodiscard]] std::int64_t offset(std::int64_t x, std::int64_t y, std::int64_t z) const {
+        return x + size[0] * (y + size[1] * z);
+    }
+    /// The unit of length along tubes and rays: the smallest spacing, in mm (method.md).
+    [[nodiscard]] double unit() const;
+    [[nodiscard]] Vec3 gridMmFromVoxel(const Vec3& voxel) const { return voxel.mul(spacing); }
+    [[nodiscard]] Vec3 voxelFromGridMm(const Vec3& mm) const;
+    [[nodiscard]] Vec3 patientFromVoxel(const Vec3& voxel) const { return origin + direction * voxel.mul(spacing); }
+    /// Corners of the volume's box in grid mm (half a voxel outside the outermost centres).
+    [[nodiscard]] Vec3 boxMinMm() const { return spacing * -0.5; }
+    [[nodiscard]] Vec3 boxMaxMm() const;
+    [[nodiscard]] Vec3 centreMm() const;
+};
+
+/// One volume (one phase of a 4D study).
+class Volume {
+public:
+    /// Takes the voxels. whiteLevel: the stored value that is normalised intensity 1; none: 255 for 8 bits, else
+    /// whiteLevelOf() these voxels, the largest but for absurd ones (1 where there is none above 0). Float voxels that
+    /// are not finite count as no data.
+    /// Throws std::invalid_argument where sizes disagree or geometry is not valid (readers check before).
+    Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
+
+    [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
+    [[nodiscard]] const Voxels& voxels() const { return *m_voxels; }
+    [[nodiscard]] double whiteLevel() const { return m_whiteLevel; }
+    [[nodiscard]] std::string_view typeName() const;  ///< "uint8", "uint16" or "float32"
+
+    /// One byte a voxel, 1 = data, 0 = no data (outside the scanned sector, or not finite); empty: all are data.
+    [[nodiscard]] const std::vector<std::uint8_t>& dataMask() const { return *m_dataMask; }
+    [[nodiscard]] bool hasData(std::int64_t offset) const {
+        return m_dataMask->empty() || (*m_dataMask)[static_cast<std::size_t>(offset)] != 0;
+    }
+    /// Stored value as double; NaN stays NaN.
+    [[nodiscard]] double storedValue(std::int64_t offset) const;
+    /// Stored value / white level, clamped to [0,1]; 0 where it is NaN.
+    [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;
+
+    /// A volume that shares these voxels but marks other voxels as data. Mask: empty or one byte a voxel.
+    [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
+
+private:
+    VolumeGeometry m_geometry;
+    std::shared_ptr<const Voxels> m_voxels;
+    double m_whiteLevel = 1.0;
+    std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
+};
+
+/// Guess of the voxels outside the scanned sector: exactly 0 and connected (6-neighbourhood) through such voxels to a corner
+/// of the grid, which a sector always leaves free and a pool of fluid at the probe does not; at least 2 % of the grid, and
+/// thick (speckle's zeros are not). Single noisy voxels in the midst of it belong to it. Returns one byte a voxel
+/// (1 = data), joined with the volume's own mask; where there is no such region, the volume's own mask.
+[[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
+
+}  // namespace echolucent

@@ -1,0 +1,109 @@
+#include "processing/tube_core/slabs/tube_samples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace echolucent {
+namespace {
+
+Volume noise(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    std::mt19937 random(11);
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
+    for (auto& voxel : voxels) voxel = static_cast<std::uint8_t>(random());
+    return Volume(geometry, std::move(voxels));
+}
+
+std::vector<TubeSamples> samplesFor(const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
+    std::vector<TubeSamples> samples;
+    for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
+        samples.push_back(
+            samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
+    return samples;
+}
+
+TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
+    const Volume volume = noise({40, 40, 40});
+    AdaptiveOtfConfig config;
+    for (const auto& [cut, first, count] :
+         {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {
+        const View view{.nearCutMm = cut};
+        const TubeSamples samples = samplesFor(volume, view, config)[112];
+        EXPECT_EQ(samples.slabs, count) << cut;
+        if (count > 0) {
+            EXPECT_EQ(samples.first[2], first) << cut;
+        }
+        const View back{.beamAxis = BeamAxis::minusZ, .nearCutMm = cut};
+        const TubeSamples backwards = samplesFor(volume, back, config)[112];
+        EXPECT_EQ(backwards.slabs, count) << cut;
+        if (count > 0) {
+            EXPECT_EQ(backwards.first[2], 39.0 - first) << cut;
+        }
+    }
+}
+
+TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
+    VolumeGeometry geometry;
+    geometry.size = {40, 30, 25};
+    geometry.spacing = {0.5, 0.7, 0.9};
+    std::vector<float> voxels;
+    const Vec3 gradient{0.011, -0.007, 0.013};  // per mm
+    const auto field = [&](const Vec3& mm) { return 0.4 + gradient.dot(mm); };
+    for (int z = 0; z < 25; ++z)
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 40; ++x)
+                voxels.push_back(static_cast<float>(field(geometry.gridMmFromVoxel(Vec3(x, y, z)))));
+    const Volume volume(geometry, voxels, 1.0);
+    const View view{.azimuthDegrees = 33, .elevationDegrees = -21, .rollDegrees = 12};
+    AdaptiveOtfConfig config;
+    config.tubeSpacing = 4;
+    const TubeSamples centre = samplesFor(volume, view, config)[112];
+    ASSERT_GT(centre.slabs, 30);
+    std::vector<SlabMoments> slabs;
+    std::vector<double> scratch;
+    sampleSlabs(volume, TubeSampling::trilinear, centre, slabs, scratch);
+    const ViewFrame frame = frameOf(view);
+    for (int k = 8; k < centre.slabs - 8; ++k) {
+        const SlabMoments& slab = slabs[static_cast<std::size_t>(k)];
+        const Vec3 axisMm = geometry.gridMmFromVoxel(centre.onAxis(k));
+        EXPECT_EQ(slab.count, 25u);
+        EXPECT_NEAR(slab.mean, field(axisMm), 1e-6);
+        // 5 x 5 points one unit (0.5 mm) apart: variance 2 units^2 along right and along down.
+        const double right = gradient.dot(frame.right) * 0.5, down = gradient.dot(frame.down) * 0.5;
+        EXPECT_NEAR(slab.squaredDeviations, 25 * 2 * (right * right + down * down), 1e-6);
+    }
+    EXPECT_NEAR(length(geometry.gridMmFromVoxel(centre.along)), 0.5, 1e-12) << "one unit is the smallest spacing";
+}
+
+TEST(TubeSamples, ANoDataNeighbourLeavesTheNearestToDecide) {
+    VolumeGeometry geometry;
+    geometry.size = {3, 1, 1};
+    Volume volume(geometry, std::vector<std::uint8_t>{51, 102, 255});
+    const Volume masked = volume.withDataMask({1, 1, 0});
+    EXPECT_NEAR(intensityAt(volume, {1.25, 0, 0}), 0.4 + 0.25 * 0.6, 1e-12);
+    EXPECT_NEAR(intensityAt(masked, {1.25, 0, 0}), 0.4, 1e-12);
+    EXPECT_TRUE(std::isnan(intensityAt(masked, {1.75, 0, 0})));
+    EXPECT_NEAR(intensityAt(masked, {1.0, 0, 0}), 0.4, 1e-12) << "exactly on a voxel no neighbour has a share";
+    EXPECT_NEAR(intensityAt(masked, {0.5, 0, 0}), 0.3, 1e-12);
+    EXPECT_NEAR(intensityAt(volume, {-0.4, 0, 0}), 0.2, 1e-12) << "the box reaches half a voxel out";
+    EXPECT_TRUE(std::isnan(intensityAt(volume, {-0.6, 0, 0})));
+    EXPECT_TRUE(std::isnan(intensityAt(volume, {0, 0.6, 0})));
+}
+
+TEST(TubeSamples, NotFiniteVoxelsAreLeftOut) {
+    VolumeGeometry geometry;
+    geometry.size = {3, 1, 1};
+    const float infinite = std::numeric_limits<float>::infinity();
+    const Volume volume(geometry, std::vector<float>{0.25f, std::nanf(""), infinite}, 1.0);
+    EXPECT_EQ(intensityAt(volume, {0.4, 0, 0}), 0.25);
+    EXPECT_TRUE(std::isnan(intensityAt(volume, {0.6, 0, 0})));
+    EXPECT_TRUE(std::isnan(intensityAt(volume, {2, 0, 0})));
+}
+
+}  // namespace
+}  // namespace echolucent

@@ -1,0 +1,117 @@
+// The plot of the OTF editor: histogram, five curves, nodes that are moved directly.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "processing/volume/histogram.h"
+#include "widgets/otf_editor/canvas/histogram_backdrop.h"
+#include "widgets/otf_editor/otf_editor_model.h"
+#include "widgets/otf_editor/canvas/plot_axes.h"
+
+namespace echolucent {
+
+/// Mouse: drag a node (Shift keeps to one axis), double click adds one, the wheel zooms the intensities (over the plot
+/// or their axis) or the opacities (over theirs, or with Ctrl), the middle button pans, a double click on an axis
+/// resets it. Keys: Tab and Page keys go from node to node, arrows move the selected one by 1/256 (with Shift by
+/// 10/256), Delete removes it, Escape ends a drag without change.
+class CurveCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Distance from a node's centre, along either axis and in pixels, within which it is hit.
+    static constexpr double hitDistance = 10.0;
+
+    explicit CurveCanvas(OtfEditorModel& model, QWidget* parent = nullptr);
+
+    void setHistogram(const IntensityHistogram& histogram);
+    void setHistogramScale(HistogramScale scale);
+    [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
+    /// Stored value at normalised intensity 1, for the second row of numbers; 1 or less: no such row.
+    void setWhiteLevel(double whiteLevel);
+    /// Marks the intensity under the cursor elsewhere (the 3D view); nothing: no mark.
+    void setCursorIntensity(std::optional<double> intensity);
+
+    /// The mapping between values and this widget's pixels.
+    [[nodiscard]] const PlotAxes& axes() const { return m_axes; }
+    void setIntensityRange(const AxisRange& range);
+    void setOpacityRange(const AxisRange& range);
+    void resetZoom();
+    /// Index of the node that a press at `position` would take, -1 for none.
+    [[nodiscard]] int nodeAt(QPointF position) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {400, 250}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {260, 150}; }
+
+signals:
+    /// The value under the pointer and the node that it is over (-1 for none); nothing once it has left the plot.
+    void hovered(std::optional<echolucent::CurveNode> value, int node);
+
+protected:
+    bool event(QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    static constexpr double storedRowGap = 18.0;  // pixels from the name of the row of stored values to the plot
+    enum class Region { plot, intensityAxis, opacityAxis, corner };
+    /// Where a node or the plot was taken, so that it does not jump under the pointer.
+    struct Grab {
+        Qt::MouseButton button;
+        int node;  // -1: the plot
+        QPointF position;
+        CurveNode value;
+        AxisRange intensity;
+        AxisRange opacity;
+    };
+    /// Colours derived from the palette, so that the plot follows a light theme too.
+    struct Colors {
+        QColor background, text, secondary, grid, frame, histogram, histogramOutline;
+    };
+
+    void layOutPlot();
+    [[nodiscard]] Region regionAt(QPointF position) const;
+    void setAxisRange(AxisRange& range, const AxisRange& wanted);
+    void dragTo(QPointF position, Qt::KeyboardModifiers modifiers);
+    void panTo(QPointF position);
+    void endGrabWithoutChange();
+    void hoverAt(QPointF position);
+    bool selectNeighbour(int step);
+    bool nudgeSelected(const QKeyEvent& event);
+    [[nodiscard]] bool handlesKey(const QKeyEvent& event) const;
+
+    [[nodiscard]] Colors colors() const;
+    void paintAxes(QPainter& painter, const Colors& colors) const;
+    void paintIntensityAxis(QPainter& painter, const Colors& colors) const;
+    void paintOpacityAxis(QPainter& painter, const Colors& colors) const;
+    void paintCurves(QPainter& painter, const Colors& colors) const;
+    void paintCurve(QPainter& painter, CurveKind kind, const Colors& colors) const;
+    void paintNodes(QPainter& painter, const Colors& colors) const;
+    void paintGuides(QPainter& painter, const Colors& colors) const;
+    [[nodiscard]] QPolygonF curvePolygon(CurveKind kind) const;
+
+    OtfEditorModel& m_model;
+    IntensityHistogram m_histogram;
+    std::array<double, 256> m_histogramHeights{};
+    HistogramScale m_histogramScale = HistogramScale::logarithmic;
+    double m_whiteLevel = 255.0;
+    PlotAxes m_axes;
+    std::optional<double> m_cursorIntensity;
+    std::optional<QPointF> m_pointer;
+    std::optional<Grab> m_grab;
+    int m_hoveredNode = -1;
+    OtfEditorModel::Gesture m_nudgeGesture = OtfEditorModel::noGesture;
+};
+
+}  // namespace echolucent

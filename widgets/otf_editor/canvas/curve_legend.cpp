@@ -1,0 +1,51 @@
+#include "widgets/otf_editor/canvas/curve_legend.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "widgets/otf_editor/canvas/curve_style.h"
+
+namespace echolucent {
+
+CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
+    setObjectName("otfEditor.legend");
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(4);
+    for (int row = 0; row < 2; ++row) {
+        auto* heading = new QLabel(row == 0 ? tr("Render") : tr("Show"));
+        heading->setProperty("secondary", true);
+        grid->addWidget(heading, row, 0);
+    }
+    for (const CurveKind kind : allCurveKinds) {
+        const int column = static_cast<int>(indexOf(kind)) + 1;
+        auto* active = new QRadioButton(curveShortName(kind));
+        active->setObjectName("otfEditor.active." + curveKey(kind));
+        active->setAccessibleName(tr("Render the %1 curve").arg(curveName(kind)));
+        active->setToolTip(tr("Render the %1 curve (%2)").arg(curveName(kind)).arg(column));
+        connect(active, &QRadioButton::clicked, this, [this, kind] { m_model.setActive(kind); });
+        grid->addWidget(active, 0, column);
+        auto* visible = new QCheckBox;
+        visible->setObjectName("otfEditor.legend." + curveKey(kind) + ".visible");
+        visible->setAccessibleName(tr("Show the %1 curve in the plot").arg(curveName(kind)));
+        visible->setToolTip(visible->accessibleName());
+        visible->setIcon(curveSample(kind));
+        visible->setIconSize(curveSampleSize);
+        connect(visible, &QCheckBox::toggled, this, [this, kind](bool on) { m_model.setVisible(kind, on); });
+        grid->addWidget(visible, 1, column);
+        m_active[indexOf(kind)] = active;
+        m_visible[indexOf(kind)] = visible;
+    }
+    grid->setColumnStretch(6, 1);
+    connect(&m_model, &OtfEditorModel::changed, this, &CurveLegend::showState);
+    showState();
+}
+
+void CurveLegend::showState() {
+    const OtfEditorState& state = m_model.state();
+    m_active[indexOf(state.active)]->setChecked(true);
+    for (const CurveKind kind : allCurveKinds) m_visible[indexOf(kind)]->setChecked(state.visible[indexOf(kind)]);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,114 @@
+#include "widgets/otf_editor/canvas/curve_style.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <array>
+#include <vector>
+
+namespace echolucent {
+
+namespace {
+
+struct CurveStyle {
+    QString key;
+    QString shortName;
+    QString name;
+    QColor color;
+    double width;                // pixels, not active
+    double activeWidth;          // pixels
+    std::vector<double> dashes;  // pixels on, off, ...; empty: solid
+};
+
+const CurveStyle& styleOf(CurveKind kind) {
+    const auto translated = [](const char* text) { return QCoreApplication::translate("CurveStyle", text); };
+    static const std::array<CurveStyle, 5> styles{{
+        {"adaptive", translated("Adaptive"), translated("adaptive"), accentColor, 2.4, 3.2, {}},
+        {"manual", translated("Manual"), translated("manual"), QColor(0xe8, 0xb0, 0x4b), 1.4, 2.2, {}},
+        {"linear", translated("Linear"), translated("linear"), QColor(0x9a, 0xa5, 0xb1), 1.4, 2.2, {8, 5}},
+        {"parabolic", translated("x²"), translated("parabolic"), QColor(0xb4, 0x8e, 0xad), 1.6, 2.4, {2, 4}},
+        {"quartic", translated("x⁴"), translated("quartic"), QColor(0x8f, 0xbc, 0x8f), 1.4, 2.2, {9, 4, 2, 4}},
+    }};
+    return styles.at(indexOf(kind));
+}
+
+constexpr std::array<double, 2> iconScales{1.0, 2.0};  // ordinary and high-density screens
+
+QPixmap transparentPixmap(QSize size, double scale) {
+    QPixmap pixmap(size * scale);
+    pixmap.setDevicePixelRatio(scale);
+    pixmap.fill(Qt::transparent);
+    return pixmap;
+}
+
+QPixmap bentArrow(bool toTheLeft, const QColor& color, double scale) {
+    QPixmap pixmap = transparentPixmap({16, 16}, scale);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!toTheLeft) {
+        painter.translate(16, 0);
+        painter.scale(-1, 1);
+    }
+    QPainterPath shaft(QPointF(3.5, 6.0));
+    shaft.lineTo(9.5, 6.0);
+    shaft.cubicTo(14.5, 6.0, 14.5, 13.0, 9.5, 13.0);
+    shaft.lineTo(6.5, 13.0);
+    painter.setPen(QPen(color, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(shaft);
+    painter.drawPolyline(QPolygonF({QPointF(6.5, 2.8), QPointF(3.2, 6.0), QPointF(6.5, 9.2)}));
+    return pixmap;
+}
+
+}  // namespace
+
+QString curveKey(CurveKind kind) { return styleOf(kind).key; }
+QString curveShortName(CurveKind kind) { return styleOf(kind).shortName; }
+QString curveName(CurveKind kind) { return styleOf(kind).name; }
+QColor curveColor(CurveKind kind) { return styleOf(kind).color; }
+
+QPen curvePen(CurveKind kind, bool active) {
+    const CurveStyle& style = styleOf(kind);
+    QPen pen(style.color, active ? style.activeWidth : style.width);
+    pen.setJoinStyle(Qt::RoundJoin);
+    pen.setCapStyle(Qt::FlatCap);
+    if (!style.dashes.empty()) {
+        QList<qreal> pattern;  // Qt counts dashes in pen widths
+        for (const double length : style.dashes) pattern.push_back(length / pen.widthF());
+        pen.setDashPattern(pattern);
+    }
+    return pen;
+}
+
+QIcon curveSample(CurveKind kind) {
+    QIcon icon;
+    for (const double scale : iconScales) {
+        QPixmap pixmap = transparentPixmap(curveSampleSize, scale);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QPen pen = curvePen(kind, true);
+        painter.setPen(pen);
+        const QPointF middle = QRectF({}, QSizeF(curveSampleSize)).center();
+        painter.drawLine(QPointF(0, middle.y()), QPointF(curveSampleSize.width(), middle.y()));
+        if (kind == CurveKind::manual) paintNode(painter, middle, 7, curveColor(kind), curveColor(kind));
+        painter.end();
+        icon.addPixmap(pixmap);
+    }
+    return icon;
+}
+
+void paintNode(QPainter& painter, QPointF centre, double side, const QColor& fill, const QColor& outline) {
+    painter.setPen(QPen(outline, 1.5));
+    painter.setBrush(fill);
+    painter.drawRect(QRectF(centre.x() - side / 2, centre.y() - side / 2, side, side));
+}
+
+QIcon bentArrowIcon(bool toTheLeft, const QColor& color, const QColor& disabledColor) {
+    QIcon icon;
+    for (const double scale : iconScales) {
+        icon.addPixmap(bentArrow(toTheLeft, color, scale), QIcon::Normal);
+        icon.addPixmap(bentArrow(toTheLeft, disabledColor, scale), QIcon::Disabled);
+    }
+    return icon;
+}
+
+}  // namespace echolucent

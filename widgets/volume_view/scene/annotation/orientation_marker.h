@@ -1,0 +1,35 @@
+// How the grid's axes lie in the picture.
+#pragma once
+
+#include <vtkNew.h>
+
+#include <array>
+
+#include "processing/view.h"
+#include "widgets/volume_view/scene/annotation/smooth_lines.h"
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace echolucent {
+
+/// Three arms along the grid's axes x, y and z from a common foot, lettered, in the lower left corner; the arm nearest
+/// the viewer is drawn last. An axis along the line of sight is a disc, brighter where it comes towards the viewer.
+class OrientationMarker {
+public:
+    OrientationMarker();
+    ~OrientationMarker();
+    void addTo(vtkRenderer* renderer);
+    /// `scale`: device pixels per pixel of a plain screen.
+    void layOut(double scale, const ViewFrame& frame);
+    void setVisible(bool visible);
+
+private:
+    SmoothLines m_lines;
+    std::array<vtkNew<vtkTextActor>, 3> m_letters;
+};
+
+/// Where an axis (a unit vector in grid mm) points in the picture: x right, y up, z towards the viewer.
+[[nodiscard]] Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis);
+
+}  // namespace echolucent

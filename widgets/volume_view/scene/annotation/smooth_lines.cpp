@@ -1,0 +1,97 @@
+#include "widgets/volume_view/scene/annotation/smooth_lines.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace echolucent {
+
+namespace {
+constexpr Colour black{0, 0, 0};
+constexpr double rim = 1.0;          // pixels around a shape
+constexpr double rimOpacity = 0.55;
+constexpr double feather = 0.5;      // an edge fades over twice this, pixels
+}  // namespace
+
+SmoothLines::SmoothLines() {
+    m_colours->SetNumberOfComponents(4);
+    m_shapes->SetPoints(m_points);
+    m_shapes->SetPolys(m_polygons);
+    m_shapes->GetPointData()->SetScalars(m_colours);
+    m_mapper->SetInputData(m_shapes);
+    m_actor->SetMapper(m_mapper);
+    m_actor->PickableOff();
+}
+
+SmoothLines::~SmoothLines() = default;
+
+void SmoothLines::clear() {
+    m_points->Reset();
+    m_colours->Reset();
+    m_polygons->Reset();
+    m_points->Modified();
+    m_colours->Modified();
+    m_polygons->Modified();
+    m_shapes->Modified();
+}
+
+void SmoothLines::addLine(const Point2& from, const Point2& to, double width, const Colour& colour) {
+    const Point2 along = to - from;
+    const Point2 end = along * (rim / std::max(cv::norm(along), 1e-9));
+    addBand(from - end, to + end, width + 2 * rim, black, rimOpacity);
+    addBand(from, to, width, colour, 1.0);
+}
+
+void SmoothLines::addDisc(const Point2& centre, double radius, const Colour& colour) {
+    addFeatheredDisc(centre, radius + rim, black, rimOpacity);
+    addFeatheredDisc(centre, radius, colour, 1.0);
+}
+
+long long SmoothLines::addPoint(const Point2& point, const Colour& colour, double opacity) {
+    m_colours->InsertNextTuple4(colour[0], colour[1], colour[2], std::lround(255 * opacity));
+    return m_points->InsertNextPoint(point[0], point[1], 0.0);
+}
+
+void SmoothLines::addBand(const Point2& from, const Point2& to, double width, const Colour& colour, double opacity) {
+    const Point2 along = to - from;
+    const double size = cv::norm(along);
+    if (size < 1e-9) return;
+    const Point2 across = Point2{-along[1], along[0]} * (1.0 / size);
+    // Across the band: transparent, full, full, transparent.
+    const std::array<double, 4> offsets{-width / 2 - feather, -width / 2 + feather, width / 2 - feather,
+                                        width / 2 + feather};
+    const std::array<double, 4> opacities{0.0, opacity, opacity, 0.0};
+    std::array<std::array<vtkIdType, 2>, 4> rows{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        rows[i] = {addPoint(from + across * offsets[i], colour, opacities[i]),
+                   addPoint(to + across * offsets[i], colour, opacities[i])};
+    }
+    for (std::size_t i = 0; i + 1 < 4; ++i) {
+        m_polygons->InsertNextCell({rows[i][0], rows[i][1], rows[i + 1][1], rows[i + 1][0]});
+    }
+}
+
+void SmoothLines::addFeatheredDisc(const Point2& centre, double radius, const Colour& colour, double opacity) {
+    constexpr int corners = 24;
+    const vtkIdType middle = addPoint(centre, colour, opacity);
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / corners;
+        const Point2 outwards{std::cos(angle), std::sin(angle)};
+        addPoint(centre + outwards * (radius - feather), colour, opacity);
+        addPoint(centre + outwards * (radius + feather), colour, 0.0);
+    }
+    for (int i = 0; i < corners; ++i) {
+        const vtkIdType inner = middle + 1 + 2 * i, nextInner = middle + 1 + 2 * ((i + 1) % corners);
+        m_polygons->InsertNextCell({middle, inner, nextInner});
+        m_polygons->InsertNextCell({inner, inner + 1, nextInner + 1, nextInner});
+    }
+}
+
+}  // namespace echolucent

@@ -1,0 +1,39 @@
+// What OpenGL says about the graphics card, and whether a volume fits on it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "processing/volume/volume.h"
+
+class vtkOpenGLRenderWindow;
+
+namespace echolucent {
+
+/// Who renders the volume.
+enum class RendererChoice {
+    automatic,     ///< a choice only: the graphics card where there is one, else the software ray caster
+    software,      ///< castRays(), on the processor
+    graphicsCard,  ///< VTK's GPU mapper, through OpenGL, also where OpenGL is software
+};
+
+struct GraphicsCard {
+    std::string renderer;         ///< OpenGL's renderer string; empty: not known yet
+    int largestTextureSide = 0;   ///< voxels along an axis of a 3D texture
+    std::int64_t freeBytes = -1;  ///< of memory; -1: it does not tell
+};
+
+/// Asks OpenGL; the window's context must be current.
+[[nodiscard]] GraphicsCard graphicsCardOf(vtkOpenGLRenderWindow& window);
+
+/// True for OpenGL that runs on the processor (llvmpipe, softpipe, SWR, SwiftShader, ...), by its renderer string.
+[[nodiscard]] bool isSoftwareOpenGl(std::string_view renderer);
+
+/// Bytes that a volume takes on the card, its mask included.
+[[nodiscard]] std::int64_t bytesOnCard(const Volume& volume);
+
+/// Why a volume cannot be held on a card, as a sentence; empty where it can.
+[[nodiscard]] std::string whyTooLarge(const VolumeGeometry& geometry, std::int64_t bytes, const GraphicsCard& card);
+
+}  // namespace echolucent

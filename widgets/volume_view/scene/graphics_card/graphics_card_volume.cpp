@@ -1,0 +1,159 @@
+#include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
+
+#include <vtkCommand.h>
+#include <vtkImageData.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkRenderer.h>
+#include <vtkTextureObject.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/volume_view/scene/vtk_volume_image.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::size_t mostPlanes = 8;  // that VTK's shader holds
+
+int blendModeOf(RenderMode mode) {
+    switch (mode) {
+        case RenderMode::maximum: return vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND;
+        case RenderMode::minimum: return vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+        case RenderMode::mean: return vtkVolumeMapper::AVERAGE_INTENSITY_BLEND;
+        case RenderMode::direct: break;
+    }
+    return vtkVolumeMapper::COMPOSITE_BLEND;
+}
+
+bool needsNearPlane(const RayCastSettings& look) { return std::isfinite(look.nearPlaneDepthMm); }
+
+}  // namespace
+
+GraphicsCardVolume::GraphicsCardVolume() {
+    m_prop->SetMapper(m_mapper);
+    m_prop->SetProperty(m_property);
+    m_mapper->SetAutoAdjustSampleDistances(false);
+    m_mapper->SetLockSampleDistanceToInputSpacing(false);
+    m_mapper->SetImageSampleDistance(1.0f);
+    m_mapper->SetUseJittering(false);
+    m_mapper->SetMaskTypeToBinary();
+    m_mapper->SetCroppingRegionFlagsToSubVolume();
+    m_opaque->AddPoint(0.0, 1.0);
+    m_mapper->AddObserver(vtkCommand::ErrorEvent, this, &GraphicsCardVolume::noteError);
+}
+
+GraphicsCardVolume::~GraphicsCardVolume() { m_mapper->RemoveAllObservers(); }
+
+void GraphicsCardVolume::setVolume(std::shared_ptr<const Volume> volume) {
+    if (volume == m_volume) return;
+    m_failure.clear();
+    m_checked = false;
+    if (volume) {
+        const CellImages images = cellImagesOf(*volume);
+        m_mapper->SetInputData(images.voxels);
+        m_mapper->SetMaskInput(images.mask);
+    } else {
+        m_mapper->SetInputData(static_cast<vtkImageData*>(nullptr));
+        m_mapper->SetMaskInput(nullptr);
+    }
+    m_volume = std::move(volume);  // after the image on the volume before is let go
+}
+
+std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
+    if (look.clippingPlanes.size() + needsNearPlane(look) > mostPlanes) {
+        return "There are more clipping planes than VTK's graphics card mapper takes.";
+    }
+    return {};
+}
+
+void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty& transfer) {
+    if (!m_volume) return;
+    const double unit = m_volume->geometry().unit();
+    m_mapper->SetSampleDistance(static_cast<float>(look.step * unit));
+    if (m_mapper->GetBlendMode() != blendModeOf(look.mode)) m_mapper->SetBlendMode(blendModeOf(look.mode));
+    m_shader.set(*m_prop->GetShaderProperty(), *m_volume, look);
+    setPlanes(look);
+    setBox(look);
+
+    m_property->SetColor(transfer.GetRGBTransferFunction());
+    if (look.mode == RenderMode::direct) {
+        m_property->SetScalarOpacity(transfer.GetScalarOpacity());
+    } else {
+        // VTK weights these modes by the curve, which plays no part in ours.
+        m_property->SetScalarOpacity(m_opaque);
+    }
+    m_property->SetScalarOpacityUnitDistance(unit);
+    if (look.interpolation == Interpolation::nearest) {
+        m_property->SetInterpolationTypeToNearest();
+    } else {
+        m_property->SetInterpolationTypeToLinear();
+    }
+}
+
+void GraphicsCardVolume::setPlanes(const RayCastSettings& look) {
+    std::vector<ClippingPlane> planes = look.clippingPlanes;
+    const Vec3& forward = look.camera.frame.forward;
+    if (needsNearPlane(look)) planes.push_back({forward * look.nearPlaneDepthMm, forward});
+    // VTK composes its shader anew for another collection, not for planes that move.
+    if (static_cast<std::size_t>(m_planes->GetNumberOfItems()) != planes.size()) {
+        m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
+        for (std::size_t i = 0; i < planes.size(); ++i) m_planes->AddItem(vtkNew<vtkPlane>());
+        m_mapper->SetClippingPlanes(planes.empty() ? nullptr : m_planes.Get());
+    }
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        vtkPlane* plane = m_planes->GetItem(static_cast<int>(i));
+        plane->SetOrigin(planes[i].point.val);
+        plane->SetNormal(planes[i].normal.val);
+    }
+}
+
+void GraphicsCardVolume::setBox(const RayCastSettings& look) {
+    m_mapper->SetCropping(look.box.has_value());
+    if (!look.box) return;
+    const RenderBox& box = *look.box;
+    m_mapper->SetCroppingRegionPlanes(box.low[0], box.high[0], box.low[1], box.high[1], box.low[2], box.high[2]);
+}
+
+bool GraphicsCardVolume::fits(vtkOpenGLRenderWindow& window) {
+    if (m_checked) return true;
+    const auto& size = m_volume->geometry().size;
+    vtkNew<vtkTextureObject> probe;
+    probe->SetContext(&window);
+    const int type =
+        std::visit([](const auto& voxels) { return vtkTypeOf<typename std::decay_t<decltype(voxels)>::value_type>(); },
+                   m_volume->voxels());
+    m_checked = probe->AllocateProxyTexture3D(static_cast<unsigned>(size[0]), static_cast<unsigned>(size[1]),
+                                              static_cast<unsigned>(size[2]), 1, type);
+    if (!m_checked) m_failure = "The graphics card cannot hold the volume.";
+    return m_checked;
+}
+
+void GraphicsCardVolume::draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window) {
+    if (!m_volume || !m_failure.empty() || !fits(window)) return;
+    m_mapper->Render(&renderer, m_prop);
+}
+
+void GraphicsCardVolume::noteError(vtkObject*, unsigned long, void* text) {
+    std::string said = text ? static_cast<const char*>(text) : "";
+    // VTK's report ends with the message, after the name of the object.
+    if (const std::size_t colon = said.rfind("): "); colon != std::string::npos) said.erase(0, colon + 3);
+    said.erase(std::remove(said.begin(), said.end(), '\n'), said.end());
+    m_failure = "The graphics card could not draw the volume: " + said;
+}
+
+double GraphicsCardVolume::milliseconds() const { return m_mapper->GetTimeToDraw() * 1000.0; }
+
+void GraphicsCardVolume::releaseGraphicsResources(vtkWindow* window) {
+    m_mapper->ReleaseGraphicsResources(window);
+    m_checked = false;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,70 @@
+// The volume as VTK's GPU mapper draws it, as near to the software ray caster's picture as that mapper comes.
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkPlaneCollection.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+
+#include "processing/ray_caster.h"
+#include "widgets/volume_view/scene/graphics_card/graphics_card_shader.h"
+
+class vtkOpenGLGPUVolumeRayCastMapper;
+class vtkObject;
+class vtkOpenGLRenderWindow;
+class vtkPiecewiseFunction;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeProperty;
+class vtkWindow;
+
+namespace echolucent {
+
+/// Draws one volume through OpenGL with the camera of the renderer. Same box (half a voxel beyond the outermost voxel
+/// centres), step, interpolation, near cut, box, clipping planes, modes, curve, light and depth colouring as
+/// castRays(). Different: samples are counted from where each ray enters the box; rays end at an opacity of 254/255; a
+/// sample is transparent where its nearest voxel has no data; no pre-integration; nothing is written into the depth
+/// buffer.
+class GraphicsCardVolume {
+public:
+    GraphicsCardVolume();
+    ~GraphicsCardVolume();
+    GraphicsCardVolume(const GraphicsCardVolume&) = delete;
+    GraphicsCardVolume& operator=(const GraphicsCardVolume&) = delete;
+
+    /// Null: nothing is drawn. Copies a volume with a data mask once, others not at all.
+    void setVolume(std::shared_ptr<const Volume> volume);
+    /// Curve and colours come from the property of the scene's volume, which pickers read too.
+    void setLook(const RayCastSettings& look, vtkVolumeProperty& transfer);
+
+    void draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window);
+    void releaseGraphicsResources(vtkWindow* window);
+
+    /// Why the last drawing failed, as a sentence; empty where it did not. Kept until the next setVolume().
+    [[nodiscard]] const std::string& failure() const { return m_failure; }
+    /// What the last drawing took, OpenGL's own work included.
+    [[nodiscard]] double milliseconds() const;
+
+    /// Why a look cannot be drawn so, as a sentence; empty where it can.
+    [[nodiscard]] static std::string whyNot(const RayCastSettings& look);
+
+private:
+    void setPlanes(const RayCastSettings& look);
+    void setBox(const RayCastSettings& look);
+    void noteError(vtkObject* caller, unsigned long event, void* text);
+    bool fits(vtkOpenGLRenderWindow& window);
+
+    std::shared_ptr<const Volume> m_volume;
+    bool m_checked = false;  // that the volume fits
+    std::string m_failure;
+    vtkNew<vtkOpenGLGPUVolumeRayCastMapper> m_mapper;
+    vtkNew<vtkVolume> m_prop;
+    vtkNew<vtkVolumeProperty> m_property;
+    vtkNew<vtkPiecewiseFunction> m_opaque;
+    vtkSmartPointer<vtkPlaneCollection> m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
+    GraphicsCardShader m_shader;
+};
+
+}  // namespace echolucent
