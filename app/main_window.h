@@ -171,10 +171,10 @@ private:
     };
     std::optional<CourseKey> m_courseKey;
     std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
-    bool m_newStudy = false;              ///< the next OTF is the first of a study: the camera is set with it
-    const Study* m_shownStudy = nullptr;  ///< told apart by address only
-    QElapsedTimer m_frameClock;           ///< since the frame of the motion shown last
-    double m_frameSeconds = 0;            ///< running mean; 0: none yet
+    bool m_newStudy = false;                  ///< the next OTF is the first of a study: the camera is set with it
+    const Study* m_shownStudy = nullptr;      ///< told apart by address only
+    QElapsedTimer m_frameClock;               ///< since the frame of the motion shown last
+    double m_frameSeconds = 0;                ///< running mean; 0: none yet
     bool m_idle = true;
     bool m_shown = false;
 };

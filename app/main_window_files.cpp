@@ -91,8 +91,7 @@ void MainWindow::openFailed(const QString& path, const Failure& failure) {
                                      options.framesAsSlices = true;
                                      open(path, options);
                                  }};
-    if (failure.layoutUnknown)
-        actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
+    if (failure.layoutUnknown) actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
     Failure shown = failure;
     shown.file = QFileInfo(path).fileName().toStdString();
     // The way out is a button here; the sentence would name an option of the command line.
@@ -156,7 +155,8 @@ bool MainWindow::savePicture(const QString& path) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()) * 3);
     for (int y = 0; y < image.height(); ++y)
-        rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + 3 * static_cast<std::ptrdiff_t>(image.width()));
+        rgb.insert(rgb.end(), image.constScanLine(y),
+                   image.constScanLine(y) + 3 * static_cast<std::ptrdiff_t>(image.width()));
     return report(writePng(path.toStdString(), image.width(), image.height(), rgb));
 }
 

@@ -9,8 +9,8 @@
 
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
-#include "processing/volume/histogram.h"
 #include "processing/near_cut.h"
+#include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

@@ -34,7 +34,8 @@ void printStartTimes(MainWindow& window) {
         QTextStream(stdout) << what << ": " << qRound(millisecondsSinceProcessStart()) << " ms\n" << Qt::flush;
     };
     const auto onlyOnce = [&window, print](auto* sender, auto signal, const char* what) {
-        QObject::connect(sender, signal, &window, [print, what] { print(what); }, Qt::SingleShotConnection);
+        QObject::connect(
+            sender, signal, &window, [print, what] { print(what); }, Qt::SingleShotConnection);
     };
     onlyOnce(&window, &MainWindow::shown, "window");
     onlyOnce(&window.session(), &Session::studyOpened, "volume");
@@ -48,11 +49,10 @@ void printStartTimes(MainWindow& window) {
                          print("converged picture");
                          QApplication::quit();
                      });
-    QObject::connect(&window.session(), &Session::openFailed, &window,
-                     [](const QString&, const Failure& failure) {
-                         QTextStream(stderr) << QString::fromStdString(failure.sentence()) << '\n';
-                         QApplication::exit(3);
-                     });
+    QObject::connect(&window.session(), &Session::openFailed, &window, [](const QString&, const Failure& failure) {
+        QTextStream(stderr) << QString::fromStdString(failure.sentence()) << '\n';
+        QApplication::exit(3);
+    });
 }
 
 }  // namespace echolucent

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "processing/volume/geometry.h"
 #include "processing/result.h"
+#include "processing/volume/geometry.h"
 
 namespace echolucent {
 

@@ -16,7 +16,8 @@ namespace {
 std::string absurdVoxelsWarning(const WhiteLevel& white) {
     if (white.above == 0) return {};
     return fmt::format(
-        "{} voxels hold values up to {:.3g}, beyond all reason beside the others: the white level is {:.6g} without them, "
+        "{} voxels hold values up to {:.3g}, beyond all reason beside the others: the white level is {:.6g} without "
+        "them, "
         "and they are shown as white.",
         white.above, white.largest, white.level);
 }
@@ -91,8 +92,8 @@ namespace {
 
 /// A spacing that no scanner has is a slip of units somewhere, and would make tubes and rays of millions of samples.
 Result<void> checkSpacing(const StudyParts& parts) {
-    const auto [smallest, largest] = std::minmax({parts.geometry.spacing[0], parts.geometry.spacing[1],
-                                                  parts.geometry.spacing[2]});
+    const auto [smallest, largest] =
+        std::minmax({parts.geometry.spacing[0], parts.geometry.spacing[1], parts.geometry.spacing[2]});
     constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
     const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
     if (smallest < smallestMm || largest > largestMm)

@@ -15,10 +15,10 @@
 #include "processing/tube_core/ramp.h"
 #include "processing/tube_core/ratio_detection.h"
 #include "processing/tube_core/scale_space.h"
+#include "processing/tube_core/slabs/tube_profiles.h"
 #include "processing/tube_core/speckle_scale.h"
 #include "processing/tube_core/surface_detection.h"
 #include "processing/tube_core/tube_grid.h"
-#include "processing/tube_core/slabs/tube_profiles.h"
 #include "processing/tube_core/tube_quality.h"
 #include "processing/tube_core/tube_reader.h"
 

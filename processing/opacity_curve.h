@@ -2,8 +2,8 @@
 // The reference step is one unit, the volume's smallest spacing; the ray caster corrects for its own step.
 #pragma once
 
-#include <vector>
 #include <variant>
+#include <vector>
 
 namespace echolucent {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "processing/volume/geometry.h"
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
 #include "processing/view.h"
+#include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -79,8 +79,8 @@ enum class RenderMode {
 [[nodiscard]] std::string_view nameOf(RenderMode mode);
 [[nodiscard]] std::optional<RenderMode> renderModeFromName(std::string_view name);
 
-/// Colours change with depth along `forward`: a sample's colour is multiplied by a mix of the two tints, linear from the
-/// foremost corner of the volume's box (or the near plane, whichever is farther) to its hindmost corner.
+/// Colours change with depth along `forward`: a sample's colour is multiplied by a mix of the two tints, linear from
+/// the foremost corner of the volume's box (or the near plane, whichever is farther) to its hindmost corner.
 struct DepthColouring {
     Vec3 nearTint{1.0, 0.94, 0.82};
     Vec3 farTint{0.42, 0.60, 1.0};
@@ -122,9 +122,9 @@ struct RayCastSettings {
     std::vector<ClippingPlane> clippingPlanes;
     std::shared_ptr<const DepthMap> opaqueDepth;  ///< null: rays end at the volume's box only
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
-    bool skipEmptySpace = true;   ///< leaves out regions that the curve makes transparent: the same picture, sooner
-    /// Opacity of a step from all intensities between its two ends, not from one in its middle: thin ranges of the curve
-    /// are not stepped over. Direct mode, unshaded.
+    bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner
+    /// Opacity of a step from all intensities between its two ends, not from one in its middle: thin ranges of the
+    /// curve are not stepped over. Direct mode, unshaded.
     bool preIntegrated = false;
     /// Each ray starts at a place of its own within its first step, the same run after run: rings become noise.
     bool jittered = false;
@@ -142,31 +142,31 @@ struct Picture {
     std::vector<float> depthMm{};
 };
 
-/// Renders the volume. Steps of parallel rays lie between planes across the view, counted from the near plane or the box's
-/// foremost corner, whichever is farther; those of perspective rays between distances from the eye, counted from the depth
-/// of that plane. Each is sampled in its middle. Where what is rendered begins or ends within a step, what is left of the
-/// step is sampled in its own middle and counts with its length, so that the picture converges with the square of the
-/// step also at the faces of the box.
+/// Renders the volume. Steps of parallel rays lie between planes across the view, counted from the near plane or the
+/// box's foremost corner, whichever is farther; those of perspective rays between distances from the eye, counted from
+/// the depth of that plane. Each is sampled in its middle. Where what is rendered begins or ends within a step, what is
+/// left of the step is sampled in its own middle and counts with its length, so that the picture converges with the
+/// square of the step also at the faces of the box.
 ///
 /// Trilinear samples are means over the data voxels around them; a sample with less than half its weight on data is
-/// transparent. Positions are exact to 1/8192 voxel. Bytes are interpolated with shares of 15 bits, along y of 7, as if a
-/// sample lay up to 1/128 voxel beside its place (a tenth of a level where neighbours differ by 12); other voxels in float.
-/// Opacities come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and seven between each
-/// two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve; those of bytes of a white level from
-/// 128 on from the nearest of 16 intensities between two values: to 1/8160 in intensity. Opacity is gathered in float over at
-/// most 64 samples and then in double, as opacity, not as transmittance: exact to 1e-5 over 2 * 10^5 samples. A ray ends at a
-/// multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1, step) / 128 to its pixel's opacity.
-/// Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
+/// transparent. Positions are exact to 1/8192 voxel. Bytes are interpolated with shares of 15 bits, along y of 7, as if
+/// a sample lay up to 1/128 voxel beside its place (a tenth of a level where neighbours differ by 12); other voxels in
+/// float. Opacities come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and seven
+/// between each two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve; those of bytes of
+/// a white level from 128 on from the nearest of 16 intensities between two values: to 1/8160 in intensity. Opacity is
+/// gathered in float over at most 64 samples and then in double, as opacity, not as transmittance: exact to 1e-5 over 2
+/// * 10^5 samples. A ray ends at a multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1,
+/// step) / 128 to its pixel's opacity. Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
 ///
-/// Empty only where progress.cancel was raised (polled once a tile of 32 x 32 pixels). Uses the calling thread's oneTBB arena;
-/// the same pixels for any number of threads. Throws std::invalid_argument for settings that make no sense.
+/// Empty only where progress.cancel was raised (polled once a tile of 32 x 32 pixels). Uses the calling thread's oneTBB
+/// arena; the same pixels for any number of threads. Throws std::invalid_argument for settings that make no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,
                                               const RayCastSettings& settings, const Progress& progress = {});
 
 /// Casts rays through one volume again and again, and keeps what pictures have in common: the voxels in the order the
 /// kernel reads them, where they are empty under the curve, and, for an edit of the curve under a fixed camera, the
-/// samples themselves. Pictures are those of castRays(), from kept samples to half an 8-bit level (RMSE 0.02): 16 bits are
-/// kept of each. One thread at a time.
+/// samples themselves. Pictures are those of castRays(), from kept samples to half an 8-bit level (RMSE 0.02): 16 bits
+/// are kept of each. One thread at a time.
 class RayCaster {
 public:
     explicit RayCaster(std::shared_ptr<const Volume> volume);

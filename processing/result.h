@@ -8,10 +8,10 @@ namespace echolucent {
 
 /// Why an expected failure happened; the command line turns it into an exit status.
 enum class FailureKind {
-    wrongUsage,    ///< the request itself makes no sense (exit status 2)
-    unreadable,    ///< an input could not be read (exit status 3)
-    unwritable,    ///< an output could not be written (exit status 4)
-    cancelled,     ///< the person, or a newer request, ended it
+    wrongUsage,  ///< the request itself makes no sense (exit status 2)
+    unreadable,  ///< an input could not be read (exit status 3)
+    unwritable,  ///< an output could not be written (exit status 4)
+    cancelled,   ///< the person, or a newer request, ended it
 };
 
 /// One expected failure, kept in parts so that the edge of the program can make one clear sentence of it.

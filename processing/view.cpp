@@ -52,8 +52,7 @@ View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double 
     // The arc tangent keeps its digits near the poles, where the arc sine loses half of them.
     const double acrossPoles = std::hypot(direction[0], direction[2]);
     view.elevationDegrees = degrees(std::atan2(-direction[1], acrossPoles));
-    if (acrossPoles > 1e-12)
-        view.azimuthDegrees = degrees(std::atan2(direction[0], direction[2]));
+    if (acrossPoles > 1e-12) view.azimuthDegrees = degrees(std::atan2(direction[0], direction[2]));
     const ViewFrame unrolled = frameOf(view);
     view.rollDegrees = degrees(std::atan2(-unrolled.right.dot(down), unrolled.down.dot(down)));
     return view;

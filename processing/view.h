@@ -38,8 +38,9 @@ struct ViewFrame {
 };
 [[nodiscard]] ViewFrame frameOf(const View& view);
 
-/// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute for
-/// this view" needs. Both vectors of any length above 0, not parallel. Angles in (-180, 180], elevation in [-90, 90].
+/// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute
+/// for this view" needs. Both vectors of any length above 0, not parallel. Angles in (-180, 180], elevation in [-90,
+/// 90].
 [[nodiscard]] View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).

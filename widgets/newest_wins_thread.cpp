@@ -47,12 +47,13 @@ void NewestWinsThread::start(Waiting next) {
         progress.report = [this, &lastReport](double share) {
             if (const auto now = Clock::now(); now - lastReport >= std::chrono::milliseconds(33)) {
                 lastReport = now;
-                QMetaObject::invokeMethod(this, [this, share] { emit progressed(share); }, Qt::QueuedConnection);
+                QMetaObject::invokeMethod(
+                    this, [this, share] { emit progressed(share); }, Qt::QueuedConnection);
             }
         };
         Deliver deliver = job(progress);
-        QMetaObject::invokeMethod(this, [this, flag, deliver = std::move(deliver)] { ended(flag, deliver); },
-                                  Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, flag, deliver = std::move(deliver)] { ended(flag, deliver); }, Qt::QueuedConnection);
     };
     QMetaObject::invokeMethod(m_worker, std::move(run), Qt::QueuedConnection);
 }

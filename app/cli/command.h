@@ -56,8 +56,8 @@ struct ViewOptions {
     [[nodiscard]] Result<View> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 
-/// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale, ...
-/// The reading sets everything; an option overrides it where it stands on the command line.
+/// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale,
+/// ... The reading sets everything; an option overrides it where it stands on the command line.
 struct MethodOptions {
     AdaptiveOtfConfig config;  ///< what the options were set to; get() says what holds
     std::string reading = "default";
@@ -74,10 +74,10 @@ private:
     std::vector<Override> m_overrides;
     const CLI::Option* m_initialOption = nullptr;
     template <typename Value>
-    void addField(CLI::App& command, const char* option, Value AdaptiveOtfConfig::* field, const char* type,
+    void addField(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field, const char* type,
                   const char* help);
     template <typename Value, typename Names>
-    void addChoice(CLI::App& command, const char* option, Value AdaptiveOtfConfig::* field, const Names& names,
+    void addChoice(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field, const Names& names,
                    const char* help);
     void addReading(CLI::App& command);
     void addCurveAndGrid(CLI::App& command);
@@ -86,7 +86,8 @@ private:
 };
 
 /// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
-[[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option);
+[[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
+                                                       const std::string& option);
 
 /// Fails (wrong usage) where two of the paths name the same file; empty paths and "-" are left out.
 [[nodiscard]] Result<void> differentFiles(const std::vector<std::string>& paths);

@@ -21,7 +21,9 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
-        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial, options.method.opacityScale.value_or(1.0))); !done)
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial,
+                                                                     options.method.opacityScale.value_or(1.0)));
+            !done)
             return done;
     if (!options.csv.empty())
         if (auto done = writeFileAtomically(options.csv, curveTable(otf)); !done) return done;

@@ -38,8 +38,10 @@ Result<LightDirection> lightFrom(const std::string& text) {
     if (!angles) return tl::unexpected<Failure>(angles.error());
     const double azimuth = (*angles)[0], elevation = (*angles)[1];
     if (!(std::abs(azimuth) <= 180) || !(std::abs(elevation) <= 90))
-        return fail(FailureKind::wrongUsage, "", "--light", "must be an azimuth of -180 to 180 and an elevation of -90 "
-                    "to 90 degrees", "Write it as -33,33.");
+        return fail(FailureKind::wrongUsage, "", "--light",
+                    "must be an azimuth of -180 to 180 and an elevation of -90 "
+                    "to 90 degrees",
+                    "Write it as -33,33.");
     return LightDirection{azimuth, elevation};
 }
 
@@ -52,8 +54,8 @@ Result<void> addAppearance(const RenderOptions& options, RayCastSettings& settin
     settings.mode = *mode;
     const bool lit = options.shade || !options.light.empty();
     if (settings.mode != RenderMode::direct && (lit || options.depthColour))
-        return fail(FailureKind::wrongUsage, "", "--shade, --light and --depth-colour",
-                    "need direct volume rendering", "Leave them out, or use --mode direct.");
+        return fail(FailureKind::wrongUsage, "", "--shade, --light and --depth-colour", "need direct volume rendering",
+                    "Leave them out, or use --mode direct.");
     if (lit) settings.shading = Shading{};
     if (!options.light.empty()) {
         const auto light = lightFrom(options.light);
@@ -123,7 +125,8 @@ Result<void> render(const RenderOptions& options) {
         const auto curve = curveFromName(options.otf, options.method.opacityScale);
         if (!curve) {
             Failure failure = curve.error();
-            if (failure.kind == FailureKind::wrongUsage) failure.remedy = "Use adaptive, linear, parabolic, quartic or manual:FILE.";
+            if (failure.kind == FailureKind::wrongUsage)
+                failure.remedy = "Use adaptive, linear, parabolic, quartic or manual:FILE.";
             return tl::unexpected<Failure>(std::move(failure));
         }
         named = *curve;
@@ -156,7 +159,9 @@ void addRenderCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App& command = *program.add_subcommand("render", "Renders a picture of a volume");
     options->volume.addTo(command);
-    command.add_option("--otf", options->otf, "linear, parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
+    command
+        .add_option("--otf", options->otf,
+                    "linear, parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
         ->type_name("NAME")
         ->capture_default_str();
     options->view.addTo(command);
@@ -171,12 +176,16 @@ void addRenderCommand(CLI::App& program, Action& action) {
     command.add_flag("--depth-colour", options->depthColour, "Tints what is near warm and what is far blue");
     command.add_flag("--perspective", options->perspective, "Perspective instead of parallel projection");
     command.add_option("--size", options->size, "Pixels")->type_name("WxH")->capture_default_str();
-    command.add_option("--step", options->step, "Units (smallest spacing) between samples on a ray")->capture_default_str();
+    command.add_option("--step", options->step, "Units (smallest spacing) between samples on a ray")
+        ->capture_default_str();
     command.add_option("--interpolation", options->interpolation, "trilinear or nearest")->capture_default_str();
     command.add_option("--colour-map", options->colourMap, "sepia, grey or ice")->capture_default_str();
-    command.add_option("--background", options->background, "Levels from 0 to 255")->type_name("R,G,B")->capture_default_str();
+    command.add_option("--background", options->background, "Levels from 0 to 255")
+        ->type_name("R,G,B")
+        ->capture_default_str();
     command.add_option("-o,--output", options->output, "Where the picture goes")->type_name("OUT.png")->required();
-    command.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
+    command.footer(
+        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
     command.callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

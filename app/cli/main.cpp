@@ -13,7 +13,8 @@
 
 namespace {
 
-/// "--beam-axis -y" as "--beam-axis=-y": else the axis would be taken for an option of its own. Reversed, as CLI11 wants it.
+/// "--beam-axis -y" as "--beam-axis=-y": else the axis would be taken for an option of its own. Reversed, as CLI11
+/// wants it.
 std::vector<std::string> joinedArguments(int count, char** arguments) {
     std::vector<std::string> joined;
     for (int i = 1; i < count; ++i) {
@@ -32,7 +33,8 @@ std::string unknownCommand(const CLI::App& program, int count, char** arguments)
         const std::string word = arguments[i];
         if (word == "--threads") ++i;
         if (word.starts_with("-")) continue;
-        const auto commands = program.get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
+        const auto commands =
+            program.get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
         return commands.empty() ? word : std::string();
     }
     return {};
@@ -45,7 +47,8 @@ int main(int count, char** arguments) {
     CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
     program.set_version_flag("--version", std::string("echolucent-cli ") + ECHOLUCENT_VERSION);
     program.require_subcommand(1);
-    program.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
+    program.footer(
+        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
     // One sentence and no more: CLI11 would add a line about --help.
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         std::string sentence = error.what();
@@ -68,7 +71,8 @@ int main(int count, char** arguments) {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
         if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
-            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study, sweep or bench.\n", word.c_str());
+            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study, sweep or bench.\n",
+                         word.c_str());
             return 2;
         }
         return program.exit(error) == 0 ? 0 : 2;

@@ -14,7 +14,9 @@ void ViewOptions::addTo(CLI::App& command) {
                     "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z")
         ->type_name("AXIS")
         ->capture_default_str();
-    command.add_option("--view-azimuth", view.azimuthDegrees, "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
+    command
+        .add_option("--view-azimuth", view.azimuthDegrees,
+                    "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
         ->type_name("DEG")
         ->capture_default_str();
     command.add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")

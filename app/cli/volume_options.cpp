@@ -98,8 +98,7 @@ void VolumeOptions::addTo(CLI::App& command) {
         .add_option("VOLUME", path,
                     "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), DICOM file or folder, or raw with --raw-size")
         ->required();
-    command.add_option("--phase", phase, "Phase of a 4D volume, from 0")
-        ->capture_default_str();
+    command.add_option("--phase", phase, "Phase of a 4D volume, from 0")->capture_default_str();
     command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");
     command.add_option("--raw-type", rawType, "Voxel type of a raw file; uint8 where not given")
         ->check(CLI::IsMember({"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"}));

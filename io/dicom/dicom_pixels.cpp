@@ -17,8 +17,8 @@
 #include "io/dicom/dicom_fragments.h"
 #include "io/dicom/dicom_grey.h"
 #include "io/dicom/dicom_rle.h"
-#include "io/input_file.h"
 #include "io/dicom/jpeg2000.h"
+#include "io/input_file.h"
 
 namespace echolucent {
 

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
-#include "io/input_file.h"
 #include "io/headers/raw_inflater.h"
+#include "io/input_file.h"
 
 namespace echolucent {
 

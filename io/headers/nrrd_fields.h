@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "io/voxel_types.h"
-#include "processing/volume/geometry.h"
 #include "processing/result.h"
+#include "processing/volume/geometry.h"
 
 namespace echolucent {
 

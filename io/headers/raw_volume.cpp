@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "io/output/atomic_file.h"
 #include "io/headers/header_text.h"
+#include "io/output/atomic_file.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {

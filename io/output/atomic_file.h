@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Writes bytes to a temporary file beside `path` and renames it; a file that is there keeps its permissions, a link stays
-/// a link, a device or a pipe is written into. "-" writes to standard output.
+/// Writes bytes to a temporary file beside `path` and renames it; a file that is there keeps its permissions, a link
+/// stays a link, a device or a pipe is written into. "-" writes to standard output.
 [[nodiscard]] Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
 /// Reads a whole file of at most `limit` bytes.

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "io/output/atomic_file.h"
 #include "io/movie_encoder/movie_encoder.h"
+#include "io/output/atomic_file.h"
 
 namespace echolucent {
 

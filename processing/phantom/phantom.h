@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "processing/volume/geometry.h"
 #include "processing/progress.h"
+#include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

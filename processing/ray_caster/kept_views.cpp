@@ -34,7 +34,8 @@ double bytesOfView(const RayCastSettings& settings, const RayGeometry& rays, con
 
 std::size_t bytesOf(const KeptSamples& samples) {
     std::size_t bytes = 0;
-    for (const KeptSamples::Packet& packet : samples.packets) bytes += packet.samples.capacity() * sizeof(std::uint16_t);
+    for (const KeptSamples::Packet& packet : samples.packets)
+        bytes += packet.samples.capacity() * sizeof(std::uint16_t);
     return bytes;
 }
 

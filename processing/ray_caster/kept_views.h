@@ -11,7 +11,8 @@ namespace echolucent::ray_casting {
 /// A view is kept from its second picture on; a move of the camera forgets all.
 class KeptViews {
 public:
-    /// Where this view's samples go, or are already; null where the view is new or would not fit into memoryLimit bytes.
+    /// Where this view's samples go, or are already; null where the view is new or would not fit into memoryLimit
+    /// bytes.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,
                                           std::size_t memoryLimit);
     void clear() { m_views.clear(); }

@@ -37,8 +37,8 @@ struct DepthTint {
 };
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first, all rays' second, ...; each the table position times KernelJob::keptPerPosition, or
-/// noData; so for a shaded picture as for a plain one.
+/// follow each other: all rays' first, all rays' second, ...; each the table position times KernelJob::keptPerPosition,
+/// or noData; so for a shaded picture as for a plain one.
 struct KeptSamples {
     static constexpr std::uint16_t noData = 0xFFFF;
     static constexpr float perTablePosition = 32.0f;
@@ -70,7 +70,7 @@ struct KernelJob {
     ColourMap colourMap = ColourMap::sepia;
     bool nearest = false;
     double endTransmittance = 0.0;
-    KeptSamples* kept = nullptr;  ///< filled, or used where it is filled already
+    KeptSamples* kept = nullptr;                            ///< filled, or used where it is filled already
     float keptPerPosition = KeptSamples::perTablePosition;  ///< beside byteOpacities perByte / toTable
     Picture* picture = nullptr;
 };

@@ -36,8 +36,8 @@ struct Source {
             return static_cast<float>(std::clamp(static_cast<double>(voxels[offset]) * floatsToTable, -1e15, 1e15));
     }
     [[nodiscard]] std::int64_t rowOf(std::int64_t y, std::int64_t z) const {
-        return size[0] * (std::clamp<std::int64_t>(y, 0, size[1] - 1) +
-                          size[1] * std::clamp<std::int64_t>(z, 0, size[2] - 1));
+        return size[0] *
+               (std::clamp<std::int64_t>(y, 0, size[1] - 1) + size[1] * std::clamp<std::int64_t>(z, 0, size[2] - 1));
     }
 };
 
@@ -61,8 +61,10 @@ std::int64_t strideOf(std::int64_t columns) {
 template <typename Out, typename Voxel, typename Read>
 std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
     const std::int64_t columns = strideOf(source.size[0]), rows = source.size[1] + extraCells,
-                       slices = source.size[2] + extraCells + 1;  // the last is read with weight 0 by what is rounded up
-    auto cells = std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
+                       slices =
+                           source.size[2] + extraCells + 1;  // the last is read with weight 0 by what is rounded up
+    auto cells =
+        std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
             const std::int64_t y = row % rows - cellShift, z = row / rows - cellShift;
@@ -86,8 +88,8 @@ bool anyMissing(const Source<Voxel>& source, std::int64_t count) {
 template <typename Voxel>
 float PackedVoxels<Voxel>::toTable(double whiteLevel) {
     if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
-    // More than that makes the smallest stored value white already, less the largest one black; both must be finite and have
-    // an inverse.
+    // More than that makes the smallest stored value white already, less the largest one black; both must be finite and
+    // have an inverse.
     return static_cast<float>(std::clamp(TransferTable::intervals / whiteLevel, 1e-12, 1e12));
 }
 
@@ -103,9 +105,8 @@ PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
         return;
     }
     m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });
-    m_mask = packAll<std::uint8_t>(source, [&](std::int64_t offset) {
-        return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0);
-    });
+    m_mask = packAll<std::uint8_t>(
+        source, [&](std::int64_t offset) { return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0); });
 }
 
 template class PackedVoxels<std::uint8_t>;

@@ -15,15 +15,16 @@ namespace echolucent::ray_casting {
 inline constexpr int cellShift = 1;
 inline constexpr int extraCells = 2;
 
-/// Of each cell the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So one
-/// load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cell in one slice, of floats two.
+/// Of each cell the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So
+/// one load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cell in one slice, of floats
+/// two.
 inline constexpr int voxelsPerCell = 2;
 
 /// Rows of cells are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
 inline constexpr int rowAlignment = 16;
 
-/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats are
-/// stored as table positions (see transfer_table.h): their white level may be of any magnitude.
+/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats
+/// are stored as table positions (see transfer_table.h): their white level may be of any magnitude.
 template <typename Voxel>
 class PackedVoxels {
 public:

@@ -104,11 +104,9 @@ public:
         const auto towards =
             dot(set(m_source.towardsLight[0]), set(m_source.towardsLight[1]), set(m_source.towardsLight[2]));
         const auto facing = hn::Max(zero, hn::Div(hn::Add(towards, set(m_source.wrap)), set(1.0f + m_source.wrap)));
-        const auto diffuse =
-            hn::MulAdd(share, facing, hn::Mul(hn::Sub(one, share), set(m_source.evenLight)));
+        const auto diffuse = hn::MulAdd(share, facing, hn::Mul(hn::Sub(one, share), set(m_source.evenLight)));
         const Floats floats;
-        const auto cosine =
-            dot(hn::Load(floats, m_half[0]), hn::Load(floats, m_half[1]), hn::Load(floats, m_half[2]));
+        const auto cosine = dot(hn::Load(floats, m_half[0]), hn::Load(floats, m_half[1]), hn::Load(floats, m_half[2]));
         return hn::MulAdd(share, highlightAt(cosine),
                           hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient)));
     }
@@ -149,8 +147,8 @@ private:
         high = hn::Min(hn::Max(hn::Add(high, reach), first), last);
         const Sample a = sampleAt(run.volume, before, active), b = sampleAt(run.volume, after, active);
         complete = hn::Min(complete, hn::Min(a.weight, b.weight));
-        const auto units = hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)),
-                                   set(m_source.unitsPerVoxel[axis] / oneCell));
+        const auto units =
+            hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)), set(m_source.unitsPerVoxel[axis] / oneCell));
         const auto difference =
             hn::Mul(hn::Sub(b.value, a.value), set(m_toTable / static_cast<float>(TransferTable::intervals)));
         const auto some = hn::Gt(units, set(0.0f));

@@ -204,10 +204,10 @@ private:
         return done(run, behind, stored);
     }
 
-    /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's opacity is
-    /// one half; depths.
+    /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's
+    /// opacity is one half; depths.
     void prepareLanes(const double (&at)[lanes], double perSample) {
-        const double (&transmittance)[lanes] = m_rays->gathered.transmittance;
+        const double(&transmittance)[lanes] = m_rays->gathered.transmittance;
         for (int i = 0; i < lanes; ++i) {
             const bool ended = transmittance[i] <= 0.0 || transmittance[i] < m_job.endTransmittance;
             const double limit = 1.0 - m_job.endTransmittance / (ended ? 1.0 : transmittance[i]);
@@ -348,7 +348,8 @@ private:
     HWY_INLINE void blendSegment(const Run<Voxel>& run, std::int64_t i, LaneMask alive, FloatVector& before,
                                  Blend& blend) {
         const auto number = set(static_cast<float>(i)), next = set(static_cast<float>(i + 1));
-        const auto behind = endPosition(run, hn::Add(number, set(0.5f)), hn::Or(run.inRange(number), run.inRange(next)));
+        const auto behind =
+            endPosition(run, hn::Add(number, set(0.5f)), hn::Or(run.inRange(number), run.inRange(next)));
         const auto zero = set(0.0f);
         const auto frontData = hn::Ge(before, zero), backData = hn::Ge(behind, zero);
         const auto front = hn::Max(hn::IfThenElse(frontData, before, behind), zero);

@@ -14,8 +14,8 @@ namespace echolucent::ray_casting::HWY_NAMESPACE {
 /// What happens to the samples of a run besides their being shown.
 enum class Keeping { none, keep, reuse };
 
-/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions; below 0 where
-/// there is no data.
+/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions; below 0
+/// where there is no data.
 template <typename Voxel>
 struct PlainRun {
     const Run<Voxel>& run;
@@ -31,8 +31,8 @@ struct PlainRun {
     FloatVector limit;    ///< a ray ends above that opacity of the run
 };
 
-/// Of a run alone, in shares of the light that reaches it: opacity, and the sums that the colours are made of, of values
-/// and of what they have beyond each bend.
+/// Of a run alone, in shares of the light that reaches it: opacity, and the sums that the colours are made of, of
+/// values and of what they have beyond each bend.
 struct PlainSums {
     FloatVector opacity, along, beyond[ColourBends::count];
 };
@@ -116,8 +116,8 @@ HWY_INLINE FloatVector limited(const PlainRun<Voxel>&, FloatVector value) {
     return hn::Max(hn::Min(value, set(highest)), set(0.0f));
 }
 
-/// Values of samples i ... i + group - 1 from `at` on, which is moved behind them. Each stage is done for all samples before
-/// the next one: while one waits for its voxels, the processor has others to begin.
+/// Values of samples i ... i + group - 1 from `at` on, which is moved behind them. Each stage is done for all samples
+/// before the next one: while one waits for its voxels, the processor has others to begin.
 template <bool all, bool masked, int group, bool cut, typename Voxel>
 HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                           Position& at, FloatVector (&value)[group]) {
@@ -191,8 +191,7 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
         const auto begin = set(from.whiteValue * ColourBends::at(bend));
         if (hn::AllFalse(floats, hn::Gt(most, begin))) return;
         for (int k = 0; k < group; ++k)
-            sums.beyond[bend] =
-                hn::MulAdd(opacity[k], hn::Max(hn::Sub(value[k], begin), set(0.0f)), sums.beyond[bend]);
+            sums.beyond[bend] = hn::MulAdd(opacity[k], hn::Max(hn::Sub(value[k], begin), set(0.0f)), sums.beyond[bend]);
     }
 }
 
@@ -206,7 +205,8 @@ HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std:
     const Floats floats;
     const Run<Voxel>& run = from.run;
     const auto someOf = [&](std::int64_t first, std::int64_t behind) {
-        return hn::And(hn::Lt(run.begin, set(static_cast<float>(behind))), hn::Gt(run.end, set(static_cast<float>(first))));
+        return hn::And(hn::Lt(run.begin, set(static_cast<float>(behind))),
+                       hn::Gt(run.end, set(static_cast<float>(first))));
     };
     const auto whole =
         hn::And(hn::Le(run.begin, set(static_cast<float>(block))), hn::Ge(run.end, set(static_cast<float>(last))));

@@ -1,4 +1,5 @@
-// Where the samples of a packet of rays are: runs of samples from one corner of the volume, and what may be jumped over.
+// Where the samples of a packet of rays are: runs of samples from one corner of the volume, and what may be jumped
+// over.
 #include <array>
 #include <cmath>
 
@@ -15,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// Rays end and jump by whole blocks of samples, whose numbers are multiples of this: what a ray shows does not depend on
-/// the rays beside it.
+/// Rays end and jump by whole blocks of samples, whose numbers are multiples of this: what a ray shows does not depend
+/// on the rays beside it.
 constexpr std::int64_t blockSize = 8;
 /// Longest run from one corner.
 constexpr std::int64_t longestRun = 64;
@@ -27,7 +28,7 @@ struct Run {
     HWY_INLINE Run() {}  // of this instruction set, as what it calls: an implied one would be of none
     std::int64_t first, count;
     Cells<Voxel> volume;
-    std::array<std::int64_t, 3> corner;  ///< cell
+    std::array<std::int64_t, 3> corner;                       ///< cell
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cells
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
     bool near = true;  ///< of cut steps: all lie near enough to the corner to be counted from it
@@ -124,10 +125,13 @@ public:
         double low[3], high[3];
         std::int64_t brick[3];
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = m_extent.lowOrigin[axis] + m_extent.lowStep[axis] * (number + (m_extent.lowStep[axis] < 0.0 ? 1.0 : 0.0));
-            high[axis] = m_extent.highOrigin[axis] + m_extent.highStep[axis] * (number + (m_extent.highStep[axis] < 0.0 ? 0.0 : 1.0));
+            low[axis] = m_extent.lowOrigin[axis] +
+                        m_extent.lowStep[axis] * (number + (m_extent.lowStep[axis] < 0.0 ? 1.0 : 0.0));
+            high[axis] = m_extent.highOrigin[axis] +
+                         m_extent.highStep[axis] * (number + (m_extent.highStep[axis] < 0.0 ? 0.0 : 1.0));
             const auto cell = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
-            brick[axis] = std::clamp<std::int64_t>(cell >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
+            brick[axis] =
+                std::clamp<std::int64_t>(cell >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
         }
         const std::int64_t distance =
             m_job.distances[brick[0] + m_job.bricks[0] * (brick[1] + m_job.bricks[1] * brick[2])];
@@ -140,8 +144,10 @@ public:
             const double lowest = static_cast<double>(before * BrickGrid::edge) + margin;
             const double highest = static_cast<double>(behind * BrickGrid::edge) - margin;
             if ((endsBefore && low[axis] < lowest) || (endsBehind && high[axis] >= highest)) return 0;
-            if (endsBehind && m_extent.highStep[axis] > 0.0) steps = std::min(steps, (highest - high[axis]) / m_extent.highStep[axis]);
-            if (endsBefore && m_extent.lowStep[axis] < 0.0) steps = std::min(steps, (lowest - low[axis]) / m_extent.lowStep[axis]);
+            if (endsBehind && m_extent.highStep[axis] > 0.0)
+                steps = std::min(steps, (highest - high[axis]) / m_extent.highStep[axis]);
+            if (endsBefore && m_extent.lowStep[axis] < 0.0)
+                steps = std::min(steps, (lowest - low[axis]) / m_extent.lowStep[axis]);
         }
         return static_cast<std::int64_t>(steps) / blockSize * blockSize;
     }
@@ -187,7 +193,8 @@ public:
             return inFloats([&](auto doubles, int i) {
                 const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
                 const auto steps = hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Load(doubles, cut.at + i));
-                return hn::Mul(hn::Add(hn::Add(origin, steps), hn::Set(doubles, shift)), hn::Set(doubles, double{oneCell}));
+                return hn::Mul(hn::Add(hn::Add(origin, steps), hn::Set(doubles, shift)),
+                               hn::Set(doubles, double{oneCell}));
             });
         };
         run.startX = along(0);
@@ -201,8 +208,8 @@ public:
         return run;
     }
 
-    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0: the rays are so
-    /// far apart that each needs runs of its own.
+    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0: the rays are
+    /// so far apart that each needs runs of its own.
     [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
     [[nodiscard]] std::int64_t longestSingleRun() const { return std::max<std::int64_t>(runWithin(0.0), 1); }
 
@@ -211,11 +218,14 @@ private:
         const auto isRay = [&](int i) { return hn::Lt(load(m_rays.enter + i), load(m_rays.leave + i)); };
         const auto isWhole = [&](int i) { return hn::Lt(load(m_rays.first + i), load(m_rays.last + i)); };
         double nearest, farthest, first, last, unused;
-        findRange(isRay, [&](int i) { return load(m_rays.leave + i); }, nearest, farthest);
+        findRange(
+            isRay, [&](int i) { return load(m_rays.leave + i); }, nearest, farthest);
         m_any = farthest > -1e300;
         if (!m_any) return;
-        findRange(isWhole, [&](int i) { return load(m_rays.first + i); }, first, unused);
-        findRange(isWhole, [&](int i) { return load(m_rays.last + i); }, unused, last);
+        findRange(
+            isWhole, [&](int i) { return load(m_rays.first + i); }, first, unused);
+        findRange(
+            isWhole, [&](int i) { return load(m_rays.last + i); }, unused, last);
         if (last > 0.0) {
             m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
             // Whole blocks: no lane has what is behind its own last sample.
@@ -223,12 +233,14 @@ private:
         }
         for (int axis = 0; axis < 3; ++axis) {
             // In cells, at the begin of step 0.
-            findRange(isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cellShift)); },
-                      m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
+            findRange(
+                isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cellShift)); },
+                m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
             m_extent.lowStep[axis] = m_extent.highStep[axis] = m_rays.step[axis][0];
             if (!m_job.rays->parallel())
-                findRange(isRay, [&](int i) { return load(m_rays.step[axis] + i); }, m_extent.lowStep[axis],
-                          m_extent.highStep[axis]);
+                findRange(
+                    isRay, [&](int i) { return load(m_rays.step[axis] + i); }, m_extent.lowStep[axis],
+                    m_extent.highStep[axis]);
         }
         double widest = 0.0;
         for (int axis = 0; axis < 3; ++axis)
@@ -272,12 +284,14 @@ private:
 
     /// The corner from which a run in a box, in cells, is counted.
     void locate(Run<Voxel>& run, const double (&low)[3], const double (&high)[3]) const {
-        for (std::size_t axis = 0; axis < 3; ++axis) run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
         const PackedVoxels<Voxel>& voxels = *m_job.voxels;
         const std::int64_t offset =
             run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
         run.volume = {voxels.cells() + offset * voxelsPerCell, nullptr, voxels.rowStride(), voxels.sliceStride()};
-        if (m_job.missing != nullptr && touchesMissing(low, high)) run.volume.mask = voxels.mask() + offset * voxelsPerCell;
+        if (m_job.missing != nullptr && touchesMissing(low, high))
+            run.volume.mask = voxels.mask() + offset * voxelsPerCell;
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {
@@ -299,7 +313,7 @@ private:
         along(1, run.startY, run.stepY);
         along(2, run.startZ, run.stepZ);
         const auto count = set(static_cast<float>(run.count));
-        const auto inRun = [&](const double (&samples)[lanes]) {
+        const auto inRun = [&](const double(&samples)[lanes]) {
             const auto relative = inFloats([&](auto doubles, int i) {
                 return hn::Sub(hn::Load(doubles, samples + i), hn::Set(doubles, static_cast<double>(run.first)));
             });

@@ -76,8 +76,9 @@ HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector 
     return hn::MulAdd(share, hn::Sub(right, left), left);
 }
 
-/// Trilinear mean of bytes, in fixed point: shares of 15 bits along x and z, of 7 along y, as if samples lay up to 1/128 of
-/// a voxel beside where they are; exact where all eight are equal. Graphics cards filter with 8 bits along each axis.
+/// Trilinear mean of bytes, in fixed point: shares of 15 bits along x and z, of 7 along y, as if samples lay up to
+/// 1/128 of a voxel beside where they are; exact where all eight are equal. Graphics cards filter with 8 bits along
+/// each axis.
 constexpr float byteScale = 127.0f * 32767.0f;
 
 HWY_INLINE FloatVector shareOf(IntVector position) {
@@ -90,7 +91,8 @@ HWY_INLINE FloatVector shareOf(IntVector position) {
 template <int shift>
 HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     std::int32_t pair[2];
-    std::memcpy(pair, static_cast<const char*>(base) + (static_cast<std::ptrdiff_t>(offset.raw) << shift), sizeof(pair));
+    std::memcpy(pair, static_cast<const char*>(base) + (static_cast<std::ptrdiff_t>(offset.raw) << shift),
+                sizeof(pair));
     return {set(pair[0]), set(pair[1])};
 }
 
@@ -171,7 +173,9 @@ HWY_INLINE hn::Vec<Words> pairSums(hn::Vec<Bytes> values, hn::Vec<Bytes> shares)
     const Words words;
     const auto low = hn::Set(bits, 0x00FF);
     const auto even = [&](hn::Vec<Bytes> from) { return hn::BitCast(words, hn::And(hn::BitCast(bits, from), low)); };
-    const auto odd = [&](hn::Vec<Bytes> from) { return hn::BitCast(words, hn::ShiftRight<8>(hn::BitCast(bits, from))); };
+    const auto odd = [&](hn::Vec<Bytes> from) {
+        return hn::BitCast(words, hn::ShiftRight<8>(hn::BitCast(bits, from)));
+    };
     return hn::Add(hn::Mul(even(values), even(shares)), hn::Mul(odd(values), odd(shares)));
 #endif
 }
@@ -187,8 +191,9 @@ HWY_INLINE hn::Vec<Bytes> gatherCells(const std::uint8_t* cells, IntVector offse
     return hn::Vec<Bytes>{
         _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cells, voxelsPerCell)};
 #elif HWY_TARGET == HWY_AVX2
-    return hn::Vec<Bytes>{_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cells), offset.raw,
-                                                      hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCell)};
+    return hn::Vec<Bytes>{
+        _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cells), offset.raw,
+                                    hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCell)};
 #else
     const auto bytes = hn::IfThenElseZero(hn::RebindMask(Ints(), active), hn::ShiftLeft<1>(offset));
     return hn::BitCast(Bytes(), hn::GatherOffset(Ints(), reinterpret_cast<const std::int32_t*>(cells), bytes));
@@ -258,8 +263,10 @@ struct Cells {
         if (sliceStride <= rowAlignment * 32767) {
             // One instruction multiplies and adds both: strides are multiples of rowAlignment.
             const Words words;
-            const auto rowAndSlice = hn::OddEven(hn::BitCast(words, at.z), hn::BitCast(words, hn::ShiftRight<16>(at.y)));
-            const auto strides = set(static_cast<std::int32_t>(sliceStride / rowAlignment << 16 | rowStride / rowAlignment));
+            const auto rowAndSlice =
+                hn::OddEven(hn::BitCast(words, at.z), hn::BitCast(words, hn::ShiftRight<16>(at.y)));
+            const auto strides =
+                set(static_cast<std::int32_t>(sliceStride / rowAlignment << 16 | rowStride / rowAlignment));
             return hn::Add(hn::ShiftLeft<4>(pairSums(rowAndSlice, hn::BitCast(words, strides))), cell);
         }
 #endif
@@ -269,14 +276,16 @@ struct Cells {
     }
 };
 
-HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at, LaneMask active) {
+HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at,
+                              LaneMask active) {
     return hn::Mul(meanOfBytes(volume.cells, volume.sliceStride, offset, at, active), set(1.0f / byteScale));
 }
 /// Lanes without a sample here read the corner itself.
 HWY_INLINE IntVector withinVolume(IntVector offset, LaneMask active) {
     return hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset);
 }
-HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at, LaneMask active) {
+HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at,
+                              LaneMask active) {
     offset = withinVolume(offset, active);
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto slice = [&](std::int64_t first) {
@@ -325,9 +334,7 @@ HWY_INLINE Sample sampleAt(const Cells<Voxel>& volume, const Position& at, LaneM
 
 /// Each component on the nearest voxel: in the cell of that number it is the lower one.
 HWY_INLINE Position nearestVoxel(const Position& at) {
-    const auto round = [](IntVector value) {
-        return hn::And(hn::Add(value, set(oneCell / 2)), set(~(oneCell - 1)));
-    };
+    const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCell / 2)), set(~(oneCell - 1))); };
     return {round(at.x), round(at.y), round(at.z)};
 }
 

@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    static HWY_INLINE FloatVector between(const PreIntegration::Integral& integral, FloatVector first, FloatVector last) {
+    static HWY_INLINE FloatVector between(const PreIntegration::Integral& integral, FloatVector first,
+                                          FloatVector last) {
         const Floats floats;
         const std::int32_t* const entries = integral.entries.data();
         const auto firstLeft = truncated(first), lastLeft = truncated(last);

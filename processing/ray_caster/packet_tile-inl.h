@@ -20,7 +20,8 @@ void forEachPixel(const Picture& picture, int column, int row, const Write& writ
     for (int i = 0; i < lanes; ++i) {
         const int x = column + i % packetColumns, y = row + i / packetColumns;
         if (x < picture.width && y < picture.height)
-            write(i, static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+            write(i,
+                  static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
     }
 }
 
@@ -41,7 +42,8 @@ void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int colu
     };
     const auto one = set(1.0f);
     alignas(64) float rgba[lanes * 4];
-    const auto opacity = inFloats([&](Doubles, int i) { return hn::Sub(setDouble(1.0), load(gathered.transmittance + i)); });
+    const auto opacity =
+        inFloats([&](Doubles, int i) { return hn::Sub(setDouble(1.0), load(gathered.transmittance + i)); });
     hn::StoreInterleaved4(hn::Min(rounded(gathered.colour[0]), one), hn::Min(rounded(gathered.colour[1]), one),
                           hn::Min(rounded(gathered.colour[2]), one), opacity, floats, rgba);
     forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {

@@ -12,8 +12,8 @@ namespace echolucent::ray_casting {
 
 /// Integrals over the intensity, from 0 to each table position, of the extinction tau = -log(1 - opacity) per reference
 /// step, and of tau times the table position. Between two intensities a and b the mean extinction is
-/// (T(b) - T(a)) / (b - a), the step's opacity 1 - exp(-step * mean), its colour that of the tau-weighted mean intensity
-/// (attenuation within the step left out): Engel, Kraus and Ertl 2001, section 4, in one dimension.
+/// (T(b) - T(a)) / (b - a), the step's opacity 1 - exp(-step * mean), its colour that of the tau-weighted mean
+/// intensity (attenuation within the step left out): Engel, Kraus and Ertl 2001, section 4, in one dimension.
 class PreIntegration {
 public:
     /// Entries are intensities i / intervals; between them the integrals are linear.
@@ -25,8 +25,8 @@ public:
 
     PreIntegration(const OpacityCurve& curve, double stepRatio);
 
-    /// intervals + 2 values in fixed point, so that differences are exact: what is faint keeps its opacity where the curve is
-    /// opaque below it.
+    /// intervals + 2 values in fixed point, so that differences are exact: what is faint keeps its opacity where the
+    /// curve is opaque below it.
     struct Integral {
         std::vector<std::int32_t> entries;
         float unit = 0.0f;  ///< what 1 stands for

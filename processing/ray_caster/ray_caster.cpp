@@ -111,8 +111,9 @@ private:
     using Packed = std::variant<PackedVoxels<std::uint8_t>, PackedVoxels<std::uint16_t>, PackedVoxels<float>>;
 
     static Packed pack(const Volume& volume) {
-        return std::visit([&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(volume)); },
-                          volume.voxels());
+        return std::visit(
+            [&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(volume)); },
+            volume.voxels());
     }
 
     template <typename Voxel>
@@ -145,11 +146,10 @@ private:
                 job.light = &light.emplace(
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
             if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
-            if (settings.preIntegrated)
-                job.preIntegration = &preIntegration.emplace(curve, settings.step);
+            if (settings.preIntegrated) job.preIntegration = &preIntegration.emplace(curve, settings.step);
         }
-        const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.preIntegrated &&
-                           !settings.findDepth;
+        const bool plain =
+            direct && !settings.shading && !settings.depthColouring && !settings.preIntegrated && !settings.findDepth;
         constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
         const bool fine = bytes && volume->whiteLevel() >= ByteOpacities::leastWhite;
         if (fine && direct) {

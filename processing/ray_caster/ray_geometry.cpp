@@ -81,8 +81,8 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
         const Vec3 point = camera.focalPoint + acrossPicture(camera.heightMm / m_height);
         m_first = point + m_forward * (m_startDepth - m_forward.dot(point));
     } else {
-        m_first = m_forward +
-                  acrossPicture(2.0 * std::tan(camera.viewAngleDegrees * std::numbers::pi / 360.0) / m_height);
+        m_first =
+            m_forward + acrossPicture(2.0 * std::tan(camera.viewAngleDegrees * std::numbers::pi / 360.0) / m_height);
         m_eyeDepth = m_forward.dot(m_eye);
         m_nearDepth -= m_eyeDepth;
         m_startDepth = std::max({foremostDepth(geometry, m_forward) - m_eyeDepth, m_nearDepth, 0.0});

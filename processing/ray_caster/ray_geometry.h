@@ -7,14 +7,14 @@
 #include <limits>
 #include <vector>
 
-#include "processing/volume/geometry.h"
 #include "processing/ray_caster.h"
+#include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::ray_casting {
 
-/// A ray in steps: step k is the part from voxel position origin + k * step to origin + (k + 1) * step, and is sampled in
-/// its middle. What is rendered lies between `enter` and `leave` (steps; none where leave <= enter). Steps first ...
+/// A ray in steps: step k is the part from voxel position origin + k * step to origin + (k + 1) * step, and is sampled
+/// in its middle. What is rendered lies between `enter` and `leave` (steps; none where leave <= enter). Steps first ...
 /// last - 1 lie in it whole; those before and behind are cut where it begins and ends, count with what is left of them,
 /// and are sampled in the middle of that.
 struct Ray {
@@ -92,7 +92,8 @@ public:
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
-    /// Depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost corner.
+    /// Depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost
+    /// corner.
     [[nodiscard]] double nearDepthMm() const { return m_startDepth + m_eyeDepth; }
     [[nodiscard]] double farDepthMm() const { return m_farDepth; }
 
@@ -104,7 +105,8 @@ private:
     };
     void limit(const VolumeGeometry& geometry, const RayCastSettings& settings);
     template <int lanes>
-    __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+    __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, int column, int row,
+                                                           int columns) const;
     template <int lanes>
     __attribute__((always_inline)) inline void aimPerspective(RayBundle<lanes>& bundle, int column, int row,
                                                               int columns) const;
@@ -125,12 +127,13 @@ private:
     double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin; perspective: from the eye
     double m_nearDepth;       ///< the near plane's depth, likewise
     double m_farDepth;
-    Vec3 m_first, m_perColumn, m_perRow;  ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
-    Vec3 m_eye, m_forward;                ///< grid mm
+    Vec3 m_first, m_perColumn,
+        m_perRow;           ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
+    Vec3 m_eye, m_forward;  ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
     Vec3 m_step, m_perStep;  ///< parallel: every ray's step, voxels, and 1 / step
-    Vec3 m_low, m_high;  ///< voxels; what is rendered of the volume's box
+    Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
     bool m_jittered;
     std::vector<HalfSpace> m_halfSpaces;
     std::shared_ptr<const DepthMap> m_opaqueDepth;
@@ -138,7 +141,8 @@ private:
 
 /// A share of a step in [-0.5, 0.5) for a pixel, the same run after run.
 __attribute__((always_inline)) inline double jitterOf(int column, int row) {
-    std::uint32_t bits = static_cast<std::uint32_t>(column) * 0x9E3779B1u ^ static_cast<std::uint32_t>(row) * 0x85EBCA77u;
+    std::uint32_t bits =
+        static_cast<std::uint32_t>(column) * 0x9E3779B1u ^ static_cast<std::uint32_t>(row) * 0x85EBCA77u;
     bits ^= bits >> 15;
     bits *= 0x2C1B3C6Du;
     bits ^= bits >> 12;
@@ -152,7 +156,8 @@ inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int r
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < lanes; ++i) {
             const double x = column + i % columns, y = row + i / columns;
-            bundle.origin[axis][i] = (m_first[axis] + m_perColumn[axis] * x + m_perRow[axis] * y) * m_inverseSpacing[axis];
+            bundle.origin[axis][i] =
+                (m_first[axis] + m_perColumn[axis] * x + m_perRow[axis] * y) * m_inverseSpacing[axis];
             bundle.step[axis][i] = m_step[axis];
         }
     for (int i = 0; i < lanes; ++i) {
@@ -178,7 +183,8 @@ inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, in
         }
         bundle.depthMm[i] = m_eyeDepth + m_startDepth * cosine;
         bundle.depthStepMm[i] = m_stepMm * cosine;
-        // A ray towards the picture's corner is at a smaller depth than its distance: it may start before the near plane.
+        // A ray towards the picture's corner is at a smaller depth than its distance: it may start before the near
+        // plane.
         bundle.enter[i] = std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
     }
 }
@@ -211,7 +217,8 @@ inline void RayGeometry::clip(RayBundle<lanes>& bundle) const {
             // One division for all rays.
             const double perStep = m_perStep[axis];
             for (int i = 0; i < lanes; ++i) {
-                const double a = (low - bundle.origin[axis][i]) * perStep, b = (high - bundle.origin[axis][i]) * perStep;
+                const double a = (low - bundle.origin[axis][i]) * perStep,
+                             b = (high - bundle.origin[axis][i]) * perStep;
                 bundle.enter[i] = std::max(bundle.enter[i], std::min(a, b));
                 bundle.leave[i] = std::min(bundle.leave[i], std::max(a, b));
             }
@@ -253,9 +260,11 @@ void RayGeometry::endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int
         const auto place = [](int pixel, int pixels, int size) {
             return std::clamp(static_cast<int>((pixel + 0.5) * size / pixels), 0, size - 1);
         };
-        const int x = place(column + i % columns, m_width, map.width), y = place(row + i / columns, m_height, map.height);
-        const double depth = static_cast<double>(
-            map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)]);
+        const int x = place(column + i % columns, m_width, map.width),
+                  y = place(row + i / columns, m_height, map.height);
+        const double depth =
+            static_cast<double>(map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                            static_cast<std::size_t>(x)]);
         bundle.leave[i] = std::min(bundle.leave[i], (depth - bundle.depthMm[i]) / bundle.depthStepMm[i]);
     }
 }

@@ -44,7 +44,10 @@ ColourBends::ColourBends(ColourMap colourMap) {
 }
 
 TransferTable::TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio)
-    : m_opacities(intervals + 2), m_extinctions(intervals + 2), m_visibleBefore(intervals + 2), m_colours(rangesOf(colourMap)) {
+    : m_opacities(intervals + 2),
+      m_extinctions(intervals + 2),
+      m_visibleBefore(intervals + 2),
+      m_colours(rangesOf(colourMap)) {
     const std::vector<double> opacities = sampledOpacities(curve, intervals + 1);
     for (std::size_t i = 0; i < opacities.size(); ++i) {
         const double opacity = stepRatio == 1.0 ? opacities[i] : opacityForStep(opacities[i], stepRatio);
@@ -52,7 +55,8 @@ TransferTable::TransferTable(const OpacityCurve& curve, ColourMap colourMap, dou
         m_extinctions[i] = static_cast<float>(std::min(-stepRatio * std::log1p(-opacities[i]), mostExtinction));
         m_visibleBefore[i + 1] = m_visibleBefore[i] + (opacities[i] > negligible ? 1 : 0);
     }
-    const auto visible = std::find_if(m_opacities.begin(), m_opacities.end(), [](float opacity) { return opacity > 0.0f; });
+    const auto visible =
+        std::find_if(m_opacities.begin(), m_opacities.end(), [](float opacity) { return opacity > 0.0f; });
     m_firstVisible = static_cast<float>(visible - m_opacities.begin()) - 1.0f;
     m_opacities.back() = m_opacities[intervals];
     m_extinctions.back() = m_extinctions[intervals];
@@ -73,7 +77,8 @@ ByteOpacities::ByteOpacities(const TransferTable& table, double toTable) : m_opa
         const float* const entry = table.opacities() + left;
         m_opacities[i] = entry[0] + (entry[1] - entry[0]) * share;
     }
-    const auto visible = std::find_if(m_opacities.begin(), m_opacities.end(), [](float opacity) { return opacity > 0.0f; });
+    const auto visible =
+        std::find_if(m_opacities.begin(), m_opacities.end(), [](float opacity) { return opacity > 0.0f; });
     // The nearest entry counts.
     m_firstVisible = static_cast<float>(visible - m_opacities.begin()) - 0.51f;
 }

@@ -17,8 +17,8 @@ struct ColourRanges {
     std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
 };
 
-/// The same as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised intensity. What
-/// many samples show together needs no colour of each.
+/// The same as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised intensity.
+/// What many samples show together needs no colour of each.
 struct ColourBends {
     static constexpr int count = ColourRanges::count - 1;
     static constexpr float at(int bend) { return static_cast<float>(bend + 1) / ColourRanges::count; }
@@ -30,8 +30,8 @@ struct ColourBends {
     std::array<std::array<float, count>, 3> change{};
 };
 
-/// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. Small, so that it stays in the nearest
-/// cache beside the voxels: neighbouring rays through speckle read all of it.
+/// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. Small, so that it stays in the
+/// nearest cache beside the voxels: neighbouring rays through speckle read all of it.
 class TransferTable {
 public:
     /// Eight steps between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is an entry.
@@ -42,20 +42,20 @@ public:
 
     /// At normalised intensity i / intervals, i = 0 ... intervals; and the last once more.
     [[nodiscard]] const float* opacities() const { return m_opacities.data(); }
-    /// Of the same step: -log(1 - opacity), mostExtinction for opacity 1; for parts of a step. In their own precision: the
-    /// opacity of a long step has lost its digits near 1.
+    /// Of the same step: -log(1 - opacity), mostExtinction for opacity 1; for parts of a step. In their own precision:
+    /// the opacity of a long step has lost its digits near 1.
     [[nodiscard]] const float* extinctions() const { return m_extinctions.data(); }
     static constexpr double mostExtinction = 1e6;
     [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
     /// Table positions up to that have opacity 0.
     [[nodiscard]] float firstVisible() const { return m_firstVisible; }
 
-    /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for a reference
-    /// step.
+    /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for
+    /// a reference step.
     [[nodiscard]] bool transparentBetween(float lowest, float highest) const;
 
-    /// Opacity of a reference step that counts as none when regions are left out. Over 4096 units that adds up to at most
-    /// 1/16 of an 8-bit level.
+    /// Opacity of a reference step that counts as none when regions are left out. Over 4096 units that adds up to at
+    /// most 1/16 of an 8-bit level.
     static constexpr double negligible = 1.0 / (16.0 * 255.0 * 4096.0);
 
 private:
@@ -65,8 +65,8 @@ private:
     float m_firstVisible;
 };
 
-/// Opacities of one step of the ray over the voxels' value, perLevel entries between two bytes: dense enough for the nearest
-/// one to do, and small enough to stay in the nearest cache.
+/// Opacities of one step of the ray over the voxels' value, perLevel entries between two bytes: dense enough for the
+/// nearest one to do, and small enough to stay in the nearest cache.
 class ByteOpacities {
 public:
     static constexpr int perLevel = 16;

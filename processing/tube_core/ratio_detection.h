@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "processing/tube_core/speckle_scale.h"
 #include "processing/tube_core/slabs/tube_profiles.h"
+#include "processing/tube_core/speckle_scale.h"
 
 namespace echolucent {
 

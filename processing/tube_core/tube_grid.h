@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "processing/adaptive_otf.h"
-#include "processing/volume/geometry.h"
 #include "processing/view.h"
+#include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "processing/volume/geometry.h"
 #include "processing/result.h"
+#include "processing/volume/geometry.h"
 
 namespace echolucent {
 
@@ -27,7 +27,7 @@ struct VolumeGeometry {
     Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
     Vec3 origin{0, 0, 0};                       ///< patient position (mm, LPS) of the centre of voxel (0,0,0)
     Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
-    bool spacingKnown = true;                   ///< false: spacing is a guess; the picture must say so, no mm shown as fact
+    bool spacingKnown = true;  ///< false: spacing is a guess; the picture must say so, no mm shown as fact
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
     /// Offset of voxel (x,y,z) in the voxel array.
@@ -79,10 +79,10 @@ private:
     std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
 };
 
-/// Guess of the voxels outside the scanned sector: exactly 0 and connected (6-neighbourhood) through such voxels to a corner
-/// of the grid, which a sector always leaves free and a pool of fluid at the probe does not; at least 2 % of the grid, and
-/// thick (speckle's zeros are not). Single noisy voxels in the midst of it belong to it. Returns one byte a voxel
-/// (1 = data), joined with the volume's own mask; where there is no such region, the volume's own mask.
+/// Guess of the voxels outside the scanned sector: exactly 0 and connected (6-neighbourhood) through such voxels to a
+/// corner of the grid, which a sector always leaves free and a pool of fluid at the probe does not; at least 2 % of the
+/// grid, and thick (speckle's zeros are not). Single noisy voxels in the midst of it belong to it. Returns one byte a
+/// voxel (1 = data), joined with the volume's own mask; where there is no such region, the volume's own mask.
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
 
 }  // namespace echolucent

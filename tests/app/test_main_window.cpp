@@ -205,8 +205,9 @@ private slots:
         const QString bad = m_folder.filePath("broken.mha");
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("ObjectType = Image\nNDims = 3\nDimSize = 10 10 10\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n"
-                   "ElementDataFile = LOCAL\nshort");
+        file.write(
+            "ObjectType = Image\nNDims = 3\nDimSize = 10 10 10\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n"
+            "ElementDataFile = LOCAL\nshort");
         file.close();
         QSignalSpy failed(&m_window->session(), &Session::openFailed);
         m_window->open(bad);
@@ -308,7 +309,8 @@ private slots:
             const QString parent = control->parentWidget() ? control->parentWidget()->metaObject()->className() : "";
             const bool madeByQt = qobject_cast<QScrollBar*>(control) || parent == "QDockWidget" ||
                                   parent.startsWith("QTab") || parent.startsWith("QTable") || parent == "QMenuBar" ||
-                                  parent == "QHeaderView" || QString(control->metaObject()->className()) == "QTableCornerButton";
+                                  parent == "QHeaderView" ||
+                                  QString(control->metaObject()->className()) == "QTableCornerButton";
             if (isControl && !madeByQt && control->objectName().isEmpty())
                 nameless << QString("%1 in %2").arg(control->metaObject()->className(), parent);
         }

@@ -70,8 +70,9 @@ private slots:
         {
             QFile file(store());
             QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write("[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n"
-                       "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
+            file.write(
+                "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n"
+                "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
         }
         const Settings settings(store());
         QCOMPARE(settings.colourMap(), ColourMap::sepia);

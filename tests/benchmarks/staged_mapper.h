@@ -15,7 +15,7 @@ public:
     static StagedFixedPointMapper* New();
     vtkTypeMacro(StagedFixedPointMapper, vtkFixedPointVolumeRayCastMapper)
 
-    void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+        void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
     [[nodiscard]] const Cost& setUp() const { return m_setUp; }
     [[nodiscard]] const Cost& rays() const { return m_rays; }

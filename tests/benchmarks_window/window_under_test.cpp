@@ -14,8 +14,8 @@ namespace echolucent::bench {
 
 namespace {
 
-constexpr int patience = 300000;     // ms, a bound for broken programs
-constexpr double warmUpSeconds = 1;  // the quality follows the cost of the frames before
+constexpr int patience = 300000;           // ms, a bound for broken programs
+constexpr double warmUpSeconds = 1;        // the quality follows the cost of the frames before
 constexpr int movementMilliseconds = 200;  // changes within that belong to one movement
 constexpr double wantedShare = 2.0 / 3;
 

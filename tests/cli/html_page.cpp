@@ -194,7 +194,8 @@ TEST(HtmlPage, HoldsEverythingAndIsWellFormed) {
     EXPECT_EQ(problemOf(text), "");
     EXPECT_NE(text.find("&lt;i&gt;heading"), std::string::npos);
     EXPECT_NE(text.find("<td>a&lt;b</td><td class=\"number\">1.5×</td>"), std::string::npos) << text;
-    EXPECT_EQ(countOf(text, "data:image/png;base64,"), 5U) << "a picture, and two images of a map by both names of the link";
+    EXPECT_EQ(countOf(text, "data:image/png;base64,"), 5U)
+        << "a picture, and two images of a map by both names of the link";
     EXPECT_NE(text.find("not a medical device"), std::string::npos);
     // Self-contained: the only addresses are the name of SVG's vocabulary.
     EXPECT_EQ(countOf(text, "http"), countOf(text, "http://www.w3.org/2000/svg"));

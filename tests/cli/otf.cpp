@@ -109,14 +109,16 @@ TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
 TEST(OtfJson, CurveFollowsFromTheTubesByEquations4To7) {
     expectCurveFollowsFromTubes(otfOf(shapesFile(), "--form product"), 2);
     expectCurveFollowsFromTubes(
-        otfOf(shapesFile(),
-              "--form product --initial quartic --opacity-scale 0.3 --strength 40 --view-azimuth 21 --view-elevation -9"),
+        otfOf(
+            shapesFile(),
+            "--form product --initial quartic --opacity-scale 0.3 --strength 40 --view-azimuth 21 --view-elevation -9"),
         4);
 }
 
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
     expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance"));
-    expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance --view-azimuth 35 --view-elevation 20 --tube-grid 9x13"));
+    expectWeightsFollowFromTubes(
+        otfOf(shapesFile(), "--interface-function variance --view-azimuth 35 --view-elevation 20 --tube-grid 9x13"));
 }
 
 TEST(OtfJson, FindsThePhantomsSurfaces) {
@@ -182,7 +184,8 @@ TEST(OtfJson, AManualInitialFunctionIsTakenFromItsFile) {
     EXPECT_TRUE(otf["otf"]["log_opacity"][51].is_null()) << "0 up to the first node";
     EXPECT_NEAR(otf["otf"]["opacity"][102].get<double>(), 0.2, 1e-12);
     EXPECT_NEAR(otf["otf"]["log_opacity"][255].get<double>(), std::log(0.4), 1e-12);
-    const json scaled = otfOf(shapesFile(), "--strength 0 --opacity-scale 0.5 --initial \"manual:" + folder / "curve.json" + "\"");
+    const json scaled =
+        otfOf(shapesFile(), "--strength 0 --opacity-scale 0.5 --initial \"manual:" + folder / "curve.json" + "\"");
     EXPECT_EQ(scaled["parameters"]["opacity_scale"], 0.5);
     EXPECT_NEAR(scaled["otf"]["log_opacity"][255].get<double>(), std::log(0.5 * 0.4), 1e-12);
     const json linear = otfOf(shapesFile(), "--strength 0 --initial linear --opacity-scale 0.25");
@@ -218,8 +221,9 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
 
 TEST(OtfTables, HoldTheSameNumbersAsTheJson) {
     const Folder folder;
-    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --form product --json \"" + folder / "o.json" + "\" --csv \"" +
-                                       folder / "o.csv" + "\" --tubes-csv \"" + folder / "t.csv" + "\"");
+    const Outcome outcome =
+        runProgram("otf \"" + shapesFile() + "\" --form product --json \"" + folder / "o.json" + "\" --csv \"" +
+                   folder / "o.csv" + "\" --tubes-csv \"" + folder / "t.csv" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     const json otf = json::parse(contentsOf(folder / "o.json"));

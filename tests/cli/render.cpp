@@ -33,7 +33,8 @@ TEST(Render, SaysWhatItCannotDo) {
 /// The check sum of a picture made with these options: what differs is not worth printing.
 std::size_t rendered(const Folder& folder, const std::string& options) {
     const std::string path = folder / "picture.png";
-    const Outcome outcome = runProgram("render \"" + shapesFile() + "\" --size 64x48 " + options + " -o \"" + path + "\"");
+    const Outcome outcome =
+        runProgram("render \"" + shapesFile() + "\" --size 64x48 " + options + " -o \"" + path + "\"");
     EXPECT_EQ(outcome.status, 0) << options << ": " << outcome.errors;
     return std::hash<std::string>{}(contentsOf(path));
 }
@@ -52,7 +53,8 @@ TEST(Render, ALightFromElsewhereMakesAnotherPicture) {
 
 TEST(Render, ModesAndDepthColoursMakePicturesOfTheirOwn) {
     const Folder folder;
-    std::vector<std::size_t> pictures{rendered(folder, "--otf parabolic"), rendered(folder, "--otf parabolic --depth-colour")};
+    std::vector<std::size_t> pictures{rendered(folder, "--otf parabolic"),
+                                      rendered(folder, "--otf parabolic --depth-colour")};
     for (const std::string mode : {"maximum", "minimum", "mean"}) {
         pictures.push_back(rendered(folder, "--mode " + mode));
         EXPECT_EQ(pictures.back(), rendered(folder, "--otf parabolic --mode " + mode)) << "the curve plays no part";
@@ -65,9 +67,9 @@ TEST(Render, ModesAndDepthColoursMakePicturesOfTheirOwn) {
 TEST(Render, RefusesModesAndLightsThatMakeNoSense) {
     const Folder folder;
     const std::string picture = " -o \"" + folder / "p.png" + "\"";
-    for (const std::string options : {"--mode brightest", "--mode maximum --shade", "--mode mean --depth-colour",
-                                      "--mode minimum --light 0,0", "--light 30", "--light 181,0", "--light 0,91",
-                                      "--light nan,0"}) {
+    for (const std::string options :
+         {"--mode brightest", "--mode maximum --shade", "--mode mean --depth-colour", "--mode minimum --light 0,0",
+          "--light 30", "--light 181,0", "--light 0,91", "--light nan,0"}) {
         const Outcome outcome = runProgram("render \"" + shapesFile() + "\" " + options + picture);
         EXPECT_EQ(outcome.status, 2) << options;
         EXPECT_FALSE(outcome.errors.empty()) << options;

@@ -51,10 +51,11 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"otf VOLUME --initial manual:FOLDER/missing.json", 3, "missing.json"},
         Row{"otf VOLUME --json FOLDER/none/otf.json", 4, "otf.json"},
         Row{"otf VOLUME --csv FOLDER/none/o.csv", 4, "o.csv"},
-        Row{"otf VOLUME --json /dev/full/otf.json", 4, "otf.json"},
-        Row{"nonsense", 2, "\"nonsense\" is not a command"}, Row{"otf VOLUME --phase -1", 2, "--phase"},
+        Row{"otf VOLUME --json /dev/full/otf.json", 4, "otf.json"}, Row{"nonsense", 2, "\"nonsense\" is not a command"},
+        Row{"otf VOLUME --phase -1", 2, "--phase"},
         Row{"info VOLUME --raw-size 4x4x4 --raw-header-bytes -1", 2, "--raw-header-bytes"},
-        Row{"otf VOLUME --tube-grid 4000x4000", 2, "262144"}, Row{"otf VOLUME --view-azimuth 1e300", 2, "--view-azimuth"},
+        Row{"otf VOLUME --tube-grid 4000x4000", 2, "262144"},
+        Row{"otf VOLUME --view-azimuth 1e300", 2, "--view-azimuth"},
         Row{"otf VOLUME --json FOLDER/x --csv FOLDER/x", 2, "named twice"},
         Row{"otf VOLUME --json VOLUME", 2, "named twice"}, Row{"render VOLUME -o VOLUME", 2, "named twice"},
         Row{"render VOLUME --otf cubic -o FOLDER/x.png", 2, "adaptive"},
@@ -66,8 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Usage, ASpacingThatNoScannerMakesIsRefusedBeforeAnythingIsComputed) {
     const Folder folder;
     for (const std::string spacing : {"1e-9 1 1", "1e-3 1 1.1", "1 1 1e5"}) {
-        write(folder / "h.mha", "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementSpacing = " +
-                                    spacing + "\nElementDataFile = LOCAL\n" + std::string(64, 'x'));
+        write(folder / "h.mha",
+              "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementSpacing = " + spacing +
+                  "\nElementDataFile = LOCAL\n" + std::string(64, 'x'));
         const Outcome outcome = runProgram("otf " + folder / "h.mha");
         EXPECT_EQ(outcome.status, 3) << spacing;
         EXPECT_NE(outcome.errors.find("ElementSpacing"), std::string::npos) << outcome.errors;

@@ -154,9 +154,7 @@ void writeDicom(const std::string& path, const TestImage& image, TestSyntax synt
     if (!image.pixels16.empty())
         require(dataset.putAndInsertUint16Array(DCM_PixelData, image.pixels16.data(), image.pixels16.size()), "pixels");
     else if (!image.pixels8.empty())
-        require(
-            dataset.putAndInsertUint8Array(DCM_PixelData, image.pixels8.data(), image.pixels8.size()),
-            "pixels");
+        require(dataset.putAndInsertUint8Array(DCM_PixelData, image.pixels8.data(), image.pixels8.size()), "pixels");
 
     registerEncoders();
     const DcmRLERepresentationParameter rle;

@@ -1,6 +1,6 @@
-// echolucent-pictures FOLDER [FILE [--beam-axis AXIS] [--near MM] NAME]...: opens each volume (the word "simulated" for the
-// built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive OTF; and
-// what is on it with the adaptive one while a hand turns the volume.
+// echolucent-pictures FOLDER [FILE [--beam-axis AXIS] [--near MM] NAME]...: opens each volume (the word "simulated" for
+// the built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive
+// OTF; and what is on it with the adaptive one while a hand turns the volume.
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -77,7 +77,8 @@ void takeInMotion(MainWindow& window, const QString& path) {
 
 void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
     bool opened = false;
-    QObject::connect(&window.session(), &Session::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
+    QObject::connect(
+        &window.session(), &Session::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
     if (wanted.file == "simulated")
         window.openSimulatedScan();
     else

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/processing/tube_core/plane_detection.h"
 #include "processing/tube_core/tube_grid.h"
+#include "tests/processing/tube_core/plane_detection.h"
 
 namespace echolucent {
 namespace {

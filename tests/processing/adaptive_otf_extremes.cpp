@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/processing/tube_core/plane_detection.h"
 #include "processing/adaptive_otf.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/ramp.h"
 #include "processing/tube_core/tube_quality.h"
+#include "tests/processing/tube_core/plane_detection.h"
 
 namespace echolucent {
 namespace {

@@ -14,7 +14,6 @@
 
 namespace echolucent::testing {
 
-
 inline constexpr int patience = 30000;  // ms, a bound for broken programs
 inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
@@ -42,7 +41,8 @@ struct ShownView {
         QTest::mouseRelease(window(), button, modifiers, to);
     }
     void moveTo(const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton, Qt::KeyboardModifiers modifiers = {}) {
-        QMouseEvent move(QEvent::MouseMove, QPointF(to), QPointF(window()->mapToGlobal(to)), Qt::NoButton, buttons, modifiers);
+        QMouseEvent move(QEvent::MouseMove, QPointF(to), QPointF(window()->mapToGlobal(to)), Qt::NoButton, buttons,
+                         modifiers);
         QCoreApplication::sendEvent(window(), &move);
     }
     std::shared_ptr<const Volume> volume;
@@ -57,8 +57,9 @@ inline int largestDifference(const QImage& screen, const Picture& picture) {
     for (int y = 0; y < picture.height - 110; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const QRgb seen = screen.pixel(x, y);
-            const std::uint8_t* expected = &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                                     static_cast<std::size_t>(x))];
+            const std::uint8_t* expected =
+                &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(x))];
             largest = std::max({largest, std::abs(qRed(seen) - expected[0]), std::abs(qGreen(seen) - expected[1]),
                                 std::abs(qBlue(seen) - expected[2])});
         }
@@ -71,8 +72,9 @@ inline QPointF brightCentre(const Picture& picture) {
     double x = 0, y = 0, weight = 0;
     for (int row = 0; row < picture.height; ++row) {
         for (int column = 0; column < picture.width; ++column) {
-            const float value = picture.rgba[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                                                  static_cast<std::size_t>(column))];
+            const float value =
+                picture.rgba[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(column))];
             x += value * (column + 0.5 - picture.width / 2.0);
             y += value * (row + 0.5 - picture.height / 2.0);
             weight += value;

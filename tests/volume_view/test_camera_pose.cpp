@@ -28,8 +28,10 @@ CameraPose poseOf(const View& view, Projection projection = Projection::parallel
 }
 
 void compareVectors(const Vec3& a, const Vec3& b, double tolerance = 1e-9) {
-    QVERIFY2(length(a - b) <= tolerance, qPrintable(QString("(%1, %2, %3) against (%4, %5, %6)")
-                                                        .arg(a[0]).arg(a[1]).arg(a[2]).arg(b[0]).arg(b[1]).arg(b[2])));
+    QVERIFY2(
+        length(a - b) <= tolerance,
+        qPrintable(
+            QString("(%1, %2, %3) against (%4, %5, %6)").arg(a[0]).arg(a[1]).arg(a[2]).arg(b[0]).arg(b[1]).arg(b[2])));
 }
 
 const View tilted{BeamAxis::plusY, 30, -20, 50, 4};
@@ -151,8 +153,9 @@ private slots:
                 double furthest = 0;
                 for (int corner = 0; corner < 8; ++corner) {
                     const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-                    const cv::Vec2d at = projected(camera, {corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1],
-                                                            corner & 4 ? high[2] : low[2]});
+                    const cv::Vec2d at = projected(
+                        camera,
+                        {corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]});
                     furthest = std::max({furthest, std::abs(at[0]) / aspect, std::abs(at[1])});
                 }
                 QVERIFY2(furthest <= 0.5, qPrintable(QString::number(furthest)));

@@ -59,7 +59,8 @@ private slots:
         const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
             return z == 8 ? 200 : z == 20 ? 100 : 0;
         });
-        const OpacityCurve curve = ManualCurve{{{0.3, 0}, {100 / 255.0, 0.30}, {0.5, 0}, {0.7, 0}, {200 / 255.0, 0.1}, {1, 0}}};
+        const OpacityCurve curve =
+            ManualCurve{{{0.3, 0}, {100 / 255.0, 0.30}, {0.5, 0}, {0.7, 0}, {200 / 255.0, 0.1}, {1, 0}}};
         PictureRequest request = requestFor(volume, curve);
         request.settings.interpolation = Interpolation::nearest;
         const auto sample = samplePointedAt(request, 150, 100);
@@ -123,9 +124,8 @@ private slots:
 
     void thePixelChoosesTheRay() {
         // One bright voxel column; right is +x, down is +y.
-        const auto volume = volumeOf(geometryOf(21, 11, 5), [](double x, double y, double) {
-            return x == 15 && y == 3 ? 255 : 0;
-        });
+        const auto volume =
+            volumeOf(geometryOf(21, 11, 5), [](double x, double y, double) { return x == 15 && y == 3 ? 255 : 0; });
         PictureRequest request = requestFor(volume, ManualCurve{{{0.9, 0}, {0.9, 1}}});
         request.settings.interpolation = Interpolation::nearest;
         const double pixelsPerMm = request.settings.height / request.settings.camera.heightMm;

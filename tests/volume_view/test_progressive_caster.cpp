@@ -47,8 +47,12 @@ public:
         return {Picture{width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}},
                 SampleUse::taken};
     }
-    void hold() { set([this] { m_held = true; }); }
-    void letGo() { set([this] { m_held = false; }); }
+    void hold() {
+        set([this] { m_held = true; });
+    }
+    void letGo() {
+        set([this] { m_held = false; });
+    }
     /// Converged pictures of that width end only when they are cancelled.
     void convergedOnlyEndsCancelled(int width) {
         set([&] { m_endlessWidth = width; });
@@ -79,9 +83,8 @@ private:
 
 struct Setup {
     Setup() {
-        QObject::connect(&caster, &ProgressiveCaster::delivered, [this](const std::shared_ptr<const CastPicture>& picture) {
-            delivered.push_back(picture);
-        });
+        QObject::connect(&caster, &ProgressiveCaster::delivered,
+                         [this](const std::shared_ptr<const CastPicture>& picture) { delivered.push_back(picture); });
     }
     PictureRequest request(double level, int width = 120) const {
         PictureRequest made{volume, ManualCurve{{{0.0, level}}}, {}};
@@ -203,13 +206,15 @@ private slots:
         Setup s;
         s.commands.convergedOnlyEndsCancelled(120);
         int requests = 0;
-        QObject::connect(&s.caster, &ProgressiveCaster::delivered, &s.caster, [&](const std::shared_ptr<const CastPicture>& p) {
-            QVERIFY(p->followsHand);  // nothing is refined while newer requests come
-            if (requests < 50) s.caster.request(s.turned(++requests / 100.0));
-        });
+        QObject::connect(&s.caster, &ProgressiveCaster::delivered, &s.caster,
+                         [&](const std::shared_ptr<const CastPicture>& p) {
+                             QVERIFY(p->followsHand);  // nothing is refined while newer requests come
+                             if (requests < 50) s.caster.request(s.turned(++requests / 100.0));
+                         });
         s.caster.request(s.request(1.0));
         QTRY_COMPARE_WITH_TIMEOUT(s.delivered.size(), std::size_t{51}, patience);
-        for (std::size_t i = 1; i < 51; ++i) QCOMPARE(levelOf(*s.delivered[i]), static_cast<float>(static_cast<double>(i) / 100.0));
+        for (std::size_t i = 1; i < 51; ++i)
+            QCOMPARE(levelOf(*s.delivered[i]), static_cast<float>(static_cast<double>(i) / 100.0));
         s.caster.clear();
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
         QCOMPARE(s.delivered.size(), std::size_t{51});
@@ -308,8 +313,10 @@ private slots:
     }
 
     void oneRayCasterGivesTheRayCastersPictures() {
-        const auto a = volumeOf(geometryOf(9, 8, 7), [](double x, double y, double) { return static_cast<int>(20 * x + y); });
-        const auto b = volumeOf(geometryOf(9, 8, 7), [](double x, double, double z) { return static_cast<int>(9 * z + x); });
+        const auto a =
+            volumeOf(geometryOf(9, 8, 7), [](double x, double y, double) { return static_cast<int>(20 * x + y); });
+        const auto b =
+            volumeOf(geometryOf(9, 8, 7), [](double x, double, double z) { return static_cast<int>(9 * z + x); });
         const Cast cast = castThroughOneRayCaster();
         PictureRequest request{a, PowerCurve{}, {}};
         request.settings.width = request.settings.height = 24;
@@ -317,8 +324,9 @@ private slots:
         const auto check = [&](SampleUse expected, int line) {
             const CastResult result = cast(request, {});
             const auto alone = castRays(*request.volume, request.curve, request.settings);
-            QVERIFY2(result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
-                     qPrintable(QString::number(line)));
+            QVERIFY2(
+                result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
+                qPrintable(QString::number(line)));
             QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
         };
         check(SampleUse::taken, __LINE__);

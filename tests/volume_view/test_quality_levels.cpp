@@ -16,7 +16,8 @@ private slots:
             const RayCastSettings settings = settingsAt(level, asked);
             return static_cast<double>(settings.width) * settings.height / settings.step;
         };
-        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(samplesAt(level) < samplesAt(level - 1));
+        for (std::size_t level = 1; level < qualityLevels.size(); ++level)
+            QVERIFY(samplesAt(level) < samplesAt(level - 1));
         QVERIFY(qualityLevels[convergedLevel].atRest);
         const RayCastSettings converged = settingsAt(convergedLevel, asked);
         QCOMPARE(converged.width, asked.width);
@@ -165,7 +166,8 @@ private slots:
         };
         for (int i = 0; i < 8; ++i) learn();
         quality.reclassified(asked, 1e-3);
-        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <= PreviewQuality::warmUpFrames * 33);
+        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <=
+                PreviewQuality::warmUpFrames * 33);
     }
 
 private:

@@ -138,7 +138,7 @@ private slots:
         const auto before = s.view.picture();
         s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
         QVERIFY(light.size() > 0);
-        QVERIFY(std::abs(s.view.light().azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);  // to the right
+        QVERIFY(std::abs(s.view.light().azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);   // to the right
         QVERIFY(std::abs(s.view.light().elevationDegrees - (20 - 180.0 * 25 / 250)) < 1e-9);  // down
         QVERIFY(length(s.view.settings().shading->towardsLight - towardsLight(s.view.light())) < 1e-12);
         QVERIFY(s.awaitIdle());
@@ -221,14 +221,15 @@ private slots:
 
     void pointedTellsWhatIsUnderTheCursor() {
         // 51/255 everywhere, and 204/255 in the left half from z = 10 on.
-        const auto volume = volumeOf(geometryOf(40, 40, 40), [](double x, double, double z) {
-            return x < 20 && z >= 10 ? 204 : 51;
-        });
+        const auto volume =
+            volumeOf(geometryOf(40, 40, 40), [](double x, double, double z) { return x < 20 && z >= 10 ? 204 : 51; });
         ShownView s(volume);
         s.view.setCurve(ManualCurve{{{0.5, 0.0}, {0.5, 0.8}}});
         QVERIFY(s.awaitIdle());
         QList<std::pair<std::optional<double>, std::optional<double>>> told;
-        connect(&s.view, &VolumeViewWidget::pointed, this, [&](auto intensity, auto opacity) { told.append({intensity, opacity}); });
+        connect(&s.view, &VolumeViewWidget::pointed, this, [&](auto intensity, auto opacity) {
+            told.append({intensity, opacity});
+        });
         s.moveTo({120, 125});
         QCOMPARE(told.size(), 1);
         QVERIFY(told.last().first && std::abs(*told.last().first - 0.8) < 1e-9);
@@ -250,7 +251,8 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         QList<QStringList> dropped;
-        connect(&s.view, &VolumeViewWidget::filesDropped, this, [&](const QStringList& files) { dropped.append(files); });
+        connect(&s.view, &VolumeViewWidget::filesDropped, this,
+                [&](const QStringList& files) { dropped.append(files); });
         QMimeData files;
         files.setUrls({QUrl::fromLocalFile("/tmp/a.mha"), QUrl("http://elsewhere.example/b.mha")});
         QMimeData text;

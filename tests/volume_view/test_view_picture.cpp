@@ -24,7 +24,8 @@ private slots:
         QVERIFY(expected);
         const QImage screen = s.view.screenImage();
         QCOMPARE(screen.size(), QSize(330, 250));
-        QVERIFY2(largestDifference(screen, *expected) <= 2, qPrintable(QString::number(largestDifference(screen, *expected))));
+        QVERIFY2(largestDifference(screen, *expected) <= 2,
+                 qPrintable(QString::number(largestDifference(screen, *expected))));
         // The ball lies in the corner of small x and y: upper left when looking along +z.
         const QPointF centre = brightCentre(*expected);
         QVERIFY(centre.x() < -0.1 && centre.y() < -0.1);
@@ -49,8 +50,9 @@ private slots:
         for (const double opacity : {0.02, 1.0, 0.1}) {
             s.view.setCurve(ManualCurve{{{0.5, 0}, {0.5, opacity}}});
             QVERIFY(s.awaitIdle());
-            QTRY_VERIFY_WITH_TIMEOUT(largestDifference(s.view.screen()->grabWindow(s.view.winId()).toImage(),
-                                                       *s.view.picture()) <= 2, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                largestDifference(s.view.screen()->grabWindow(s.view.winId()).toImage(), *s.view.picture()) <= 2,
+                patience);
         }
     }
 
@@ -137,15 +139,17 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         s.view.resize(size);
-        QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.view.pictureIsFine() && s.view.picture()->width == size.width() &&
-                                     s.view.picture()->height == size.height() && !s.view.busy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.view.pictureIsFine() &&
+                                     s.view.picture()->width == size.width() &&
+                                     s.view.picture()->height == size.height() && !s.view.busy(),
+                                 patience);
         const auto expected = castRays(*s.volume, wall, s.view.settings());
         QTRY_COMPARE_WITH_TIMEOUT(s.view.screenImage().size(), size, patience);
         QVERIFY(largestDifference(s.view.screenImage(), *expected) <= 2);
         // The whole volume is still in the picture.
         QVERIFY(std::abs(s.view.settings().camera.heightMm -
-                         defaultCamera(s.volume->geometry(), {}, static_cast<double>(size.width()) / size.height()).heightMm) <
-                1e-9);
+                         defaultCamera(s.volume->geometry(), {}, static_cast<double>(size.width()) / size.height())
+                             .heightMm) < 1e-9);
     }
 
     void projectionAndColoursReachThePicture() {
@@ -253,7 +257,8 @@ private slots:
         s.view.setNearCut(5);  // not even begun
         const QImage saved = s.view.convergedImage();
         const auto expected = castRays(*s.volume, wall, s.view.settings());
-        QVERIFY2(largestDifference(saved, *expected) <= 2, qPrintable(QString::number(largestDifference(saved, *expected))));
+        QVERIFY2(largestDifference(saved, *expected) <= 2,
+                 qPrintable(QString::number(largestDifference(saved, *expected))));
         QVERIFY(s.awaitIdle());
         QCOMPARE(s.view.convergedImage(), saved);
         QVERIFY(s.view.settings().step <= 0.5 * s.view.look().step);

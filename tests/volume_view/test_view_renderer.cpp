@@ -87,7 +87,8 @@ private slots:
         const int y = static_cast<int>(settings.height / 2.0 + seen.dot(settings.camera.frame.down) * pixels);
         const auto alphaAt = [&](const Picture& picture) {
             return picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                     static_cast<std::size_t>(x)) + 3];
+                                     static_cast<std::size_t>(x)) +
+                                3];
         };
         QVERIFY(alphaAt(*before) > 0.9F);
         QCOMPARE(alphaAt(*s.view.picture()), 0.0F);

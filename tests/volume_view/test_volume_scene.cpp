@@ -1,5 +1,4 @@
 // The scene drawn off screen by VTK alone: no QApplication.
-#include <QTest>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -8,6 +7,7 @@
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
+#include <QTest>
 
 #include <array>
 #include <cmath>
@@ -36,10 +36,10 @@ ScreenPicture speckledPicture(int width, int height) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const int alpha = 55 + (x * 37 + y * 91) % 200;
-            picture.rgba.insert(picture.rgba.end(), {static_cast<std::uint8_t>(alpha * (x % 5) / 5),
-                                                     static_cast<std::uint8_t>(alpha * (y % 7) / 7),
-                                                     static_cast<std::uint8_t>(alpha * ((x + y) % 3) / 3),
-                                                     static_cast<std::uint8_t>(alpha)});
+            picture.rgba.insert(
+                picture.rgba.end(),
+                {static_cast<std::uint8_t>(alpha * (x % 5) / 5), static_cast<std::uint8_t>(alpha * (y % 7) / 7),
+                 static_cast<std::uint8_t>(alpha * ((x + y) % 3) / 3), static_cast<std::uint8_t>(alpha)});
         }
     }
     return picture;
@@ -84,7 +84,8 @@ private slots:
         const auto volume = ballInTheCorner();
         drawn.scene.setVolume(volume);
         ScreenPicture halves = plainPicture(30, 20, {255, 0, 0, 255});
-        for (std::size_t i = 0; i < 30 * 10; ++i) halves.rgba[4 * i] = 0, halves.rgba[4 * i + 1] = 255;  // upper half green
+        for (std::size_t i = 0; i < 30 * 10; ++i)
+            halves.rgba[4 * i] = 0, halves.rgba[4 * i + 1] = 255;  // upper half green
         drawn.scene.show(std::make_shared<const ScreenPicture>(halves), cameraOn(*volume, {}));
         drawn.draw();
         for (const int x : {0, 45, 89}) {
@@ -148,7 +149,8 @@ private slots:
         const cv::Vec3d drawnByVtk = centreAndArea(drawn, [](const Level& level) { return level[1] > 60; });
         QVERIFY(drawnByVtk[2] > 300);
         QVERIFY2(std::hypot(cast[0] - drawnByVtk[0], cast[1] - drawnByVtk[1]) < 0.6,
-                 qPrintable(QString("%1, %2 against %3, %4").arg(cast[0]).arg(cast[1]).arg(drawnByVtk[0]).arg(drawnByVtk[1])));
+                 qPrintable(
+                     QString("%1, %2 against %3, %4").arg(cast[0]).arg(cast[1]).arg(drawnByVtk[0]).arg(drawnByVtk[1])));
         QVERIFY(std::abs(std::sqrt(cast[2] / drawnByVtk[2]) - 1) < 0.06);
     }
 
@@ -202,7 +204,8 @@ private slots:
         const auto volume = ballInTheCorner({0.5, 0.25, 2});
         const auto image = imageOn(*volume);
         QCOMPARE(image->GetScalarPointer(), static_cast<const void*>(std::get<0>(volume->voxels()).data()));
-        QCOMPARE(image->GetScalarComponentAsDouble(11, 9, 8, 0), volume->storedValue(volume->geometry().offset(11, 9, 8)));
+        QCOMPARE(image->GetScalarComponentAsDouble(11, 9, 8, 0),
+                 volume->storedValue(volume->geometry().offset(11, 9, 8)));
         const double* bounds = image->GetBounds();
         QCOMPARE(bounds[1], 39 * 0.5);
         QCOMPARE(bounds[3], 35 * 0.25);
@@ -211,7 +214,8 @@ private slots:
 
     void pickersReadTheCurveOnStoredValues() {
         VolumeScene scene;
-        const auto volume = std::make_shared<const Volume>(geometryOf(2, 1, 1), std::vector<std::uint16_t>{0, 4000}, 4000.0);
+        const auto volume =
+            std::make_shared<const Volume>(geometryOf(2, 1, 1), std::vector<std::uint16_t>{0, 4000}, 4000.0);
         scene.setVolume(volume);
         scene.setTransfer(PowerCurve{2, 1.0}, ColourMap::grey);
         vtkPiecewiseFunction* opacity = scene.volumeProp()->GetProperty()->GetScalarOpacity();
@@ -290,7 +294,8 @@ private slots:
         const auto volume = ballInTheCorner();
         drawn.scene.setVolume(volume);
         drawn.scene.setAnnotationsVisible(true);
-        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(200, 200, {0, 0, 0, 0})), cameraOn(*volume, {}));
+        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(200, 200, {0, 0, 0, 0})),
+                         cameraOn(*volume, {}));
         drawn.draw();
         const int foot = 68;  // margin + arm + letter
         const Level alongX = drawn.at(foot + 20, 199 - foot), alongY = drawn.at(foot, 199 - foot + 20);

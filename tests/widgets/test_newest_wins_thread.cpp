@@ -176,7 +176,8 @@ private slots:
             },
             WhenSuperseded::finish);
         gate.awaitArrivals(1);
-        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { delivered.push_back("next"); }; });
+        thread.submit(
+            [&](const Progress&) -> NewestWinsThread::Deliver { return [&] { delivered.push_back("next"); }; });
         gate.open();
         QTRY_COMPARE_WITH_TIMEOUT(delivered, (std::vector<QString>{"coarse", "next"}), patience);
         QVERIFY(!sawCancel);

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
+#include "widgets/otf_editor/canvas/plot_axes.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/otf_editor_model.h"
-#include "widgets/otf_editor/canvas/plot_axes.h"
 
 using namespace echolucent;
 

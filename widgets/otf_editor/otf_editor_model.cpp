@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/otf_editor/curve_edit_step.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/curve_edit_step.h"
 #include "widgets/otf_editor/node_reduction.h"
 
 namespace echolucent {

@@ -31,8 +31,8 @@ public:
     /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two levels on small
     /// changes of cost.
     [[nodiscard]] std::size_t levelInMotion(const RayCastSettings& asked);
-    /// For a view that no other follows closely: what is shown at rest, where that takes no longer than aloneFrames frames.
-    /// Else levelInMotion().
+    /// For a view that no other follows closely: what is shown at rest, where that takes no longer than aloneFrames
+    /// frames. Else levelInMotion().
     [[nodiscard]] std::size_t levelAlone(const RayCastSettings& asked);
     static constexpr double aloneFrames = 1.5;
     /// For the next picture of an edit. At each level the first two pictures must be sampled: within a series of edits

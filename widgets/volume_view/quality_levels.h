@@ -25,8 +25,8 @@ struct QualityLevel {
 /// rest all finer ones marked atRest follow, one after another.
 ///
 /// Errors, in levels of 255, of the worst of two phantoms and two curves at 512 x 512 (docs/performance.md, "Pictures a
-/// second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at step 1, 2.1 and 24 at
-/// 1.5. Why these settings: docs/rendering.md.
+/// second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at step 1, 2.1
+/// and 24 at 1.5. Why these settings: docs/rendering.md.
 inline constexpr std::array<QualityLevel, 11> qualityLevels{{
     {"converged", 1.0, 0.25, true, false, false, 1.0 / 2048},
     {"high quality", 1.0, 0.75, true},

@@ -14,8 +14,8 @@ namespace echolucent {
 
 namespace {
 constexpr double zoomPerWheelNotch = 1.15;
-constexpr double wheelNotch = 120.0;       // Qt's eighths of a degree
-constexpr double zoomOverHeight = 12.0;    // factor of a right drag over the window's height
+constexpr double wheelNotch = 120.0;     // Qt's eighths of a degree
+constexpr double zoomOverHeight = 12.0;  // factor of a right drag over the window's height
 }  // namespace
 
 QStringList localFiles(const QMimeData* data) {

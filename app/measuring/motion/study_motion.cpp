@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
+#include "app/cli/sweep_report.h"
 #include "app/measuring/motion/motion_page.h"
 #include "app/measuring/study.h"
-#include "app/cli/sweep_report.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {

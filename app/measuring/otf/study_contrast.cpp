@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "app/measuring/study.h"
 #include "app/measuring/otf/study_phantoms.h"
+#include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent::cli {

@@ -5,8 +5,8 @@
 #include <map>
 #include <memory>
 
-#include "app/measuring/study.h"
 #include "app/measuring/otf/study_otf.h"
+#include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent::cli {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/measuring/pages/html_page.h"
-#include "app/measuring/otf/study_phantoms.h"
-#include "processing/adaptive_otf.h"
 #include "app/measuring/measures/surface_light.h"
+#include "app/measuring/otf/study_phantoms.h"
+#include "app/measuring/pages/html_page.h"
+#include "processing/adaptive_otf.h"
 
 namespace echolucent::cli {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/measuring/study.h"
 #include "app/measuring/otf/study_otf.h"
+#include "app/measuring/study.h"
 
 namespace echolucent::cli {
 

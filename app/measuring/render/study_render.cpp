@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/measuring/study.h"
 #include "app/measuring/render/study_render.h"
+#include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 #include "processing/phantom/phantom.h"
 

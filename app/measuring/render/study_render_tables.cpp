@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/measuring/study.h"
 #include "app/measuring/render/study_render.h"
+#include "app/measuring/study.h"
 
 namespace echolucent::cli {
 

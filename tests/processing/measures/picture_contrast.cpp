@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdio>
 
-#include "processing/adaptive_otf.h"
 #include "app/measuring/measures/surface_contrast.h"
+#include "processing/adaptive_otf.h"
 
 namespace echolucent {
 namespace {

@@ -15,7 +15,8 @@ std::shared_ptr<const DepthMap> depthMap(int width, int height, std::vector<floa
 }
 
 /// Cuts of every kind, alone and together.
-std::vector<std::pair<std::string, RayCastSettings>> cutsOf(const RayCastSettings& plain, const VolumeGeometry& geometry) {
+std::vector<std::pair<std::string, RayCastSettings>> cutsOf(const RayCastSettings& plain,
+                                                            const VolumeGeometry& geometry) {
     std::vector<std::pair<std::string, RayCastSettings>> cuts;
     const auto add = [&](const std::string& name, const auto& change) {
         cuts.emplace_back(name, plain);
@@ -26,12 +27,14 @@ std::vector<std::pair<std::string, RayCastSettings>> cutsOf(const RayCastSetting
     const double middle = plain.camera.frame.forward.dot(centre);
     const auto box = [](Settings& s) { s.box = RenderBox{{3.3, 2.1, 4.7}, {16.2, 14.9, 13.3}}; };
     const auto planes = [&](Settings& s) {
-        s.clippingPlanes = {{centre + Vec3(1, 0, 2), {1, 0.7, -0.4}}, {centre - Vec3(0, 4, 0), {0, 1e-7, 2e-8}},
+        s.clippingPlanes = {{centre + Vec3(1, 0, 2), {1, 0.7, -0.4}},
+                            {centre - Vec3(0, 4, 0), {0, 1e-7, 2e-8}},
                             {centre, {-3e6, 1e6, 4e6}}};
     };
     const auto opaque = [&](Settings& s) {
         std::vector<float> depths;
-        for (int i = 0; i < 7 * 5; ++i) depths.push_back(i % 4 == 0 ? INFINITY : static_cast<float>(middle + i % 9 - 4.3));
+        for (int i = 0; i < 7 * 5; ++i)
+            depths.push_back(i % 4 == 0 ? INFINITY : static_cast<float>(middle + i % 9 - 4.3));
         s.opaqueDepth = depthMap(7, 5, depths);
     };
     const auto near = [&](Settings& s) { s.nearPlaneDepthMm = middle - 3.7; };
@@ -39,7 +42,9 @@ std::vector<std::pair<std::string, RayCastSettings>> cutsOf(const RayCastSetting
     add("planes", planes);
     add("opaque", opaque);
     add("near plane", near);
-    add("box that reaches beyond the volume", [](Settings& s) { s.box = RenderBox{{-50, 5.2, -1e9}, {1e9, 900, 8.8}}; });
+    add("box that reaches beyond the volume", [](Settings& s) {
+        s.box = RenderBox{{-50, 5.2, -1e9}, {1e9, 900, 8.8}};
+    });
     add("all", [&](Settings& s) { box(s), planes(s), opaque(s), near(s); });
     return cuts;
 }
@@ -68,8 +73,9 @@ TEST(RayCasterCuts, FloatsAreCutAsTheReferenceSays) { expectCutsLikeTheReference
 
 TEST(RayCasterCuts, ABoxThatLeavesNothingShowsNothing) {
     const Volume volume = constantVolume<std::uint8_t>({20, 20, 20}, 1.0);
-    const RenderBox boxes[] = {{{25, 0, 0}, {90, 20, 20}},     {{0, -90, 0}, {20, -30, 20}}, {{0, 0, 1e6}, {20, 20, 2e6}},
-                               {{12, 0, 0}, {8, 20, 20}},      {{5, 5, 5}, {5, 5, 5}},       {{0, 0, 1e9}, {20, 20, -1e9}},
+    const RenderBox boxes[] = {{{25, 0, 0}, {90, 20, 20}},     {{0, -90, 0}, {20, -30, 20}},
+                               {{0, 0, 1e6}, {20, 20, 2e6}},   {{12, 0, 0}, {8, 20, 20}},
+                               {{5, 5, 5}, {5, 5, 5}},         {{0, 0, 1e9}, {20, 20, -1e9}},
                                {{-90, -90, -90}, {-1, -1, -1}}};
     for (const RenderBox& box : boxes)
         for (const View& view : {View{}, View{BeamAxis::plusX, 33, -24, 5, 0}})
@@ -99,7 +105,8 @@ TEST(RayCasterCuts, PlanesThatLeaveNothingShowNothingAndPlanesBesideChangeNothin
                 if (!apartOnes) std::swap(settings.clippingPlanes[0].point, settings.clippingPlanes[1].point);
                 EXPECT_EQ(largestAlpha(*castRays(volume, haze, settings)), 0.0f);
                 settings.clippingPlanes = {{Vec3(10, 10, 10) - normal * 100.0, normal}};
-                EXPECT_TRUE(castRays(volume, haze, settings)->rgba == whole->rgba) << "all of the volume is on its side";
+                EXPECT_TRUE(castRays(volume, haze, settings)->rgba == whole->rgba)
+                    << "all of the volume is on its side";
                 settings.clippingPlanes = {{Vec3(10, 10, 10) + normal * 100.0, normal}};
                 EXPECT_EQ(largestAlpha(*castRays(volume, haze, settings)), 0.0f);
             }
@@ -167,7 +174,8 @@ struct Line {
 Line lineThrough(const RayCastSettings& settings, int column, int row) {
     const Camera& camera = settings.camera;
     const bool parallel = camera.projection == Projection::parallel;
-    const double height = parallel ? camera.heightMm : 2 * std::tan(camera.viewAngleDegrees / 2 * std::numbers::pi / 180);
+    const double height =
+        parallel ? camera.heightMm : 2 * std::tan(camera.viewAngleDegrees / 2 * std::numbers::pi / 180);
     const Vec3 across = camera.frame.right * ((column + 0.5 - settings.width / 2.0) * height / settings.height) +
                         camera.frame.down * ((row + 0.5 - settings.height / 2.0) * height / settings.height);
     if (parallel) return {camera.focalPoint + across - camera.frame.forward * 1e3, camera.frame.forward};
@@ -218,7 +226,9 @@ TEST(RayCasterCuts, AnOpaqueSphereHalfInsideTheVolumeIsRightFromSixSides) {
                         const Line line = lineThrough(settings, column, row);
                         const double there = inSphere(line, centre, radius).first;
                         const Vec3 point = line.from + line.direction * (std::isfinite(there) ? there : 0.0);
-                        map.depthMm.push_back(std::isfinite(there) ? static_cast<float>(settings.camera.frame.forward.dot(point)) : INFINITY);
+                        map.depthMm.push_back(std::isfinite(there)
+                                                  ? static_cast<float>(settings.camera.frame.forward.dot(point))
+                                                  : INFINITY);
                     }
                 settings.opaqueDepth = std::make_shared<const DepthMap>(map);
                 const auto picture = castRays(volume, everywhere(opacity), settings);
@@ -231,7 +241,8 @@ TEST(RayCasterCuts, AnOpaqueSphereHalfInsideTheVolumeIsRightFromSixSides) {
                         const double path = std::max(0.0, std::min(last, sphere) - first) / volume.geometry().unit();
                         const float* pixel = pixelAt(*picture, column, row);
                         // Samples are counted: the path may be a step longer or shorter.
-                        ASSERT_NEAR(pixel[3], 1 - std::pow(1 - opacity, path), 1.01 * opacity * stepMm / volume.geometry().unit())
+                        ASSERT_NEAR(pixel[3], 1 - std::pow(1 - opacity, path),
+                                    1.01 * opacity * stepMm / volume.geometry().unit())
                             << "side " << beam << ", " << column << "," << row;
                         const bool hidden = sphere <= first && first < last;
                         ASSERT_TRUE(!hidden || pixel[3] == 0.0f) << "the sphere hides the volume";

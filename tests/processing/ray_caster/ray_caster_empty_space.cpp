@@ -71,8 +71,8 @@ TEST(RayCasterEmptySpace, ASmallChangeComputesFewBricksAnew) {
     const BrickRanges ranges(volume);
     EmptySpace followed(ranges.grid());
     const auto showOnly = [&](double lowest, double highest) {
-        const TransferTable table = tableOf(ManualCurve{
-            {{lowest - 2e-3, 0.0}, {lowest, 0.5}, {highest, 0.5}, {highest + 2e-3, 0.0}}});
+        const TransferTable table =
+            tableOf(ManualCurve{{{lowest - 2e-3, 0.0}, {lowest, 0.5}, {highest, 0.5}, {highest + 2e-3, 0.0}}});
         followed.update(ranges, table);
         EmptySpace fresh(ranges.grid());
         fresh.update(ranges, table);
@@ -122,7 +122,8 @@ int distanceByDefinition(const BrickGrid& grid, const std::vector<bool>& visible
         for (std::int64_t k = z - distance; k <= z + distance; ++k)
             for (std::int64_t j = y - distance; j <= y + distance; ++j)
                 for (std::int64_t i = x - distance; i <= x + distance; ++i) {
-                    const bool inside = i >= 0 && j >= 0 && k >= 0 && i < grid.size[0] && j < grid.size[1] && k < grid.size[2];
+                    const bool inside =
+                        i >= 0 && j >= 0 && k >= 0 && i < grid.size[0] && j < grid.size[1] && k < grid.size[2];
                     if (inside && visible[grid.offset(i, j, k)]) return distance;
                 }
     return EmptySpace::farthest;
@@ -168,8 +169,9 @@ TEST(RayCasterEmptySpace, BrickRangesHoldEveryVoxelASampleMayTouch) {
                     const auto voxel = [](std::int64_t cell, bool far, std::int64_t size) {
                         return std::clamp<std::int64_t>(cell - 1 + (far ? 1 : 0), 0, size - 1);
                     };
-                    const double position = 2040.0 * volume.normalisedIntensity(volume.geometry().offset(
-                                                         voxel(x, corner & 1, 17), voxel(y, corner & 2, 8), voxel(z, corner & 4, 25)));
+                    const double position =
+                        2040.0 * volume.normalisedIntensity(volume.geometry().offset(
+                                     voxel(x, corner & 1, 17), voxel(y, corner & 2, 8), voxel(z, corner & 4, 25)));
                     const std::size_t brick = grid.offset(x / 8, y / 8, z / 8);
                     ASSERT_LE(static_cast<double>(ranges.lowest()[brick]), position);
                     ASSERT_GE(static_cast<double>(ranges.highest()[brick]), position - 1e-3);
@@ -182,8 +184,8 @@ void expectSamePictureWithoutSkipping() {
         const Volume hilly = hills<Voxel>({110, 104, 100}, 8);
         const Volume volume = masked ? sectorOf(hilly) : hilly;
         int which = 0;
-        for (const OpacityCurve& curve : {onlyBetween(0.66, 0.82, 0.3), onlyBetween(0.2, 0.3, 0.03),
-                                          OpacityCurve{LinearCurve{0.7, 0.5, 1.0}}}) {
+        for (const OpacityCurve& curve :
+             {onlyBetween(0.66, 0.82, 0.3), onlyBetween(0.2, 0.3, 0.03), OpacityCurve{LinearCurve{0.7, 0.5, 1.0}}}) {
             ++which;
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const bool rich : {false, true}) {
@@ -195,7 +197,10 @@ void expectSamePictureWithoutSkipping() {
                     settings.skipEmptySpace = false;
                     const auto whole = castRays(volume, curve, settings);
                     const Apart difference = apart(*skipping, *whole);
-                    EXPECT_LT(difference.largest, 1.0 / 16) << (masked ? "masked" : "whole") << (rich ? ", pre-integrated" : "") << ", curve " << which << (projection == Projection::parallel ? "" : ", perspective") << ", RMSE " << difference.rootMeanSquare;
+                    EXPECT_LT(difference.largest, 1.0 / 16)
+                        << (masked ? "masked" : "whole") << (rich ? ", pre-integrated" : "") << ", curve " << which
+                        << (projection == Projection::parallel ? "" : ", perspective") << ", RMSE "
+                        << difference.rootMeanSquare;
                     EXPECT_GT(largestAlpha(*whole), 0.01f);
                 }
         }
@@ -222,8 +227,8 @@ TEST(RayCasterEmptySpace, RaysDoJump) {
         }
 }
 
-/// levels: between the pictures. Where runs of samples begin depends on the jumps, and so does the last bit of a position:
-/// of words a thousandth of a level, of bytes a step in their shares of 7 bits.
+/// levels: between the pictures. Where runs of samples begin depends on the jumps, and so does the last bit of a
+/// position: of words a thousandth of a level, of bytes a step in their shares of 7 bits.
 template <typename Voxel>
 void expectJumpsToStop(double levels) {
     // Wherever it is: in brick corners, at borders, alone in the dark.
@@ -236,7 +241,8 @@ void expectJumpsToStop(double levels) {
         });
         View view{static_cast<BeamAxis>(i % 6), 50.0 * (i % 3 - 1), 20.0 * (i % 2), 0, 0};
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
-        settings.camera.focalPoint = Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
+        settings.camera.focalPoint =
+            Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
         settings.camera.heightMm = 4.0;
         settings.step = 0.6;
         if (i % 4 == 0) settings.camera.projection = Projection::perspective;

@@ -40,8 +40,9 @@ void expectSmallAndThinVolumes() {
                 settings.camera.projection = projection;
                 settings.step = std::max(1.0, spacing[2] / volume.geometry().unit() / 8);
                 if (seed % 3 == 0) settings.shading = Shading{};
-                expectReference(volume, PowerCurve{2, 0.4}, settings,
-                                nameOf(size) + " spacing " + std::to_string(spacing[0]) + ":" + std::to_string(spacing[2]));
+                expectReference(
+                    volume, PowerCurve{2, 0.4}, settings,
+                    nameOf(size) + " spacing " + std::to_string(spacing[0]) + ":" + std::to_string(spacing[2]));
             }
 }
 TEST(RayCasterExtremes, SmallAndThinVolumesOfBytes) { expectSmallAndThinVolumes<std::uint8_t>(); }
@@ -119,9 +120,10 @@ TEST(RayCasterExtremes, RaysAloneJumpOverWhatIsEmptyAndNoFarther) {
     constexpr std::int64_t length = 84000;
     std::mt19937 dice(8);
     std::vector<double> along(length);
-    for (std::size_t y = 60; y + 4 < along.size(); y += 90 + dice() % 130) std::fill_n(along.begin() + static_cast<std::ptrdiff_t>(y), 4, 0.6);
-    const Volume volume = volumeOf<std::uint8_t>({80, length, 1}, {1, 1, 1},
-                                                 [&](auto, auto y, auto) { return along[static_cast<std::size_t>(y)]; });
+    for (std::size_t y = 60; y + 4 < along.size(); y += 90 + dice() % 130)
+        std::fill_n(along.begin() + static_cast<std::ptrdiff_t>(y), 4, 0.6);
+    const Volume volume = volumeOf<std::uint8_t>(
+        {80, length, 1}, {1, 1, 1}, [&](auto, auto y, auto) { return along[static_cast<std::size_t>(y)]; });
     View view;
     view.beamAxis = BeamAxis::plusY;
     RayCastSettings settings = settingsFor(volume, view, 4, 1);
@@ -139,7 +141,8 @@ TEST(RayCasterExtremes, LargeSlicesAndLargeSteps) {
         {3000, 2900, 1}, {1, 1, 1}, [](auto x, auto y, auto) { return static_cast<double>((x + 2 * y) % 512) / 512; }));
     RayCaster caster(volume);
     for (const bool skip : {false, true})
-        for (const BeamAxis beam : {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusY, BeamAxis::minusZ})
+        for (const BeamAxis beam :
+             {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusY, BeamAxis::minusZ})
             for (const double step : {4.0, 40.0, 100.0}) {
                 View view = oblique;
                 view.beamAxis = beam;
@@ -147,7 +150,8 @@ TEST(RayCasterExtremes, LargeSlicesAndLargeSteps) {
                 settings.step = step;
                 settings.skipEmptySpace = skip;
                 const OpacityCurve curve = LinearCurve{0.4, 0.004, 1.0};
-                expectReference(*caster.cast(curve, settings), *volume, curve, settings, "step " + std::to_string(step));
+                expectReference(*caster.cast(curve, settings), *volume, curve, settings,
+                                "step " + std::to_string(step));
             }
     View along;
     along.beamAxis = BeamAxis::minusX;
@@ -178,7 +182,8 @@ TEST(RayCasterExtremes, NotFiniteHugeAndTinyFloats) {
     const Volume volume(geometry, voxels, 1.0);
     for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear})
         for (const bool shaded : {false, true})
-            for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::minimum, RenderMode::mean}) {
+            for (const RenderMode mode :
+                 {RenderMode::direct, RenderMode::maximum, RenderMode::minimum, RenderMode::mean}) {
                 RayCastSettings settings = settingsFor(volume, oblique, 31, 33);
                 settings.interpolation = interpolation;
                 settings.mode = mode;
@@ -226,9 +231,8 @@ TEST(RayCasterExtremes, CameraInsideOnTheFaceAndAlongAnAxis) {
 }
 
 TEST(RayCasterExtremes, OneOpaqueVoxelIsSeenFromEverywhereAndOnlyThere) {
-    const Volume volume = volumeOf<std::uint8_t>({21, 21, 21}, {1, 1, 1}, [](auto x, auto y, auto z) {
-        return x == 7 && y == 11 && z == 15 ? 1.0 : 0.0;
-    });
+    const Volume volume = volumeOf<std::uint8_t>(
+        {21, 21, 21}, {1, 1, 1}, [](auto x, auto y, auto z) { return x == 7 && y == 11 && z == 15 ? 1.0 : 0.0; });
     for (int beam = 0; beam < 6; ++beam) {
         View view;
         view.beamAxis = static_cast<BeamAxis>(beam);
@@ -243,8 +247,9 @@ TEST(RayCasterExtremes, OneOpaqueVoxelIsSeenFromEverywhereAndOnlyThere) {
                 const Vec3 across = settings.camera.frame.right * ((column + 0.5) / 5 - 10.5) +
                                     settings.camera.frame.down * ((row + 0.5) / 5 - 10.5);
                 const Vec3 there = Vec3(7, 11, 15) - Vec3(10, 10, 10);
-                const bool inside = std::abs(there.dot(settings.camera.frame.right) - across.dot(settings.camera.frame.right)) < 0.5 &&
-                                    std::abs(there.dot(settings.camera.frame.down) - across.dot(settings.camera.frame.down)) < 0.5;
+                const bool inside =
+                    std::abs(there.dot(settings.camera.frame.right) - across.dot(settings.camera.frame.right)) < 0.5 &&
+                    std::abs(there.dot(settings.camera.frame.down) - across.dot(settings.camera.frame.down)) < 0.5;
                 ASSERT_EQ(pixelAt(*seen, column, row)[3], inside ? 1.0f : 0.0f) << column << "," << row;
             }
     }

@@ -11,8 +11,8 @@ namespace {
 
 std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
 
-/// The picture from kept samples is that of castRays() but for what 16 bits a sample cost: 1/512 of a byte's step, enough
-/// to reach the next entry of the bytes' opacities; and the time when a ray ends.
+/// The picture from kept samples is that of castRays() but for what 16 bits a sample cost: 1/512 of a byte's step,
+/// enough to reach the next entry of the bytes' opacities; and the time when a ray ends.
 void expectSameAsAlone(RayCaster& caster, const OpacityCurve& curve, const RayCastSettings& settings,
                        const std::string& what) {
     const auto picture = caster.cast(curve, settings), alone = castRays(*caster.volume(), curve, settings);
@@ -27,10 +27,10 @@ void expectSameAsAlone(RayCaster& caster, const OpacityCurve& curve, const RayCa
 }
 
 const std::vector<std::pair<std::string, OpacityCurve>> edits{
-    {"opaque", PowerCurve{1, 3.0}},          {"transparent", PowerCurve{2, 0.01}},
-    {"opaque again", everywhere(0.95)},      {"narrow", onlyBetween(0.5, 0.9, 0.3)},
-    {"nothing", everywhere(0.0)},            {"adaptive", SampledCurve{{0, 0, 0.02, 0, 0.3, 0.6, 0.2, 1.0}}},
-    {"wholly opaque", everywhere(1.0)},      {"very transparent", everywhere(1e-4)},
+    {"opaque", PowerCurve{1, 3.0}},        {"transparent", PowerCurve{2, 0.01}},
+    {"opaque again", everywhere(0.95)},    {"narrow", onlyBetween(0.5, 0.9, 0.3)},
+    {"nothing", everywhere(0.0)},          {"adaptive", SampledCurve{{0, 0, 0.02, 0, 0.3, 0.6, 0.2, 1.0}}},
+    {"wholly opaque", everywhere(1.0)},    {"very transparent", everywhere(1e-4)},
     {"linear", LinearCurve{0.2, 0.7, 0.9}}};
 
 void expectEditsFollowed(const Volume& volume, const RayCastSettings& settings, const std::string& what) {
@@ -132,7 +132,8 @@ TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
         RayCastSettings settings = plain;
         change(settings);
         for (int i = 0; i < 3; ++i) expectSameAsAlone(caster, PowerCurve{2, 0.2 + 0.1 * i}, settings, what);
-        for (int i = 0; i < 3; ++i) expectSameAsAlone(caster, PowerCurve{2, 0.2 + 0.1 * i}, plain, std::string("before ") + what);
+        for (int i = 0; i < 3; ++i)
+            expectSameAsAlone(caster, PowerCurve{2, 0.2 + 0.1 * i}, plain, std::string("before ") + what);
     };
     using Settings = RayCastSettings;
     other("another camera", [](Settings& s) { s.camera.focalPoint[0] += 3.0; });
@@ -201,8 +202,9 @@ TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
         Progress progress;
         progress.cancel = &cancel;
         progress.report = [&](double share) { cancel = cancel || share > stopAt; };
-        tbb::task_arena(1).execute(
-            [&] { EXPECT_FALSE(caster.cast(PowerCurve{1, 2.0}, settings, progress).has_value()); });
+        tbb::task_arena(1).execute([&] {
+            EXPECT_FALSE(caster.cast(PowerCurve{1, 2.0}, settings, progress).has_value());
+        });
         EXPECT_GT(caster.keptSampleBytes(), 0u);
         for (const double scale : {0.05, 2.0}) {
             if (stopAt < 0.5) continue;  // cancelled again before it is whole
@@ -212,9 +214,8 @@ TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
 }
 
 TEST(RayCasterKept, RaysOfOnePacketFarApartAreNotMixedUp) {
-    const Volume volume = volumeOf<std::uint8_t>({32768, 1, 1}, {1, 1, 1}, [](auto x, auto, auto) {
-        return static_cast<double>(x * 37 / 100 % 100) / 100;
-    });
+    const Volume volume = volumeOf<std::uint8_t>(
+        {32768, 1, 1}, {1, 1, 1}, [](auto x, auto, auto) { return static_cast<double>(x * 37 / 100 % 100) / 100; });
     RayCastSettings settings = settingsFor(volume, View{}, 4, 1);
     settings.camera.heightMm = 8000.0;
     settings.step = 0.05;

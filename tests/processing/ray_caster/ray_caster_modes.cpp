@@ -278,7 +278,8 @@ TEST(RayCasterModes, JitterMovesRaysByAnyShareOfAStepAndFavoursNone) {
             const auto picture = castRays(volume, everywhere(1.0), settings);
             double sum = 0.0, squares = 0.0, neighbours = 0.0, before = 0.25;
             for (const float depth : picture->depthMm) {
-                // Of a step behind the face: the first step is cut there, and sampled in the middle of what is left of it.
+                // Of a step behind the face: the first step is cut there, and sampled in the middle of what is left of
+                // it.
                 const double share = (static_cast<double>(depth) + 0.5) / step;
                 ASSERT_GE(share, -1e-3);
                 ASSERT_LT(share, 0.501);

@@ -22,9 +22,9 @@ inline bool isOfBytes(const Volume& volume) {
     return std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels());
 }
 
-/// How far the kernel's pixels may be from the reference's in volumes whose neighbouring voxels have nothing to do with each
-/// other. Its shares between bytes have 7 bits along y, so that a sample of such noise may be off by 1/127 of white; those of
-/// other voxels, and steps, cuts, masks and curves, are the same for all: there the tolerance is small.
+/// How far the kernel's pixels may be from the reference's in volumes whose neighbouring voxels have nothing to do with
+/// each other. Its shares between bytes have 7 bits along y, so that a sample of such noise may be off by 1/127 of
+/// white; those of other voxels, and steps, cuts, masks and curves, are the same for all: there the tolerance is small.
 inline double noiseTolerance(const Volume& volume, bool shaded) {
     if (isOfBytes(volume)) return shaded ? 0.08 : 0.02;
     return shaded ? 3e-3 : 2e-4;
@@ -61,9 +61,9 @@ public:
         m_closestToHalf = 1.0;
         m_opaqueDepth = std::numeric_limits<double>::infinity();
         if (const DepthMap* map = m_settings.opaqueDepth.get())
-            m_opaqueDepth = static_cast<double>(
-                map->depthMm[static_cast<std::size_t>((2 * row + 1) * map->height / (2 * m_settings.height) * map->width +
-                                                      (2 * column + 1) * map->width / (2 * m_settings.width))]);
+            m_opaqueDepth = static_cast<double>(map->depthMm[static_cast<std::size_t>(
+                (2 * row + 1) * map->height / (2 * m_settings.height) * map->width +
+                (2 * column + 1) * map->width / (2 * m_settings.width))]);
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -137,7 +137,8 @@ private:
             // Steps are cut where what is rendered begins and ends.
             const double begin = std::max(step, enter), end = std::min(step + 1.0, leave);
             if (!(begin < end)) continue;
-            const auto sample = sampleAt(origin + direction * ((begin + end) / 2 * stepMm), direction, before, end - begin);
+            const auto sample =
+                sampleAt(origin + direction * ((begin + end) / 2 * stepMm), direction, before, end - begin);
             if (!sample) continue;
             samples.push_back(*sample);
             before *= 1.0 - sample->alpha;

@@ -25,13 +25,15 @@ void expectRoutesAgree() {
     for (const Volume& volume : {whole, sectorOf(whole)})
         for (const Projection projection : {Projection::parallel, Projection::perspective})
             for (const double end : {0.0, 1.0 / 128, 0.2})
-                for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{1, 0.9}}, everywhere(0.3), onlyBetween(0.4, 0.9, 0.5)}) {
+                for (const OpacityCurve& curve :
+                     {OpacityCurve{PowerCurve{1, 0.9}}, everywhere(0.3), onlyBetween(0.4, 0.9, 0.5)}) {
                     RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 31, -22, 7, 0}, 61, 53);
                     settings.camera.projection = projection;
                     settings.terminationTransmittance = end;
                     // Positions differ in their last bit; of bytes that may be a step in their shares of 7 bits.
-                    expectSameOnBothRoutes(volume, curve, settings, std::is_same_v<Voxel, std::uint8_t> ? 1.0 : 0.1,
-                                           "ends at " + std::to_string(end) + ", curve " + std::to_string(curve.index()));
+                    expectSameOnBothRoutes(
+                        volume, curve, settings, std::is_same_v<Voxel, std::uint8_t> ? 1.0 : 0.1,
+                        "ends at " + std::to_string(end) + ", curve " + std::to_string(curve.index()));
                 }
 }
 TEST(RayCasterRoutes, BytesAreShownAlikeOnBoth) { expectRoutesAgree<std::uint8_t>(); }
@@ -39,7 +41,8 @@ TEST(RayCasterRoutes, WordsAreShownAlikeOnBoth) { expectRoutesAgree<std::uint16_
 TEST(RayCasterRoutes, FloatsAreShownAlikeOnBoth) { expectRoutesAgree<float>(); }
 
 TEST(RayCasterRoutes, ARayThatHasEndedGetsNothingOfTheBackFace) {
-    // On the left opaque early on. On the right, for some rays of the same packet, nothing but the outermost half voxel, which all rays leave through.
+    // On the left opaque early on. On the right, for some rays of the same packet, nothing but the outermost half
+    // voxel, which all rays leave through.
     const Volume volume = volumeOf<std::uint8_t>({16, 16, 40}, {1, 1, 1}, [](auto x, auto, auto z) {
         return z == 39 ? 1.0 : x < 6 && z > 5 && z < 9 ? 0.5 : 0.0;
     });

@@ -19,7 +19,8 @@ TEST(RayCasterTables, ColoursAsSumsAreThoseOfTheMap) {
             const double intensity = i / 1000.0;
             const Vec3 expected = colourOf(map, intensity);
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                double colour = static_cast<double>(bends.base[channel]) + static_cast<double>(bends.slope[channel]) * intensity;
+                double colour =
+                    static_cast<double>(bends.base[channel]) + static_cast<double>(bends.slope[channel]) * intensity;
                 for (int bend = 0; bend < ColourBends::count; ++bend)
                     colour += static_cast<double>(bends.change[channel][static_cast<std::size_t>(bend)]) *
                               std::max(0.0, intensity - static_cast<double>(ColourBends::at(bend)));
@@ -36,7 +37,8 @@ TEST(RayCasterTables, BytesHaveTheOpacityOfTheCurve) {
         const ByteOpacities opacities(table, TransferTable::intervals / white);
         for (int i = 0; i <= 255 * ByteOpacities::perLevel; ++i) {
             const double intensity = std::min(1.0, i / (ByteOpacities::perLevel * white));
-            EXPECT_NEAR(static_cast<double>(opacities.data()[i]), opacityForStep(opacityAt(curve, intensity), 0.7), 1e-6)
+            EXPECT_NEAR(static_cast<double>(opacities.data()[i]), opacityForStep(opacityAt(curve, intensity), 0.7),
+                        1e-6)
                 << white << " " << i;
         }
     }
@@ -60,7 +62,8 @@ TEST(RayCasterTables, NothingThatIsVisibleLiesBelowTheFirstVisible) {
 }
 
 TEST(RayCasterTables, BytesOfASmoothVolumeAreShownToATenthOfALevel) {
-    // At most 12 levels from voxel to voxel, as between the structures of a scan: shares of 7 bits are a tenth of a level.
+    // At most 12 levels from voxel to voxel, as between the structures of a scan: shares of 7 bits are a tenth of a
+    // level.
     const Volume volume = volumeOf<std::uint8_t>({48, 45, 50}, {1, 0.9, 1.1}, [](auto x, auto y, auto z) {
         return 0.5 + 0.24 * std::sin(0.17 * static_cast<double>(x) + 0.4) * std::cos(0.19 * static_cast<double>(y)) +
                0.24 * std::sin(0.13 * static_cast<double>(z) - 0.08 * static_cast<double>(y));

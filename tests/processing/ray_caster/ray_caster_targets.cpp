@@ -40,25 +40,39 @@ std::vector<Case> casesFor(const Volume& volume, int width, int height) {
     add("shaded, empty space", shade, narrow);
     add("masked", nothing, power).masked = true;
     add("masked, shaded", shade, power).masked = true;
-    add("pre-integrated", [](Settings& s) { s.preIntegrated = true; }, narrow);
-    add("maximum", [](Settings& s) { s.mode = RenderMode::maximum; }, power);
-    add("minimum", [](Settings& s) { s.mode = RenderMode::minimum; }, power);
-    add("mean, masked", [](Settings& s) { s.mode = RenderMode::mean; }, power).masked = true;
-    add("nearest", [](Settings& s) { s.interpolation = Interpolation::nearest; }, power);
-    add("perspective", [](Settings& s) { s.camera.projection = Projection::perspective; }, power);
-    add("tinted by depth, jittered", [](Settings& s) {
-        s.depthColouring = DepthColouring{};
-        s.jittered = true;
-    }, power);
+    add(
+        "pre-integrated", [](Settings& s) { s.preIntegrated = true; }, narrow);
+    add(
+        "maximum", [](Settings& s) { s.mode = RenderMode::maximum; }, power);
+    add(
+        "minimum", [](Settings& s) { s.mode = RenderMode::minimum; }, power);
+    add(
+        "mean, masked", [](Settings& s) { s.mode = RenderMode::mean; }, power)
+        .masked = true;
+    add(
+        "nearest", [](Settings& s) { s.interpolation = Interpolation::nearest; }, power);
+    add(
+        "perspective", [](Settings& s) { s.camera.projection = Projection::perspective; }, power);
+    add(
+        "tinted by depth, jittered",
+        [](Settings& s) {
+            s.depthColouring = DepthColouring{};
+            s.jittered = true;
+        },
+        power);
     add("kept", nothing, power).kept = true;
     add("kept, masked, shaded", shade, narrow).masked = true;
     cases.back().kept = true;
-    add("along an axis, where no step is cut", [&](Settings& s) {
-        const Settings straight = settingsFor(volume, View{}, width, height);
-        s.camera = straight.camera;
-        s.nearPlaneDepthMm = straight.nearPlaneDepthMm;
-    }, power);
-    add("thick steps", [](Settings& s) { s.step = 2.7; }, power);
+    add(
+        "along an axis, where no step is cut",
+        [&](Settings& s) {
+            const Settings straight = settingsFor(volume, View{}, width, height);
+            s.camera = straight.camera;
+            s.nearPlaneDepthMm = straight.nearPlaneDepthMm;
+        },
+        power);
+    add(
+        "thick steps", [](Settings& s) { s.step = 2.7; }, power);
     return cases;
 }
 
@@ -150,8 +164,9 @@ TEST(RayCasterTargets, WhatARayShowsDoesNotDependOnThePicturesSize) {
         for (int row = 0; row < 81; ++row)
             for (int column = 0; column < 81; ++column)
                 for (int channel = 0; channel < 4; ++channel)
-                    largest = std::max(largest, std::abs(static_cast<double>(pixelAt(*picture, column, row)[channel]) -
-                                                         static_cast<double>(pixelAt(*wider, column + 1, row + 1)[channel])));
+                    largest =
+                        std::max(largest, std::abs(static_cast<double>(pixelAt(*picture, column, row)[channel]) -
+                                                   static_cast<double>(pixelAt(*wider, column + 1, row + 1)[channel])));
         EXPECT_LT(largest * 255, 0.3);
     }
 }

@@ -14,10 +14,10 @@
 #include "app/measuring/stability/study_stability_inputs.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/cell_statistics.h"
-#include "processing/tube_core/tube_grid.h"
-#include "processing/tube_core/tube_quality.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/slabs/tube_slabs.h"
+#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/tube_quality.h"
 
 namespace echolucent {
 namespace {

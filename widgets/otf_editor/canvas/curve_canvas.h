@@ -7,8 +7,8 @@
 
 #include "processing/volume/histogram.h"
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
-#include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
+#include "widgets/otf_editor/otf_editor_model.h"
 
 namespace echolucent {
 

@@ -48,8 +48,7 @@ CameraPose orbited(CameraPose pose, double right, double down) {
     // The drag as seen in the picture before its roll, whose axes the two angles turn about.
     const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
     pose.view.azimuthDegrees = wrapped(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
-    pose.view.elevationDegrees =
-        std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);
+    pose.view.elevationDegrees = std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);
     return pose;
 }
 

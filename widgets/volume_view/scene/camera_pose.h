@@ -7,9 +7,9 @@ namespace echolucent {
 
 /// A camera kept as the angles a person turns, so that orbiting never rolls and the view can be told exactly.
 struct CameraPose {
-    View view;                   ///< direction, roll and near cut
-    Vec3 focalPoint{0, 0, 0};    ///< grid mm; seen at the picture's centre
-    double heightMm = 1.0;       ///< of the picture, in the plane of the focal point, for both projections; > 0
+    View view;                 ///< direction, roll and near cut
+    Vec3 focalPoint{0, 0, 0};  ///< grid mm; seen at the picture's centre
+    double heightMm = 1.0;     ///< of the picture, in the plane of the focal point, for both projections; > 0
     Projection projection = Projection::parallel;
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
@@ -21,7 +21,8 @@ struct ZoomLimits {
 };
 [[nodiscard]] ZoomLimits zoomLimits(const VolumeGeometry& geometry);
 
-/// The camera for the ray caster. In perspective the eye stands where the plane of the focal point has the pose's height.
+/// The camera for the ray caster. In perspective the eye stands where the plane of the focal point has the pose's
+/// height.
 [[nodiscard]] Camera cameraFor(const CameraPose& pose);
 
 /// The whole volume in the picture, seen along a view (see defaultCamera()).

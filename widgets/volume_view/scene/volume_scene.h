@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "widgets/volume_view/scene/annotation/orientation_marker.h"
+#include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
 #include "widgets/volume_view/scene/opaque_depth.h"
-#include "widgets/volume_view/scene/annotation/orientation_marker.h"
 #include "widgets/volume_view/scene/picture_request.h"
-#include "widgets/volume_view/scene/annotation/scale_bar.h"
 
 class vtkRenderer;
 class vtkVolume;

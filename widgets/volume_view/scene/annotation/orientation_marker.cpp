@@ -14,14 +14,15 @@ namespace echolucent {
 
 namespace {
 
-constexpr double armLength = 40.0;      // pixels of a plain screen
-constexpr double letterDistance = 10.0; // beyond the arm's end
+constexpr double armLength = 40.0;       // pixels of a plain screen
+constexpr double letterDistance = 10.0;  // beyond the arm's end
 constexpr double lineWidth = 3.0;
 constexpr double discRadius = 5.0;
-constexpr double alongSight = 0.2;     // an arm seen shorter than this share is a disc
-constexpr double dimming = 0.55;       // of what points away from the viewer
+constexpr double alongSight = 0.2;  // an arm seen shorter than this share is a disc
+constexpr double dimming = 0.55;    // of what points away from the viewer
 
-constexpr std::array<Colour, 3> axisColours{Colour{0xe0, 0x7b, 0x7b}, Colour{0x8f, 0xbc, 0x8f}, Colour{0x7d, 0xae, 0xe8}};
+constexpr std::array<Colour, 3> axisColours{Colour{0xe0, 0x7b, 0x7b}, Colour{0x8f, 0xbc, 0x8f},
+                                            Colour{0x7d, 0xae, 0xe8}};
 constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
 
 Colour dimmedAway(const Colour& colour, double towardsViewer) {

@@ -15,9 +15,9 @@ namespace echolucent {
 
 namespace {
 constexpr Colour black{0, 0, 0};
-constexpr double rim = 1.0;          // pixels around a shape
+constexpr double rim = 1.0;  // pixels around a shape
 constexpr double rimOpacity = 0.55;
-constexpr double feather = 0.5;      // an edge fades over twice this, pixels
+constexpr double feather = 0.5;  // an edge fades over twice this, pixels
 }  // namespace
 
 SmoothLines::SmoothLines() {
