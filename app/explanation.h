@@ -18,7 +18,7 @@ struct PictureFacts {
     const Volume& volume;
     const AdaptiveOtf* otf;  ///< null: not computed yet
     MotionOtf motion;        ///< which OTF the frames of a motion show
-    View view;
+    Viewpoint view;
     CurveKind active;
     RenderMode mode;
     bool shaded;

@@ -9,7 +9,7 @@
 #include "app/motion_player.h"
 #include "app/session.h"
 #include "app/settings.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "widgets/motion/otf_course.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -92,7 +92,7 @@ private:
     void volumeChanged();
     void otfComputed();
     void showNearCutRange();
-    void computeFor(const View& view);
+    void computeFor(const Viewpoint& view);
     void computeForThisView();
     void setNearCut(double mm);
     void suggestNearCut();
@@ -110,7 +110,7 @@ private:
     void cameraMovedByPerson();
     void showFrameRate();
     void beginMotionAtRest();
-    [[nodiscard]] View motionView() const;
+    [[nodiscard]] Viewpoint motionView() const;
     [[nodiscard]] SampledCurve curveToShow(const AdaptiveOtf& otf);
     void keepCourseOf(const AdaptiveOtfConfig& config);
     [[nodiscard]] CourseFrame courseFrame() const;
@@ -153,16 +153,16 @@ private:
     QMenu* m_recentMenu = nullptr;
     QMenu* m_docksMenu = nullptr;
 
-    View m_otfView;      ///< the view of the newest OTF asked for
-    View m_motionStart;  ///< the view at angle 0 of the motion
-    View m_nearCutView;  ///< the view for which a near cut is looked for
+    Viewpoint m_otfView;      ///< the view of the newest OTF asked for
+    Viewpoint m_motionStart;  ///< the view at angle 0 of the motion
+    Viewpoint m_nearCutView;  ///< the view for which a near cut is looked for
     bool m_lookingForNearCut = false;
     std::shared_ptr<const AdaptiveOtf> m_shownOtf;  ///< of the adaptive curve shown; null before a study's first
     bool m_frameWaits = false;                      ///< the present frame of the motion is shown once its OTF is there
     /// What the course's rows have in common; another one begins a new course.
     struct CourseKey {
         const Study* study = nullptr;
-        View start;
+        Viewpoint start;
         MotionAxis axis = MotionAxis::y;
         AdaptiveOtfConfig config;
         OtfCourse::Rows rows = OtfCourse::Rows::angles;

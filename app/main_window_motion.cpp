@@ -46,7 +46,9 @@ void MainWindow::beginMotionAtRest() {
     m_motionPlayer.setAngle(0);
 }
 
-View MainWindow::motionView() const { return turned(m_motionStart, m_motionPlayer.axis(), m_motionPlayer.angle()); }
+Viewpoint MainWindow::motionView() const {
+    return turned(m_motionStart, m_motionPlayer.axis(), m_motionPlayer.angle());
+}
 
 void MainWindow::showMotionFrame(double angle, int phase) {
     m_motionPanel->setAngle(angle);

@@ -49,7 +49,7 @@ void MainWindow::volumeChanged() {
     m_otfEditor->setHistogram(m_session.histogram());
     m_otfEditor->setWhiteLevel(m_session.volume()->whiteLevel());
     if (otherStudy) {
-        m_otfView = View{};
+        m_otfView = Viewpoint{};
         m_shownOtf.reset();
         m_messageBar->setRemark({});
         m_viewPanel->setPhaseCount(static_cast<int>(m_session.study()->phases.size()));
@@ -80,7 +80,7 @@ AdaptiveOtfConfig MainWindow::methodConfig() const {
     return config;
 }
 
-void MainWindow::computeFor(const View& view) {
+void MainWindow::computeFor(const Viewpoint& view) {
     m_otfView = view;
     m_session.requestOtf(view, methodConfig());
 }
@@ -114,7 +114,7 @@ void MainWindow::otfComputed() {
 void MainWindow::setNearCut(double mm) {
     m_volumeView->setNearCut(mm);
     m_motionStart.nearCutMm = mm;
-    View view = m_otfView;
+    Viewpoint view = m_otfView;
     view.nearCutMm = mm;
     // The tubes begin where the picture begins.
     computeFor(view);
@@ -161,7 +161,7 @@ void MainWindow::takeNearCut(const NearCutSuggestion& suggestion) {
 
 void MainWindow::setBeamAxis(BeamAxis axis) {
     if (!m_session.volume()) return;
-    View view;
+    Viewpoint view;
     view.beamAxis = axis;
     m_otfView = view;
     m_viewPanel->setNearCutMm(0);
@@ -173,7 +173,7 @@ void MainWindow::setBeamAxis(BeamAxis axis) {
 }
 
 void MainWindow::resetView() {
-    View view;
+    Viewpoint view;
     view.beamAxis = m_viewPanel->beamAxis();
     view.nearCutMm = m_viewPanel->nearCutMm();
     m_motionPlayer.pause();

@@ -87,7 +87,7 @@ void Session::show(int phase) {
     emit volumeChanged();
 }
 
-void Session::requestOtf(const View& view, const AdaptiveOtfConfig& config) {
+void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
     if (!m_volume) return;
     m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, view,
                         config](const Progress& progress) -> NewestWinsThread::Deliver {
@@ -107,7 +107,7 @@ void Session::requestOtf(const View& view, const AdaptiveOtfConfig& config) {
     });
 }
 
-void Session::requestNearCut(const View& view, const AdaptiveOtfConfig& config) {
+void Session::requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config) {
     if (!m_volume) return;
     m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume, view,
                         config](const Progress& progress) -> NewestWinsThread::Deliver {

@@ -44,23 +44,23 @@ public:
     void setPhase(int phase);
 
     /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
-    void requestOtf(const View& view, const AdaptiveOtfConfig& config);
+    void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
     [[nodiscard]] bool computingOtf() const { return m_otfThread.busy(); }
     /// The newest result for the volume shown; null where there is none yet.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
 
     /// Looks for the near cut of the volume shown, in the same thread: takes the place of an OTF that is being
     /// computed, and a newer request takes its place.
-    void requestNearCut(const View& view, const AdaptiveOtfConfig& config);
+    void requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config);
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
     void cancelComputing() { m_otfThread.cancel(); }
 
     /// The pipeline run by requestOtf; tests put one in its place that ends on command.
-    using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const View&, const AdaptiveOtfConfig&,
+    using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
                                                               const Progress&)>;
     void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
     /// The same for requestNearCut.
-    using NearCutSearch = std::function<std::optional<NearCutSuggestion>(const Volume&, const View&,
+    using NearCutSearch = std::function<std::optional<NearCutSuggestion>(const Volume&, const Viewpoint&,
                                                                          const AdaptiveOtfConfig&, const Progress&)>;
     void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }
 

@@ -48,7 +48,7 @@ struct RowTimes {
 /// The stages of one row of the grid: samples, cells, surface, in the paper's order. One per row and thread.
 class TubeRow {
 public:
-    TubeRow(const Volume& volume, const View& view, const AdaptiveOtfConfig& config, const ScaleSpace& scaleSpace)
+    TubeRow(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, const ScaleSpace& scaleSpace)
         : m_config(config), m_smoother(scaleSpace), m_reader(volume, view, config, true) {}
 
     /// Fills the row's tubes; leaves them half done where cancelled.
@@ -290,7 +290,7 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     return {};
 }
 
-std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
+std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
                                         const Progress& progress) {
     if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
     StopWatch total, stage;

@@ -10,7 +10,7 @@
 
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -158,7 +158,7 @@ struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
     AdaptiveOtfConfig config;                      ///< as asked for
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, along the view's right and down axes
-    View view;
+    Viewpoint view;
     Vec3 directionVoxel{0, 0, 1};          ///< unit, voxel index space
     double tubeLengthUnit = 1.0;           ///< mm per unit
     int tubesMeetingVolume = 0;            ///< T and N
@@ -177,7 +177,7 @@ struct AdaptiveOtf {
 
 /// Runs the method. Empty only where progress.cancel was raised. The same bits for any number of threads.
 /// Throws std::invalid_argument where problemOf(config) is not empty.
-[[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const View& view,
+[[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {});
 
 /// g_t(x) of eq. 5 with its erratum, in the scaled form: u = ((x - low) + (x - high)) / (high - low),

@@ -75,9 +75,9 @@ double bestCut(const std::vector<FluidStretch>& stretches, double volumeDepth) {
 
 }  // namespace
 
-std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View& view, const AdaptiveOtfConfig& config,
-                                                const Progress& progress) {
-    View uncut = view;
+std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view,
+                                                const AdaptiveOtfConfig& config, const Progress& progress) {
+    Viewpoint uncut = view;
     uncut.nearCutMm = 0.0;
     const auto otf = adaptOpacity(volume, uncut, config, progress);
     if (!otf) return std::nullopt;

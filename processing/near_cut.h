@@ -6,14 +6,14 @@
 
 #include "processing/adaptive_otf.h"
 #include "processing/progress.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
 
 /// A near cut and how it was found.
 struct NearCutSuggestion {
-    double nearCutMm = 0.0;    ///< as View::nearCutMm; 0: nothing stands in front
+    double nearCutMm = 0.0;    ///< as Viewpoint::nearCutMm; 0: nothing stands in front
     int tubesWithSurface = 0;  ///< tube cores whose surface was found
     int tubesInFluid = 0;      ///< ... of these, how many have entered fluid at the cut and not reached their surface
     std::string message;       ///< a sentence where nothing can be suggested ("no surface found: ..."); else empty
@@ -21,7 +21,7 @@ struct NearCutSuggestion {
 
 /// The depth at which most tube cores have entered fluid, measured without the view's own near cut. Empty only where
 /// cancelled.
-[[nodiscard]] std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View& view,
+[[nodiscard]] std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view,
                                                               const AdaptiveOtfConfig& config,
                                                               const Progress& progress = {});
 

@@ -10,7 +10,7 @@
 
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
@@ -43,7 +43,7 @@ struct Camera {
 /// The camera of the default picture: parallel, looking along the view, the whole box in the picture with 4 % of its
 /// extent to spare, for a picture of that width / height (> 0). Its perspective values are set too: switching the
 /// projection keeps the whole box in the picture.
-[[nodiscard]] Camera defaultCamera(const VolumeGeometry& geometry, const View& view, double aspect);
+[[nodiscard]] Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect);
 
 /// Gradient (Blinn-Phong) shading by one directional light. The gradient is a central difference of trilinear samples
 /// in normalised intensity per unit; the surface's normal points to the darker side. Speckle has gradients too, so a

@@ -9,7 +9,7 @@
 #include "io/study.h"
 #include "processing/adaptive_otf.h"
 #include "processing/result.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 
 namespace echolucent::cli {
 
@@ -45,15 +45,15 @@ struct VolumeOptions {
 
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
-    View view;
+    Viewpoint view;
     std::string beamAxis = "+z";
     std::string near = "0";
     void addTo(CLI::App& command);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
-    [[nodiscard]] Result<View> get() const;
+    [[nodiscard]] Result<Viewpoint> get() const;
     /// The view of a volume, the near cut suggested where that was asked for (and said on stderr).
-    [[nodiscard]] Result<View> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
+    [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 
 /// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale,

@@ -107,7 +107,7 @@ Result<Vec3> backgroundFrom(const std::string& text) {
 }
 
 /// The curve that was asked for; the adaptive one is computed for the rendered view, near cut included.
-OpacityCurve curveFor(const Volume& volume, const View& view, const std::optional<OpacityCurve>& named,
+OpacityCurve curveFor(const Volume& volume, const Viewpoint& view, const std::optional<OpacityCurve>& named,
                       const AdaptiveOtfConfig& config) {
     if (named) return *named;
     const auto otf = adaptOpacity(volume, view, config);

@@ -65,7 +65,7 @@ Result<RayCastSettings> settingsFrom(const SweepOptions& options) {
 }
 
 /// The OTF of the view from which the probe turns, for all frames: what a person sees who computes no other.
-std::vector<SweptOtf> withOneOtf(const Study& study, const View& start, const std::vector<SweepFrame>& frames,
+std::vector<SweptOtf> withOneOtf(const Study& study, const Viewpoint& start, const std::vector<SweepFrame>& frames,
                                  const AdaptiveOtfConfig& config, int phase) {
     const auto otf = adaptOpacity(*study.phases[static_cast<std::size_t>(phase)], start, config);
     double sumOfD = 0.0;

@@ -53,7 +53,7 @@ Json primitivesJson(const PhantomTruth& truth) {
 }
 
 /// The truth along one tube core: depths in units from where the tube core's axis enters the picture.
-Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view, const TubeAxis& axis,
+Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view, const TubeAxis& axis,
               int cellSize) {
     Json tube{{"u", axis.column},         {"v", axis.row},
               {"entry_voxel", nullptr},   {"depth_units", nullptr},
@@ -78,7 +78,7 @@ Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const V
     return tube;
 }
 
-Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const View& view,
+Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const Viewpoint& view,
                const AdaptiveOtfConfig& tubes) {
     const VolumeGeometry geometry = geometryOf(config);
     Json all = Json::array();
@@ -89,7 +89,8 @@ Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const Vie
 
 }  // namespace
 
-std::string truthReport(const std::vector<PhantomConfig>& phases, const View& view, const AdaptiveOtfConfig& tubes) {
+std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view,
+                        const AdaptiveOtfConfig& tubes) {
     const PhantomConfig& first = phases.front();
     Json report;
     report["config"] = configJson(first);

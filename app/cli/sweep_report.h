@@ -12,7 +12,7 @@ namespace echolucent::cli {
 
 struct SweepReport {
     std::string volume = {};  ///< as the person named it
-    View start = {};
+    Viewpoint start = {};
     Motion motion = {};
     std::optional<OtfSmoothing> smoothing = {};  ///< none: one OTF for all frames
     std::span<const SweptOtf> frames = {};

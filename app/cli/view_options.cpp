@@ -30,7 +30,7 @@ void ViewOptions::addTo(CLI::App& command) {
         ->capture_default_str();
 }
 
-Result<View> ViewOptions::get() const {
+Result<Viewpoint> ViewOptions::get() const {
     const bool signMissing = beamAxis.size() == 1;
     const auto axis = beamAxisFromName(signMissing ? "+" + beamAxis : beamAxis);
     if (!axis)
@@ -40,7 +40,7 @@ Result<View> ViewOptions::get() const {
     if (!(std::abs(view.azimuthDegrees) <= 36000.0) || !(std::abs(view.elevationDegrees) <= 36000.0))
         return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation",
                     "must be angles in degrees, -36000 to 36000");
-    View chosen = view;
+    Viewpoint chosen = view;
     chosen.beamAxis = *axis;
     if (nearCutSuggested()) return chosen;
     const auto cut = parseNumbers(near, 1, "--near");
@@ -50,7 +50,7 @@ Result<View> ViewOptions::get() const {
     return chosen;
 }
 
-Result<View> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config) const {
+Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config) const {
     auto chosen = get();
     if (!chosen || !nearCutSuggested()) return chosen;
     const auto suggestion = suggestNearCut(volume, *chosen, config);

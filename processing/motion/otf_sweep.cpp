@@ -41,7 +41,7 @@ std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
     std::vector<std::size_t> order(frames.size()), first(frames.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
-        const View& view = frames[i].view;
+        const Viewpoint& view = frames[i].view;
         return std::tuple(frames[i].phase, view.beamAxis, view.azimuthDegrees, view.elevationDegrees, view.rollDegrees,
                           view.nearCutMm);
     };
@@ -86,8 +86,8 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
 
 }  // namespace
 
-View turned(const View& start, SweepAxis axis, double degrees) {
-    View view = start;
+Viewpoint turned(const Viewpoint& start, SweepAxis axis, double degrees) {
+    Viewpoint view = start;
     switch (axis) {
         case SweepAxis::x: view.elevationDegrees += degrees; break;
         case SweepAxis::y: view.azimuthDegrees += degrees; break;
@@ -102,7 +102,7 @@ std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
     return frames;
 }
 
-std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to, double step,
+std::vector<SweepFrame> sweepFrames(const Viewpoint& start, SweepAxis axis, double from, double to, double step,
                                     int phases) {
     if (!std::isfinite(from) || !std::isfinite(to) || !(step > 0.0) || phases < 1)
         throw std::invalid_argument("sweepFrames: needs finite angles, a step above 0 and a phase");
@@ -117,7 +117,7 @@ std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double fr
     return frames;
 }
 
-std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases) {
+std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases) {
     if (motion.firstPhase < 0 || motion.firstPhase >= phases)
         throw std::invalid_argument("motionFrames: the first phase is not there");
     std::vector<SweepFrame> frames =

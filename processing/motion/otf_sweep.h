@@ -15,14 +15,14 @@ namespace echolucent {
 enum class SweepAxis { x, y, z };
 
 /// The view turned by an angle from the view in which a motion began.
-[[nodiscard]] View turned(const View& start, SweepAxis axis, double degrees);
+[[nodiscard]] Viewpoint turned(const Viewpoint& start, SweepAxis axis, double degrees);
 
 /// One frame of a motion.
 struct SweepFrame {
     double time = 0.0;     ///< frames since the first
     double degrees = 0.0;  ///< turned so far from the first view
     int phase = 0;         ///< of the 4D study
-    View view;
+    Viewpoint view;
 };
 
 /// A frame and its OTFs.
@@ -40,7 +40,7 @@ struct SweptOtf {
 /// moves by one phase a frame, over and over. `to` below `from` turns backwards; `to` itself is a frame where the range
 /// is a whole number of steps. Throws std::invalid_argument for angles that are not finite, a step not above 0, no
 /// phase, or more than a million frames.
-[[nodiscard]] std::vector<SweepFrame> sweepFrames(const View& start, SweepAxis axis, double from, double to,
+[[nodiscard]] std::vector<SweepFrame> sweepFrames(const Viewpoint& start, SweepAxis axis, double from, double to,
                                                   double step, int phases);
 
 /// What moves, for as many frames as the angles have steps: the three scenarios of Petersch 2005, section 5.
@@ -52,7 +52,7 @@ struct Motion {
     int firstPhase = 0;
 };
 /// phases: of the study. Throws std::invalid_argument as sweepFrames() does, and where firstPhase is not one of them.
-[[nodiscard]] std::vector<SweepFrame> motionFrames(const View& start, const Motion& motion, int phases);
+[[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
 /// Computes every frame's OTF. phases: the volumes of the study, by phase. Empty only where cancelled.
 /// Frames are computed side by side; the same bits for any number of threads. Frames of one phase and view are computed

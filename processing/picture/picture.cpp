@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-Camera defaultCamera(const VolumeGeometry& geometry, const View& view, double aspect) {
+Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect) {
     if (!(aspect > 0.0) || !std::isfinite(aspect)) throw std::invalid_argument("defaultCamera: aspect must be above 0");
     constexpr double margin = 1.04;
     Camera camera;

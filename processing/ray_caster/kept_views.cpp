@@ -44,8 +44,9 @@ std::size_t bytesOf(const KeptSamples& samples) {
 KeptSamples* KeptViews::samplesFor(const RayCastSettings& settings, const RayGeometry& rays, std::size_t memoryLimit) {
     if (settings.mode != RenderMode::direct || settings.preIntegrated) return nullptr;
     const RayCastSettings key = keyOf(settings);
-    m_views.remove_if([&](const View& view) { return view.key.camera != key.camera; });
-    const auto found = std::find_if(m_views.begin(), m_views.end(), [&](const View& view) { return view.key == key; });
+    m_views.remove_if([&](const KeptView& view) { return view.key.camera != key.camera; });
+    const auto found =
+        std::find_if(m_views.begin(), m_views.end(), [&](const KeptView& view) { return view.key == key; });
     if (found == m_views.end()) {
         m_views.push_front({key, {}});
         if (m_views.size() > mostViews) m_views.pop_back();
@@ -66,7 +67,7 @@ KeptSamples* KeptViews::samplesFor(const RayCastSettings& settings, const RayGeo
 
 std::size_t KeptViews::bytes() const {
     std::size_t bytes = 0;
-    for (const View& view : m_views) bytes += bytesOf(view.samples);
+    for (const KeptView& view : m_views) bytes += bytesOf(view.samples);
     return bytes;
 }
 

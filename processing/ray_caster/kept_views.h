@@ -21,11 +21,11 @@ public:
 private:
     /// Views, apart in size or step, that are told apart: preview and fine pictures come in turn.
     static constexpr std::size_t mostViews = 4;
-    struct View {
+    struct KeptView {
         RayCastSettings key;
         KeptSamples samples;
     };
-    std::list<View> m_views;  // newest first
+    std::list<KeptView> m_views;  // newest first
 };
 
 }  // namespace echolucent::ray_casting

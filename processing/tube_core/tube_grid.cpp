@@ -49,10 +49,10 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, 
 
 }  // namespace
 
-std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const View& view,
+std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view,
                                        const AdaptiveOtfConfig& config) {
     if (config.tubeSpacing > 0.0) return {config.tubeSpacing, config.tubeSpacing};
-    const ViewFrame unturned = frameOf(View{.beamAxis = view.beamAxis});
+    const ViewFrame unturned = frameOf(Viewpoint{.beamAxis = view.beamAxis});
     const Vec3 boxUnits = (geometry.boxMaxMm() - geometry.boxMinMm()) * (1.0 / geometry.unit());
     const auto shared = [&](const Vec3& lateral, int count) {
         const double extent = std::abs(lateral[0]) * boxUnits[0] + std::abs(lateral[1]) * boxUnits[1] +
@@ -62,7 +62,7 @@ std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Vie
     return {shared(unturned.right, config.tubeColumns), shared(unturned.down, config.tubeRows)};
 }
 
-bool tubesLieOnVoxels(const VolumeGeometry& geometry, const View& view) {
+bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view) {
     const double unit = geometry.unit();
     for (int axis = 0; axis < 3; ++axis)
         if (geometry.spacing[axis] > unit * (1.0 + 1e-6)) return false;
@@ -70,7 +70,7 @@ bool tubesLieOnVoxels(const VolumeGeometry& geometry, const View& view) {
     return isGridAxis(frame.right) && isGridAxis(frame.down) && isGridAxis(frame.forward);
 }
 
-std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const View& view, const AdaptiveOtfConfig& config) {
+std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     const ViewFrame frame = frameOf(view);
     const auto [acrossUnits, downUnits] = tubeSpacingUnits(geometry, view, config);
     const double unit = geometry.unit();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/adaptive_otf.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
@@ -26,17 +26,17 @@ struct TubeAxis {
 /// Units between tube cores along the view's right and down axes: config.tubeSpacing, or where that is 0 the extent of
 /// the volume's box across the unturned view of that beam axis, shared among the tube cores, whole units, at least a
 /// cell. It does not change while the view turns.
-[[nodiscard]] std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const View& view,
+[[nodiscard]] std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view,
                                                      const AdaptiveOtfConfig& config);
 
 /// Whether the tubes' samples can lie on voxel centres, so that nothing is interpolated: the view's axes are grid axes
 /// and the spacing is the same along all three (to a millionth).
-[[nodiscard]] bool tubesLieOnVoxels(const VolumeGeometry& geometry, const View& view);
+[[nodiscard]] bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view);
 
 /// The axes, row-major (index = row * tubeColumns + column). They pass through the volume's centre +
 /// (column - (columns - 1) / 2) * spacing * right + (row - (rows - 1) / 2) * spacing * down; where tubesLieOnVoxels()
 /// they are moved, by less than a voxel, so that the samples of a cell are voxels.
-[[nodiscard]] std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const View& view,
+[[nodiscard]] std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view,
                                              const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

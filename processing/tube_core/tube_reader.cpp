@@ -2,7 +2,7 @@
 
 namespace echolucent {
 
-TubeReader::TubeReader(const Volume& volume, const View& view, const AdaptiveOtfConfig& config, bool withVariance)
+TubeReader::TubeReader(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, bool withVariance)
     : m_volume(volume),
       m_view(view),
       m_config(config),

@@ -17,7 +17,7 @@ namespace echolucent {
 /// one per thread.
 class TubeReader {
 public:
-    TubeReader(const Volume& volume, const View& view, const AdaptiveOtfConfig& config, bool withVariance);
+    TubeReader(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, bool withVariance);
 
     [[nodiscard]] bool onVoxels() const { return m_onVoxels; }
     /// The samples along an axis, as read() wants them.
@@ -33,7 +33,7 @@ private:
     enum class Route { exactSums, singlePrecision, doublePrecision };
 
     const Volume& m_volume;
-    const View& m_view;
+    const Viewpoint& m_view;
     const AdaptiveOtfConfig& m_config;
     bool m_withVariance;
     bool m_onVoxels;

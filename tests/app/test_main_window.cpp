@@ -78,7 +78,7 @@ private slots:
         open(m_shapes);
         Session& session = m_window->session();
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
-        const auto expected = adaptOpacity(*session.volume(), View{}, session.otf()->config);
+        const auto expected = adaptOpacity(*session.volume(), Viewpoint{}, session.otf()->config);
         QVERIFY(expected->tubesWithSurface > 20);
         QVERIFY(session.otf()->curve == expected->curve);
         QVERIFY(m_window->otfEditor().state().adaptive == expected->curve);
@@ -135,7 +135,7 @@ private slots:
 
     void computeForThisViewTakesTheCamerasDirection() {
         open(m_shapes);
-        View turned;
+        Viewpoint turned;
         turned.azimuthDegrees = 20;
         turned.elevationDegrees = -10;
         m_window->volumeView().setView(turned);
@@ -166,7 +166,7 @@ private slots:
     void anotherPhaseIsAnotherVolumeUnderTheSameCamera() {
         open(m_moving);
         QCOMPARE(m_window->session().study()->phases.size(), std::size_t(2));
-        View turned;
+        Viewpoint turned;
         turned.azimuthDegrees = 12;
         m_window->volumeView().setView(turned);
         waitUntilIdle();

@@ -26,7 +26,7 @@ constexpr std::array modes{
 struct Shown {
     double angle;
     int phase;
-    View view;  // of the camera
+    Viewpoint view;  // of the camera
     SampledCurve curve;
 };
 
@@ -65,7 +65,8 @@ private slots:
         for (std::size_t i = 0; i < frames.size(); ++i) {
             QCOMPARE(frames[i].angle, i + 1.0);
             if (wanted.smoothing) QCOMPARE(frames[i].view.azimuthDegrees, frames[i].angle);
-            const SampledCurve own = adaptOpacity(*volume, turned(View{}, SweepAxis::y, frames[i].angle), {})->curve;
+            const SampledCurve own =
+                adaptOpacity(*volume, turned(Viewpoint{}, SweepAxis::y, frames[i].angle), {})->curve;
             const SampledCurve smoothed = history.add(frames[i].angle, own);
             QVERIFY2(frames[i].curve == (wanted.smoothing ? smoothed : first), qPrintable(QString::number(i)));
         }
@@ -94,12 +95,12 @@ private slots:
         const std::vector<Shown> frames = play(10);
         const auto& phases = window().session().study()->phases;
         OtfHistory history;
-        (void)history.add(0, adaptOpacity(*phases[0], View{}, {})->curve);
+        (void)history.add(0, adaptOpacity(*phases[0], Viewpoint{}, {})->curve);
         for (std::size_t i = 0; i < frames.size(); ++i) {
             const double time = i + 1.0;
             QCOMPARE(frames[i].phase, static_cast<int>((i + 1) % 4));
             QCOMPARE(frames[i].angle, degreesPerFrame * time);
-            const View view = turned(View{}, SweepAxis::y, frames[i].angle);
+            const Viewpoint view = turned(Viewpoint{}, SweepAxis::y, frames[i].angle);
             const auto own = adaptOpacity(*phases[static_cast<std::size_t>(frames[i].phase)], view, {})->curve;
             QVERIFY2(frames[i].curve == history.add(time, own), qPrintable(QString::number(i)));
         }
@@ -220,7 +221,7 @@ private slots:
         m_fixture.open(m_still);
         QVERIFY(!window().motionPlayer().isPlaying());
         QCOMPARE(window().motionPlayer().angle(), 0.0);
-        const SampledCurve own = adaptOpacity(*window().session().volume(), View{}, {})->curve;
+        const SampledCurve own = adaptOpacity(*window().session().volume(), Viewpoint{}, {})->curve;
         QVERIFY(window().otfEditor().state().adaptive == own);
         QCOMPARE(filledRows(MotionOtf::eachView), 1);
     }

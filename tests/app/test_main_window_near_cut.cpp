@@ -11,7 +11,7 @@ using namespace echolucent;
 namespace {
 
 Session::NearCutSearch found(const NearCutSuggestion& suggestion) {
-    return [suggestion](const Volume&, const View&, const AdaptiveOtfConfig&, const Progress&) {
+    return [suggestion](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress&) {
         return std::optional(suggestion);
     };
 }
@@ -52,18 +52,18 @@ private slots:
     }
 
     void itIsLookedForInTheViewOfTheCameraWithTheConfigOfThePanel() {
-        std::optional<View> view;
+        std::optional<Viewpoint> view;
         std::optional<AdaptiveOtfConfig> config;
         QThread* thread = nullptr;
         session().setNearCutSearch(
-            [&](const Volume&, const View& asked, const AdaptiveOtfConfig& with, const Progress&) {
+            [&](const Volume&, const Viewpoint& asked, const AdaptiveOtfConfig& with, const Progress&) {
                 view = asked;
                 config = with;
                 thread = QThread::currentThread();
                 return std::optional(
                     NearCutSuggestion{.nearCutMm = 5, .tubesWithSurface = 2, .tubesInFluid = 1, .message = {}});
             });
-        View turned;
+        Viewpoint turned;
         turned.azimuthDegrees = 20;
         m_fixture.window().volumeView().setView(turned);
         m_fixture.waitUntilIdle();
@@ -96,7 +96,7 @@ private slots:
     }
 
     void theSearchOfTheProgramAgreesWithThePureFunction() {
-        const auto expected = suggestNearCut(*session().volume(), View{}, session().otf()->config);
+        const auto expected = suggestNearCut(*session().volume(), Viewpoint{}, session().otf()->config);
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -106,10 +106,11 @@ private slots:
 
     void aSearchThatIsOvertakenLosesNoOtf() {
         // A search that ends only when it is cancelled, as by the OTF of a strength that is changed meanwhile.
-        session().setNearCutSearch([](const Volume&, const View&, const AdaptiveOtfConfig&, const Progress& progress) {
-            while (!progress.cancelled()) QThread::yieldCurrentThread();
-            return std::optional<NearCutSuggestion>();
-        });
+        session().setNearCutSearch(
+            [](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress& progress) {
+                while (!progress.cancelled()) QThread::yieldCurrentThread();
+                return std::optional<NearCutSuggestion>();
+            });
         m_fixture.click("view.nearCut.suggest");
         QVERIFY(session().computingOtf());
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);

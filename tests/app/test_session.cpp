@@ -23,7 +23,7 @@ std::shared_ptr<const Volume> constantVolume(std::uint8_t value) {
 class HeldPipeline {
 public:
     Session::Pipeline function() {
-        return [this](const Volume&, const View& view, const AdaptiveOtfConfig&,
+        return [this](const Volume&, const Viewpoint& view, const AdaptiveOtfConfig&,
                       const Progress& progress) -> std::optional<AdaptiveOtf> {
             std::unique_lock lock(m_mutex);
             ++m_started;
@@ -59,8 +59,8 @@ private:
     QThread* m_thread = nullptr;
 };
 
-View turned(double azimuth) {
-    View view;
+Viewpoint turned(double azimuth) {
+    Viewpoint view;
     view.azimuthDegrees = azimuth;
     return view;
 }

@@ -52,7 +52,7 @@ OpacityCurve curveFor(Depth depth, double share = 1.0) {
 }
 
 RayCastSettings settingsOf(const Volume& volume, double turnDegrees) {
-    View view;
+    Viewpoint view;
     view.azimuthDegrees = 20.0 + turnDegrees;
     view.elevationDegrees = -12.0;
     RayCastSettings settings;

@@ -29,8 +29,8 @@ constexpr std::array<RealVolume, 4> realVolumes{{
     {"spine phantom", "spine_phantom_freehand.mha", BeamAxis::plusZ},
 }};
 
-View obliqueView(BeamAxis beamAxis) {
-    View view;
+Viewpoint obliqueView(BeamAxis beamAxis) {
+    Viewpoint view;
     view.beamAxis = beamAxis;
     view.azimuthDegrees = 20.0;
     view.elevationDegrees = -12.0;
@@ -142,7 +142,7 @@ std::vector<NamedCurve> benchCurves(const BenchVolume& volume) {
 
 RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDegrees) {
     const VolumeGeometry& geometry = volume.volume->geometry();
-    View view = volume.view;
+    Viewpoint view = volume.view;
     RayCastSettings settings;
     settings.width = settings.height = size;
     settings.camera = defaultCamera(geometry, view, 1.0);

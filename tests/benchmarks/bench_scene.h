@@ -9,7 +9,7 @@
 #include "processing/opacity_curve.h"
 #include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::bench {
@@ -18,7 +18,7 @@ struct BenchVolume {
     std::string name;
     std::shared_ptr<const Volume> volume;  ///< every voxel counts as data: VTK knows no mask
     std::shared_ptr<const Volume> masked;  ///< with the no-data mask that the program uses; null: it marks nothing
-    View view;                             ///< oblique: along no axis of the grid
+    Viewpoint view;                        ///< oblique: along no axis of the grid
 };
 
 /// A volume that could not be had, and why.

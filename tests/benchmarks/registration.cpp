@@ -20,7 +20,7 @@ BenchVolume oneVoxel() {
     geometry.size = {33, 29, 31};
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 0);
     voxels[static_cast<std::size_t>(geometry.offset(11, 19, 8))] = 255;
-    View view;
+    Viewpoint view;
     view.azimuthDegrees = 20.0;
     view.elevationDegrees = -12.0;
     return {"one voxel", std::make_shared<const Volume>(geometry, std::move(voxels), 255.0), nullptr, view};

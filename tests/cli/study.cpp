@@ -147,7 +147,7 @@ TEST(StudyOtf, EveryVariantIsAConfigThatCanBe) {
     VolumeGeometry geometry;
     for (const std::int64_t edge : {1, 7, 199}) {
         geometry.size = {edge, edge, edge};
-        for (const cli::OtfVariant& variant : cli::otfVariants(geometry, View{}))
+        for (const cli::OtfVariant& variant : cli::otfVariants(geometry, Viewpoint{}))
             EXPECT_EQ(problemOf(variant.config), "") << variant.name();
     }
 }

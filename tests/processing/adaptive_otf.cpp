@@ -31,7 +31,8 @@ TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
     plane.spacing = {0.5, 1.0, 1.5};
     plane.normal = normalized(Vec3(0.2, -0.15, 1.0));
     plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
-    for (const View& view : {View{}, View{.azimuthDegrees = 20, .elevationDegrees = -15}, View{.nearCutMm = 6}}) {
+    for (const Viewpoint& view :
+         {Viewpoint{}, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -15}, Viewpoint{.nearCutMm = 6}}) {
         const Found found = tubesOnPlane(adapted(plane.make(), view), plane, 3.0);
         EXPECT_GT(found.of, 80);
         EXPECT_EQ(found.right, found.of);
@@ -41,10 +42,10 @@ TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
 TEST(AdaptiveOtf, FindsAPlaneAlongEveryBeamAxisAndObliquely) {
     for (int beam = 0; beam < 6; ++beam)
         for (const double angle : {0.0, 25.0}) {
-            const View view{
+            const Viewpoint view{
                 .beamAxis = static_cast<BeamAxis>(beam), .azimuthDegrees = angle, .elevationDegrees = -angle / 2};
             PlaneVolume plane;
-            plane.normal = frameOf(View{.beamAxis = view.beamAxis}).forward;
+            plane.normal = frameOf(Viewpoint{.beamAxis = view.beamAxis}).forward;
             plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
             const AdaptiveOtf result = adapted(plane.make(), view);
             const Found found = tubesOnPlane(result, plane, 3.0);
@@ -96,7 +97,7 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
     plane.noise = 20;
     AdaptiveOtfConfig config = productOfVariance();
     config.initial = PowerCurve{2, 0.7};
-    const AdaptiveOtf result = adapted(plane.make(), View{.azimuthDegrees = 10}, config);
+    const AdaptiveOtf result = adapted(plane.make(), Viewpoint{.azimuthDegrees = 10}, config);
     const double n = result.tubesMeetingVolume;
     int compared = 0;
     for (const TubeCore& tube : result.tubes) {
@@ -166,7 +167,7 @@ TEST(AdaptiveOtf, BeginsBehindTheNearCut) {
     auto voxels = plane.voxels<std::uint8_t>();
     std::fill(voxels.begin(), voxels.begin() + 100 * 100 * 12, std::uint8_t{60});
     const Volume volume(plane.geometry(), voxels);
-    const AdaptiveOtf uncut = adapted(volume), cut = adapted(volume, View{.nearCutMm = 14});
+    const AdaptiveOtf uncut = adapted(volume), cut = adapted(volume, Viewpoint{.nearCutMm = 14});
     for (std::size_t t = 0; t < cut.tubes.size(); ++t) {
         EXPECT_GT(*uncut.tubes[t].lowIntensityMax, 0.2);
         ASSERT_EQ(cut.tubes[t].status, TubeStatus::surface);
@@ -189,7 +190,7 @@ TEST(AdaptiveOtf, LeavesOutNoDataAndBeginsAtTheFirstData) {
         for (std::size_t y = 0; y < 40; ++y)
             for (std::size_t x = 0; x < 40; ++x) mask[x + 100 * (y + 100 * z)] = 0;
     const Volume posing(plane.geometry(), voxels), volume = posing.withDataMask(mask);
-    for (const View& view : {View{}, View{.azimuthDegrees = 8}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 8}}) {
         const AdaptiveOtf result = adapted(volume, view);
         int outside = 0;
         for (const TubeCore& tube : result.tubes) {
@@ -199,7 +200,7 @@ TEST(AdaptiveOtf, LeavesOutNoDataAndBeginsAtTheFirstData) {
                 continue;
             }
             if (!(tube.d > 0)) continue;
-            if (view == View{}) {
+            if (view == Viewpoint{}) {
                 EXPECT_EQ(tube.firstCell, 20);
             }
             EXPECT_NEAR(*tube.lowIntensity, 40 / 255.0, 0.01) << "the zeros in front are no fluid";
@@ -214,7 +215,7 @@ TEST(AdaptiveOtf, GivesTheSameBitsOnAnyNumberOfThreads) {
     PlaneVolume plane;
     plane.noise = 25;
     const Volume volume = plane.make();
-    for (const View& view : {View{}, View{.azimuthDegrees = 17, .elevationDegrees = 9}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 17, .elevationDegrees = 9}}) {
         std::optional<AdaptiveOtf> first;
         for (const std::size_t threads : {1u, 2u, 7u}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

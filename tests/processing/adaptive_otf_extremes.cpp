@@ -88,9 +88,10 @@ using Check = std::function<void(const AdaptiveOtf&, const AdaptiveOtfConfig&)>;
 /// Runs every config, changed by `change`, along the beam and obliquely.
 void forEveryConfig(const Volume& volume, const Check& check = {},
                     const std::function<void(AdaptiveOtfConfig&)>& change = {},
-                    const std::vector<View>& views = {View{}, View{.azimuthDegrees = 31, .elevationDegrees = 12}}) {
+                    const std::vector<Viewpoint>& views = {Viewpoint{},
+                                                           Viewpoint{.azimuthDegrees = 31, .elevationDegrees = 12}}) {
     for (const Named& named : configs())
-        for (const View& view : views) {
+        for (const Viewpoint& view : views) {
             SCOPED_TRACE(named.name + ", azimuth " + std::to_string(view.azimuthDegrees));
             AdaptiveOtfConfig config = named.config;
             if (change) change(config);
@@ -109,7 +110,7 @@ Volume constantVolume(std::array<std::int64_t, 3> size, std::uint8_t value) {
 void expectNoSurface(const AdaptiveOtf& result, const AdaptiveOtfConfig& config) {
     EXPECT_EQ(result.tubesWithSurface, 0);
     // Interpolation rounds: where a plain volume is not met on its voxels, rounding may pose as a surface.
-    if (result.view == View{} && config.border != TubeBorder::circular) {
+    if (result.view == Viewpoint{} && config.border != TubeBorder::circular) {
         EXPECT_EQ(result.message, "No surface found: the initial function is used.");
     }
 }
@@ -143,8 +144,8 @@ TEST(AdaptiveOtfExtremes, SmallAndThinVolumes) {
                                                                                                       {3, 3, 200},
                                                                                                       {6, 6, 11}})
         forEveryConfig(constantVolume(size, 9), {}, {},
-                       {View{}, View{.beamAxis = BeamAxis::minusX}, View{.beamAxis = BeamAxis::plusY},
-                        View{.azimuthDegrees = 45, .elevationDegrees = 30}});
+                       {Viewpoint{}, Viewpoint{.beamAxis = BeamAxis::minusX}, Viewpoint{.beamAxis = BeamAxis::plusY},
+                        Viewpoint{.azimuthDegrees = 45, .elevationDegrees = 30}});
     for (const Named& named : configs())
         EXPECT_FALSE(adapted(constantVolume({1, 1, 1}, 9), {}, named.config).message.empty()) << named.name;
 }
@@ -156,7 +157,7 @@ TEST(AdaptiveOtfExtremes, ThinVolumesWithASurfaceAcross) {
         plane.size = size;
         plane.distanceMm = static_cast<double>(size[2]) / 2;
         forEveryConfig(plane.make(), {}, {},
-                       {View{}, View{.beamAxis = BeamAxis::plusX}, View{.beamAxis = BeamAxis::minusY}});
+                       {Viewpoint{}, Viewpoint{.beamAxis = BeamAxis::plusX}, Viewpoint{.beamAxis = BeamAxis::minusY}});
     }
 }
 
@@ -211,14 +212,14 @@ TEST(AdaptiveOtfExtremes, OneTubeSaysThatNoneStandsOut) {
             EXPECT_EQ(result.tubes.size(), 1u);
             EXPECT_EQ(result.tubes[0].status, TubeStatus::surface);
         },
-        [](AdaptiveOtfConfig& config) { config.tubeColumns = config.tubeRows = 1; }, {View{}});
+        [](AdaptiveOtfConfig& config) { config.tubeColumns = config.tubeRows = 1; }, {Viewpoint{}});
 }
 
 TEST(AdaptiveOtfExtremes, AllTubesEqual) {
     PlaneVolume plane;
     plane.noise = 0;
     forEveryConfig(plane.make(), [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) {
-        if (result.view != View{}) return;
+        if (result.view != Viewpoint{}) return;
         for (const TubeCore& tube : result.tubes) EXPECT_EQ(tube.d, result.tubes[0].d) << "equal tubes, equal weights";
     });
 }
@@ -242,10 +243,10 @@ TEST(AdaptiveOtfExtremes, StrengthsFromNothingToHuge) {
             EXPECT_EQ(result.tubesWithSurface, 0);
             EXPECT_EQ(result.message, "The strength is 0: the initial function is used.");
         },
-        [](AdaptiveOtfConfig& config) { config.strength = 0; }, {View{}});
+        [](AdaptiveOtfConfig& config) { config.strength = 0; }, {Viewpoint{}});
     forEveryConfig(
         volume, [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) { EXPECT_DOUBLE_EQ(result.dMax, 1e6); },
-        [](AdaptiveOtfConfig& config) { config.strength = 225e6; }, {View{}});
+        [](AdaptiveOtfConfig& config) { config.strength = 225e6; }, {Viewpoint{}});
     // The largest and smallest that are allowed, and opacities of nothing and of far too much.
     for (const double strength : {5e-324, 1e12})
         for (const double scale : {0.0, 1e-300, 1e300})
@@ -254,7 +255,7 @@ TEST(AdaptiveOtfExtremes, StrengthsFromNothingToHuge) {
                                config.strength = strength;
                                config.initial = PowerCurve{4, scale};
                            },
-                           {View{}});
+                           {Viewpoint{}});
 }
 
 TEST(AdaptiveOtfExtremes, SpacingOfOneToFifty) {
@@ -264,7 +265,7 @@ TEST(AdaptiveOtfExtremes, SpacingOfOneToFifty) {
     plane.distanceMm = 30;
     plane.rampMm = 2;
     forEveryConfig(plane.make(), {}, [](AdaptiveOtfConfig& config) { config.tubeColumns = config.tubeRows = 4; },
-                   {View{}, View{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 3}});
+                   {Viewpoint{}, Viewpoint{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 3}});
     plane.size = {12, 50, 60};
     plane.spacing = {5.0, 0.1, 0.1};
     plane.distanceMm = 3;
@@ -296,7 +297,7 @@ TEST(AdaptiveOtfExtremes, FloatsOfAnyMagnitude) {
         return Volume(plane.geometry(), made, 255.0 * scale);
     };
     for (const Named& named : configs())
-        for (const View& view : {View{}, View{.azimuthDegrees = 14, .elevationDegrees = 5}}) {
+        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 14, .elevationDegrees = 5}}) {
             const AdaptiveOtf usual = adapted(scaled(1.0), view, named.config);
             for (const double scale : {0x1p-119, 0x1p-60, 0x1p60, 0x1p119}) {
                 SCOPED_TRACE(named.name + ", azimuth " + std::to_string(view.azimuthDegrees) + ", scale " +
@@ -341,7 +342,7 @@ TEST(AdaptiveOtfExtremes, AViewBesideTheVolumeMeetsNothing) {
     const PlaneVolume plane;
     forEveryConfig(plane.make(),
                    [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) { EXPECT_EQ(result.tubesMeetingVolume, 0); },
-                   {}, {View{.nearCutMm = 1e6}});
+                   {}, {Viewpoint{.nearCutMm = 1e6}});
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct CutTruth {
 /// The tube cores of a view that see an interface when nothing is cut off.
 class TubesWithInterface {
 public:
-    TubesWithInterface(const PhantomConfig& config, const VolumeGeometry& geometry, const View& view)
+    TubesWithInterface(const PhantomConfig& config, const VolumeGeometry& geometry, const Viewpoint& view)
         : m_truth(config), m_forward(frameOf(view).forward), m_front(nearPlaneDepthMm(view, geometry)) {
         for (const TubeAxis& axis : tubeAxes(geometry, view, {})) {
             if (!axis.entryVoxel) continue;
@@ -68,7 +68,7 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
     for (const PhantomScene scene : {PhantomScene::shapes, PhantomScene::fetus}) {
         const PhantomConfig config = phantomOf(scene, 23, true);
         const Volume volume = *makePhantom(config);
-        for (const View& view : {View{}, View{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
+        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
             const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
             const TubesWithInterface tubes(config, volume.geometry(), view);
             const CutTruth truth = tubes.at(cut.nearCutMm);
@@ -85,7 +85,7 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
             int best = 0;
             for (double depth = 0.0; depth < depthAlongViewMm(view, volume.geometry()); depth += 2.0)
                 best = std::max(best, tubes.at(depth).inFluid);
-            if (view == View{}) {
+            if (view == Viewpoint{}) {
                 EXPECT_GE(truth.inFluid, 0.95 * truth.tubes);
             } else {
                 EXPECT_GE(truth.inFluid, 0.85 * best);
@@ -104,7 +104,7 @@ TEST(NearCut, DoesNotDependOnTheViewsOwn) {
 
 TEST(NearCut, IsNoneWhereNothingStandsInFront) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 25, false));
-    for (const View& view : {View{}, View{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
         const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
         EXPECT_EQ(cut.nearCutMm, 0.0);
         EXPECT_EQ(cut.message, "Nothing stands in front of the fluid: no near cut is needed.");

@@ -78,7 +78,7 @@ inline vtkNew<vtkActor> sphereAt(const Vec3& centre, double radius, const std::a
 }
 
 /// The camera that has the whole volume in a square picture.
-inline Camera cameraOn(const Volume& volume, const View& view, Projection projection = Projection::parallel) {
+inline Camera cameraOn(const Volume& volume, const Viewpoint& view, Projection projection = Projection::parallel) {
     return cameraFor(fittedPose(volume.geometry(), view, projection, 1.0));
 }
 

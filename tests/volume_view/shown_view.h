@@ -19,7 +19,7 @@ inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
 /// A shown view with the corner ball, its converged picture there.
 struct ShownView {
-    explicit ShownView(std::shared_ptr<const Volume> shown = ballInTheCorner(), const View& from = {})
+    explicit ShownView(std::shared_ptr<const Volume> shown = ballInTheCorner(), const Viewpoint& from = {})
         : volume(std::move(shown)) {
         view.resize(330, 250);
         view.setVolume(volume);

@@ -23,7 +23,7 @@ cv::Vec2d projected(const Camera& camera, const Vec3& point) {
     return {seen.dot(camera.frame.right) / height, seen.dot(camera.frame.down) / height};
 }
 
-CameraPose poseOf(const View& view, Projection projection = Projection::parallel) {
+CameraPose poseOf(const Viewpoint& view, Projection projection = Projection::parallel) {
     return fittedPose(geometryOf(40, 30, 20, {1, 1, 2}), view, projection, 1.5);
 }
 
@@ -34,7 +34,7 @@ void compareVectors(const Vec3& a, const Vec3& b, double tolerance = 1e-9) {
             QString("(%1, %2, %3) against (%4, %5, %6)").arg(a[0]).arg(a[1]).arg(a[2]).arg(b[0]).arg(b[1]).arg(b[2])));
 }
 
-const View tilted{BeamAxis::plusY, 30, -20, 50, 4};
+const Viewpoint tilted{BeamAxis::plusY, 30, -20, 50, 4};
 
 }  // namespace
 
@@ -136,7 +136,7 @@ private slots:
     void turningKeepsTheCentreInItsPlace() {
         const Vec3 centre{1, 2, 3};
         const CameraPose pose = panned(poseOf(tilted), 0.3, 0.1);
-        const View view{BeamAxis::minusX, -70, 10, 0, 2};
+        const Viewpoint view{BeamAxis::minusX, -70, 10, 0, 2};
         const CameraPose turned = turnedTo(pose, view, centre);
         QVERIFY(cv::norm(projected(cameraFor(turned), centre) - projected(cameraFor(pose), centre)) < 1e-12);
         QCOMPARE(turned.view, view);
@@ -147,7 +147,7 @@ private slots:
     void fittedPoseShowsTheWholeVolume() {
         QFETCH(Projection, projection);
         const VolumeGeometry geometry = geometryOf(40, 30, 20, {1, 1, 2});
-        for (const View& view : {View{}, tilted, View{BeamAxis::plusX, 45, 45, 0, 0}}) {
+        for (const Viewpoint& view : {Viewpoint{}, tilted, Viewpoint{BeamAxis::plusX, 45, 45, 0, 0}}) {
             for (const double aspect : {0.5, 1.0, 2.5}) {
                 const Camera camera = cameraFor(fittedPose(geometry, view, projection, aspect));
                 double furthest = 0;

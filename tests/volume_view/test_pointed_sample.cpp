@@ -11,7 +11,7 @@ using echolucent::testing::volumeOf;
 
 namespace {
 
-PictureRequest requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const View& view = {},
+PictureRequest requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const Viewpoint& view = {},
                           Projection projection = Projection::parallel) {
     PictureRequest request{std::move(volume), curve, {}};
     request.settings.width = 300;

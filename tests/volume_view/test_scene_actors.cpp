@@ -119,7 +119,7 @@ class SceneActorsTest : public QObject {
 
 private slots:
     void aBallHalfInsideIsRightFromAllSides_data() {
-        QTest::addColumn<View>("view");
+        QTest::addColumn<Viewpoint>("view");
         QTest::addColumn<Projection>("projection");
         const std::array<std::pair<const char*, BeamAxis>, 6> sides{{{"+x", BeamAxis::plusX},
                                                                      {"-x", BeamAxis::minusX},
@@ -127,12 +127,13 @@ private slots:
                                                                      {"-y", BeamAxis::minusY},
                                                                      {"+z", BeamAxis::plusZ},
                                                                      {"-z", BeamAxis::minusZ}}};
-        for (const auto& [name, axis] : sides) QTest::newRow(name) << View{axis, 0, 0, 0, 0} << Projection::parallel;
-        QTest::newRow("turned") << View{BeamAxis::plusY, 35, -20, 30, 0} << Projection::parallel;
-        QTest::newRow("perspective") << View{BeamAxis::minusX, 30, 25, 0, 0} << Projection::perspective;
+        for (const auto& [name, axis] : sides)
+            QTest::newRow(name) << Viewpoint{axis, 0, 0, 0, 0} << Projection::parallel;
+        QTest::newRow("turned") << Viewpoint{BeamAxis::plusY, 35, -20, 30, 0} << Projection::parallel;
+        QTest::newRow("perspective") << Viewpoint{BeamAxis::minusX, 30, 25, 0, 0} << Projection::perspective;
     }
     void aBallHalfInsideIsRightFromAllSides() {
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         QFETCH(Projection, projection);
         const HalfInside half;
         DrawnScene drawn(pixels, pixels);
@@ -185,7 +186,7 @@ private slots:
 
     void depthsOfActorsAreInMillimetresAlongTheView_data() { projections(); }
     void depthsOfActorsAreInMillimetresAlongTheView() {
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         QFETCH(Projection, projection);
         const HalfInside half;
         DrawnScene drawn(40, 30);  // another size and shape than the map
@@ -309,7 +310,7 @@ private slots:
         drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(50, 50, {70, 0, 0, 128})), camera);
         drawn.draw();
         const std::vector<unsigned char> before(drawn.pixels->GetPointer(0), drawn.pixels->GetPointer(3 * 50 * 50));
-        Camera other = cameraOn(*volume, View{BeamAxis::minusY, 20, 10, 5, 0}, Projection::perspective);
+        Camera other = cameraOn(*volume, Viewpoint{BeamAxis::minusY, 20, 10, 5, 0}, Projection::perspective);
         QVERIFY(drawn.scene.opaqueDepth(other, 33, 21));
         QCOMPARE(drawn.scene.camera().projection, Projection::parallel);
         drawn.draw();
@@ -319,12 +320,12 @@ private slots:
 
 private:
     static void projections() {
-        QTest::addColumn<View>("view");
+        QTest::addColumn<Viewpoint>("view");
         QTest::addColumn<Projection>("projection");
-        QTest::newRow("parallel +z") << View{} << Projection::parallel;
-        QTest::newRow("parallel turned") << View{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
-        QTest::newRow("perspective +x") << View{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
-        QTest::newRow("perspective turned") << View{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
+        QTest::newRow("parallel +z") << Viewpoint{} << Projection::parallel;
+        QTest::newRow("parallel turned") << Viewpoint{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
+        QTest::newRow("perspective +x") << Viewpoint{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
+        QTest::newRow("perspective turned") << Viewpoint{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
     }
 };
 

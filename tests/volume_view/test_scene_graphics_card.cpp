@@ -102,7 +102,7 @@ void keepPictures(const QString& name, const QImage& software, const QImage& car
     QVERIFY(both.save(QDir(folder).filePath(QString(name).replace(' ', '_') + ".png")));
 }
 
-RayCastSettings settingsFor(const Volume& volume, const View& view, Projection projection, double step) {
+RayCastSettings settingsFor(const Volume& volume, const Viewpoint& view, Projection projection, double step) {
     RayCastSettings settings;
     settings.width = settings.height = size;
     settings.camera = cameraOn(volume, view, projection);
@@ -159,7 +159,8 @@ private slots:
         QFETCH(double, step);
         QFETCH(double, tolerance);
         const OpacityCurve curve = PowerCurve{2, 0.5};
-        const RayCastSettings settings = settingsFor(*volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, projection, step);
+        const RayCastSettings settings =
+            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, step);
         compare(volume, curve, settings, tolerance);
     }
 
@@ -168,7 +169,8 @@ private slots:
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             const char* name = projection == Projection::parallel ? "parallel" : "perspective";
             const auto volume = smallFetus();
-            const RayCastSettings whole = settingsFor(*volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 0.2);
+            const RayCastSettings whole =
+                settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 0.2);
             const Vec3 centre = volume->geometry().centreMm();
             RayCastSettings settings = whole;
             settings.nearPlaneDepthMm = whole.camera.frame.forward.dot(centre) - 4;
@@ -194,7 +196,8 @@ private slots:
     void modesWithoutACurveShowTheSame() {
         QFETCH(RenderMode, mode);
         const auto volume = smallFetus();
-        RayCastSettings settings = settingsFor(*volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 0.2);
+        RayCastSettings settings =
+            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 0.2);
         settings.mode = mode;
         // Every ray that grazes the box is as bright as one through its middle: along the outline, where one renderer
         // has a sample and the other none, pixels differ by up to white.
@@ -219,7 +222,7 @@ private slots:
         QFETCH(Projection, projection);
         QFETCH(Vec3, towardsLight);
         // The ray caster leaves the light of samples out that add little to a pixel: at small steps these are many.
-        RayCastSettings settings = settingsFor(*volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 1.0);
+        RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 1.0);
         settings.shading = Shading{};
         settings.shading->towardsLight = towardsLight;
         compare(volume, PowerCurve{2, 0.5}, settings, 3.0);
@@ -236,7 +239,7 @@ private slots:
         QFETCH(bool, shaded);
         QFETCH(double, nearCutMm);
         const auto volume = smallFetus();
-        const View view{BeamAxis::plusZ, 25, 15, 0, nearCutMm};
+        const Viewpoint view{BeamAxis::plusZ, 25, 15, 0, nearCutMm};
         RayCastSettings settings = settingsFor(*volume, view, Projection::parallel, shaded ? 1.0 : 0.2);
         settings.nearPlaneDepthMm = nearPlaneDepthMm(view, volume->geometry());
         settings.depthColouring = DepthColouring{};
@@ -267,7 +270,7 @@ private slots:
     void aZoomedCameraInsideTheVolumeSeesAllOfIt() {
         const auto volume = smallFetus();
         CameraPose pose =
-            fittedPose(volume->geometry(), View{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 1.0);
+            fittedPose(volume->geometry(), Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 1.0);
         pose.heightMm /= 6;  // parallel: VTK's camera stands inside the volume now
         RayCastSettings settings = settingsFor(*volume, pose.view, Projection::parallel, 0.2);
         settings.camera = cameraFor(pose);
@@ -286,7 +289,7 @@ private slots:
         const auto volume =
             volumeOf(geometryOf(voxels[0], voxels[1], voxels[2]), [](double, double, double) { return 180; });
         const RayCastSettings settings =
-            settingsFor(*volume, View{BeamAxis::plusZ, 30, 20, 0, 0}, Projection::parallel, 0.02);
+            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 30, 20, 0, 0}, Projection::parallel, 0.02);
         compare(volume, ManualCurve{{{0.0, 0.5}, {1.0, 0.5}}}, settings, 2.0);
     }
 

@@ -67,7 +67,7 @@ private slots:
 
     void firstHitDepthIsInTheDepthBuffer_data() { projections(); }
     void firstHitDepthIsInTheDepthBuffer() {
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         QFETCH(Projection, projection);
         constexpr int size = 64;
         const auto volume = ballInTheCorner();
@@ -190,12 +190,12 @@ private slots:
 
 private:
     static void projections() {
-        QTest::addColumn<View>("view");
+        QTest::addColumn<Viewpoint>("view");
         QTest::addColumn<Projection>("projection");
-        QTest::newRow("parallel +z") << View{} << Projection::parallel;
-        QTest::newRow("parallel turned") << View{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
-        QTest::newRow("perspective +x") << View{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
-        QTest::newRow("perspective turned") << View{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
+        QTest::newRow("parallel +z") << Viewpoint{} << Projection::parallel;
+        QTest::newRow("parallel turned") << Viewpoint{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
+        QTest::newRow("perspective +x") << Viewpoint{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
+        QTest::newRow("perspective turned") << Viewpoint{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
     }
 
     static vtkProp* selectedAt(DrawnScene& drawn, int x, int y) {

@@ -19,14 +19,14 @@ class ViewByHandTest : public QObject {
 
 private slots:
     void viewRoundTrip_data() {
-        QTest::addColumn<View>("view");
-        QTest::newRow("beam") << View{};
-        QTest::newRow("turned") << View{BeamAxis::plusY, 33.5, -12.25, 0, 7.5};
-        QTest::newRow("rolled") << View{BeamAxis::minusX, -170, 80, 45, 0};
-        QTest::newRow("pole") << View{BeamAxis::plusZ, 25, 90, 10, 0};
+        QTest::addColumn<Viewpoint>("view");
+        QTest::newRow("beam") << Viewpoint{};
+        QTest::newRow("turned") << Viewpoint{BeamAxis::plusY, 33.5, -12.25, 0, 7.5};
+        QTest::newRow("rolled") << Viewpoint{BeamAxis::minusX, -170, 80, 45, 0};
+        QTest::newRow("pole") << Viewpoint{BeamAxis::plusZ, 25, 90, 10, 0};
     }
     void viewRoundTrip() {
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         ShownView s;
         s.view.setView(view);
         QCOMPARE(s.view.view(), view);
@@ -81,7 +81,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         const QPointF before = brightCentre(*s.view.picture());
-        const View view = s.view.view();
+        const Viewpoint view = s.view.view();
         s.drag(button, modifiers, {150, 120}, {170, 110});
         QVERIFY(s.awaitIdle());
         const QPointF moved = (brightCentre(*s.view.picture()) - before) * 250;
@@ -113,7 +113,7 @@ private slots:
     void escapeEndsADragWithoutChange() {
         ShownView s;
         QVERIFY(s.ready);
-        const View before = s.view.view();
+        const Viewpoint before = s.view.view();
         QTest::mousePress(s.window(), Qt::LeftButton, {}, {150, 120});
         s.moveTo({190, 140}, Qt::LeftButton);
         QVERIFY(s.view.view() != before);
@@ -132,7 +132,7 @@ private slots:
         s.view.setLook(lit);
         s.view.setLight({-30, 20});
         QVERIFY(s.awaitIdle());
-        const View view = s.view.view();
+        const Viewpoint view = s.view.view();
         QSignalSpy camera(&s.view, &VolumeViewWidget::cameraChanged);
         QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
         const auto before = s.view.picture();

@@ -287,7 +287,7 @@ private slots:
         for (int x = 0; x < screen.width(); x += 3)
             for (int y = 0; y < screen.height(); y += 3) QCOMPARE(screen.pixel(x, y) & 0xffffff, 0u);
         s.drag(Qt::LeftButton, {}, {10, 10}, {60, 60});  // nothing to turn
-        QCOMPARE(s.view.view(), View{});
+        QCOMPARE(s.view.view(), Viewpoint{});
         s.view.setVolume(s.volume);
         QVERIFY(s.awaitIdle());
     }

@@ -111,17 +111,17 @@ private slots:
 
     void castVolumeAndVtkActorLieInTheSamePlace_data() {
         QTest::addColumn<Projection>("projection");
-        QTest::addColumn<View>("view");
+        QTest::addColumn<Viewpoint>("view");
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             const char* name = projection == Projection::parallel ? "parallel" : "perspective";
-            QTest::addRow("%s +z", name) << projection << View{};
-            QTest::addRow("%s +y turned", name) << projection << View{BeamAxis::plusY, 35, -20, 0, 0};
-            QTest::addRow("%s rolled", name) << projection << View{BeamAxis::minusX, -10, 50, 65, 0};
+            QTest::addRow("%s +z", name) << projection << Viewpoint{};
+            QTest::addRow("%s +y turned", name) << projection << Viewpoint{BeamAxis::plusY, 35, -20, 0, 0};
+            QTest::addRow("%s rolled", name) << projection << Viewpoint{BeamAxis::minusX, -10, 50, 65, 0};
         }
     }
     void castVolumeAndVtkActorLieInTheSamePlace() {
         QFETCH(Projection, projection);
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         // A ball of voxels and VTK's ball of the same place and radius, anisotropic spacing, off the middle.
         const VolumeGeometry geometry = geometryOf(60, 50, 30, {1, 1, 2});
         const Vec3 centre{15, 17, 20};
@@ -185,7 +185,7 @@ private slots:
     void camerasRoundTrip_data() { castVolumeAndVtkActorLieInTheSamePlace_data(); }
     void camerasRoundTrip() {
         QFETCH(Projection, projection);
-        QFETCH(View, view);
+        QFETCH(Viewpoint, view);
         const Camera ours = cameraOn(*ballInTheCorner(), view, projection);
         vtkNew<vtkCamera> vtk;
         setCamera(*vtk, ours);

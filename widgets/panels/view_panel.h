@@ -5,7 +5,7 @@
 
 #include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "widgets/panels/preferred_renderer.h"
 
 class QCheckBox;

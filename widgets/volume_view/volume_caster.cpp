@@ -17,7 +17,7 @@ public:
             if (!request.volume) return {};
             m_caster.emplace(request.volume);
         }
-        View& view = viewOf(request);
+        Viewpoint& view = viewOf(request);
         const std::size_t keptBefore = m_caster->keptSampleBytes();
         CastResult result{m_caster->cast(request.curve, request.settings, progress), SampleUse::taken};
         if (view.finished > 1) result.samples = view.kept ? SampleUse::kept : SampleUse::notKept;
@@ -28,25 +28,25 @@ public:
     }
 
 private:
-    struct View {
+    struct Viewpoint {
         PictureRequest request;
         int finished = 0;
         bool kept = false;
     };
 
     /// Those of one camera are remembered together, as the ray caster does; another camera forgets them.
-    View& viewOf(const PictureRequest& request) {
-        const auto sameCamera = [&](const View& view) {
+    Viewpoint& viewOf(const PictureRequest& request) {
+        const auto sameCamera = [&](const Viewpoint& view) {
             return view.request.settings.camera == request.settings.camera;
         };
         if (!std::all_of(m_views.begin(), m_views.end(), sameCamera)) m_views.clear();
         const auto found = std::find_if(m_views.begin(), m_views.end(),
-                                        [&](const View& view) { return sameSamples(view.request, request); });
-        return found != m_views.end() ? *found : m_views.emplace_back(View{request});
+                                        [&](const Viewpoint& view) { return sameSamples(view.request, request); });
+        return found != m_views.end() ? *found : m_views.emplace_back(Viewpoint{request});
     }
 
     std::optional<RayCaster> m_caster;
-    std::vector<View> m_views;
+    std::vector<Viewpoint> m_views;
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ struct VolumeViewWidget::Parts {
     CameraPose pose;
     CameraPose poseBeforeDrag;
     Vec3 towardsLightBeforeDrag;
-    View fittedView;                           ///< the view and ...
+    Viewpoint fittedView;                      ///< the view and ...
     double fittedAspect = 1.0;                 ///< ... the shape of the picture that the zoom is measured against
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
     std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels

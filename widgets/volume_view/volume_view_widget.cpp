@@ -159,22 +159,22 @@ void VolumeViewWidget::setNearCut(double mm) {
 }
 
 void VolumeViewWidget::setBeamAxis(BeamAxis axis) {
-    View& view = m_parts->pose.view;
+    Viewpoint& view = m_parts->pose.view;
     if (view.beamAxis == axis) return;
     const ViewFrame frame = frameOf(view);
     view = viewAlong(frame.forward, frame.down, axis, view.nearCutMm);
 }
 
-void VolumeViewWidget::setView(const View& view) {
+void VolumeViewWidget::setView(const Viewpoint& view) {
     Parts& parts = *m_parts;
     const Vec3 centre = parts.volume ? parts.volume->geometry().centreMm() : parts.pose.focalPoint;
     parts.pose = turnedTo(parts.pose, view, centre);
     schedule();
 }
 
-View VolumeViewWidget::view() const { return m_parts->pose.view; }
+Viewpoint VolumeViewWidget::view() const { return m_parts->pose.view; }
 
-void VolumeViewWidget::resetView(const View& view) {
+void VolumeViewWidget::resetView(const Viewpoint& view) {
     Parts& parts = *m_parts;
     parts.fittedView = view;
     parts.fittedAspect = aspect();

@@ -77,11 +77,11 @@ public:
     /// Tells the view in another beam axis's frame. The picture stays as it is.
     void setBeamAxis(BeamAxis axis);
     /// Turns the camera to a view about the volume's centre and takes its near cut; zoom and place in the picture stay.
-    void setView(const View& view);
+    void setView(const Viewpoint& view);
     /// From where the person looks now, near cut included.
-    [[nodiscard]] View view() const;
+    [[nodiscard]] Viewpoint view() const;
     /// The default camera of a view: the whole volume in the picture.
-    void resetView(const View& view);
+    void resetView(const Viewpoint& view);
 
     /// What the converged picture of the present state is made with, at the view's size or, for saving, at another one.
     [[nodiscard]] RayCastSettings settings() const;

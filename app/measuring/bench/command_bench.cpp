@@ -61,7 +61,7 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"
 /// The runs of one view, side by side with what they are compared to.
 class ViewBench {
 public:
-    ViewBench(const Volume& volume, const View& view, const AdaptiveOtfConfig& config)
+    ViewBench(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
         : m_volume(volume),
           m_view(view),
           m_config(config),
@@ -103,7 +103,7 @@ public:
 
 private:
     const Volume& m_volume;
-    View m_view;
+    Viewpoint m_view;
     const AdaptiveOtfConfig& m_config;
     Touch m_touch;
     OpenCvOtf m_openCv;
@@ -117,7 +117,8 @@ constexpr int sweepViews = 91;
 constexpr double sweepFrom = -45.0, sweepTo = 45.0;
 
 /// Seconds for the OTFs of a probe that turns about y.
-double sweepSeconds(const std::shared_ptr<const Volume>& volume, const View& start, const AdaptiveOtfConfig& config) {
+double sweepSeconds(const std::shared_ptr<const Volume>& volume, const Viewpoint& start,
+                    const AdaptiveOtfConfig& config) {
     const auto frames = sweepFrames(start, SweepAxis::y, sweepFrom, sweepTo, 1.0, 1);
     return millisecondsOf([&] { (void)sweepOtfs(std::span(&volume, 1), frames, config, OtfSmoothing::none); }) / 1000.0;
 }
@@ -162,7 +163,7 @@ Result<void> bench(const BenchOptions& options) {
     const auto view = options.view.get(**volume, *config);
     if (!view) return tl::unexpected<Failure>(view.error());
 
-    View axis = *view, oblique = *view;
+    Viewpoint axis = *view, oblique = *view;
     axis.azimuthDegrees = axis.elevationDegrees = 0.0;
     if (oblique == axis) {
         oblique.azimuthDegrees = defaultAzimuth;

@@ -12,7 +12,7 @@
 namespace echolucent::cli {
 
 /// The tube cores' samples of a view, row-major, as the method takes them.
-[[nodiscard]] std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const View& view,
+[[nodiscard]] std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config);
 
 /// Reads what the method must read and does nothing with it but add it up. On voxels: all voxels of every row of the
@@ -20,7 +20,7 @@ namespace echolucent::cli {
 /// takes the samples.
 class Touch {
 public:
-    Touch(const Volume& volume, const View& view, const AdaptiveOtfConfig& config);
+    Touch(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);
     /// The sum, so that nothing is optimised away.
     [[nodiscard]] double run() const;
 
@@ -36,7 +36,7 @@ private:
 /// one row of a matrix a tube core and cv::boxFilter, cv::log, cv::filter2D, cv::sort and cv::exp on those.
 class OpenCvOtf {
 public:
-    OpenCvOtf(const Volume& volume, const View& view, const AdaptiveOtfConfig& config);
+    OpenCvOtf(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);
     /// Runs all stages once; the curve's sum.
     [[nodiscard]] double run();
     /// The largest difference between its cell means and those of the method, normalised intensity.

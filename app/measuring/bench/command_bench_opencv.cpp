@@ -29,7 +29,7 @@ struct OpenCvOtf::Stages {
     cv::Mat cellMeans, cellVariances;  ///< a column less than cellSize are without meaning
     std::vector<Surface> surfaces;
 
-    Stages(const Volume& v, const View& view, const AdaptiveOtfConfig& c)
+    Stages(const Volume& v, const Viewpoint& view, const AdaptiveOtfConfig& c)
         : volume(v), config(c), tubes(samplesOfTubes(v, view, c)) {
         const TubeSamples& any = tubes.front();
         onSlices = any.onVoxels && any.along[2] != 0.0 && any.right[0] != 0.0;
@@ -258,7 +258,7 @@ cv::Mat OpenCvOtf::Stages::curve() const {
     return cv::min(result.mul(x).mul(x), 1.0);
 }
 
-OpenCvOtf::OpenCvOtf(const Volume& volume, const View& view, const AdaptiveOtfConfig& config)
+OpenCvOtf::OpenCvOtf(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
     : m_stages(std::make_shared<Stages>(volume, view, config)) {}
 
 double OpenCvOtf::run() {

@@ -7,7 +7,7 @@
 
 namespace echolucent::cli {
 
-std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
+std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     std::vector<TubeSamples> tubes;
     const bool onVoxels = tubesLieOnVoxels(volume.geometry(), view);
     for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
@@ -126,7 +126,7 @@ double touchSamples(const Voxel* voxels, const VolumeGeometry& geometry, const s
 
 }  // namespace
 
-Touch::Touch(const Volume& volume, const View& view, const AdaptiveOtfConfig& config)
+Touch::Touch(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
     : m_volume(volume), m_columns(config.tubeColumns), m_tubes(samplesOfTubes(volume, view, config)) {
     if (tubesLieOnVoxels(volume.geometry(), view)) m_rows = rowsHolding(m_tubes, volume.geometry());
 }

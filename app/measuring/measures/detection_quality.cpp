@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
+std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                        const TubeAxis& axis, const Vec3& offsetMm) {
     const auto point =
         truth.firstInterfacePoint(axis.pointMm + offsetMm, axis.directionMm, nearPlaneDepthMm(view, geometry));
@@ -18,8 +18,8 @@ std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGe
     return axis.directionMm.dot(*point);
 }
 
-bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view, const TubeAxis& axis,
-                  int cellSize) {
+bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
+                  const TubeAxis& axis, int cellSize) {
     const ViewFrame frame = frameOf(view);
     const double half = (cellSize - 1) / 2.0 * geometry.unit();
     double least = 1e300, most = -1e300;
@@ -37,7 +37,7 @@ bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, con
     return without == 4 || (without == 0 && most - least <= 10 * geometry.unit());
 }
 
-std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
+std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                   const AdaptiveOtfConfig& config) {
     const auto axes = tubeAxes(geometry, view, config);
     std::vector<TubeTruth> truths(axes.size());

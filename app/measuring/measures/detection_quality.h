@@ -40,10 +40,10 @@ struct DetectionQuality {
 /// Distance in mm along the view, from the grid's origin, of the first interface on a ray parallel to the axis, shifted
 /// by offsetMm (grid mm); none: no interface.
 [[nodiscard]] std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry,
-                                                     const View& view, const TubeAxis& axis, const Vec3& offsetMm);
+                                                     const Viewpoint& view, const TubeAxis& axis, const Vec3& offsetMm);
 
 /// Whether the four corners of the tube core see the interface at depths no more than 10 units apart, or none of them.
-[[nodiscard]] bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const View& view,
+[[nodiscard]] bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                 const TubeAxis& axis, int cellSize);
 
 /// What the truth says of each tube core, as AdaptiveOtf::tubes is ordered: asked once for many runs over one grid.
@@ -52,7 +52,7 @@ struct TubeTruth {
     std::optional<double> interfaceDepthMm;  ///< along its axis, as interfaceDepthMm()
 };
 [[nodiscard]] std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry,
-                                                const View& view, const AdaptiveOtfConfig& config);
+                                                const Viewpoint& view, const AdaptiveOtfConfig& config);
 
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth,
                                                 const VolumeGeometry& geometry);

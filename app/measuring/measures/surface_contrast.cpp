@@ -132,7 +132,7 @@ std::optional<double> SurfaceContrast::contrastToNoise() const {
     return (meanSurface - meanRest) / std::sqrt(variance);
 }
 
-std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const View& view) {
+std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view) {
     const ViewFrame frame = frameOf(view);
     const RayLattice lattice(geometry, frame);
     const double nearPlane = nearPlaneDepthMm(view, geometry), unit = geometry.unit();
@@ -150,8 +150,8 @@ std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomT
     return rays;
 }
 
-std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays, const View& view,
-                                              std::span<const OpacityCurve> curves) {
+std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
+                                              const Viewpoint& view, std::span<const OpacityCurve> curves) {
     std::vector<OpacityTable> tables;
     for (const OpacityCurve& curve : curves) tables.emplace_back(curve);
     const Vec3 forward = frameOf(view).forward;
@@ -170,7 +170,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
     return contrasts;
 }
 
-SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const View& view,
+SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
                                 const OpacityCurve& curve) {
     return surfaceContrasts(volume, objectRays(volume.geometry(), truth, view), view, {&curve, 1}).front();
 }

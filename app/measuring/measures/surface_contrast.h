@@ -7,7 +7,7 @@
 
 #include "processing/opacity_curve.h"
 #include "processing/phantom/phantom.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -25,7 +25,7 @@ struct SurfaceContrast {
 
 /// Parallel rays, one per unit across the view, samples one unit apart, trilinear, no shading; eq. 3 with white for
 /// full intensity, on a black ground (docs/method.md).
-[[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const View& view,
+[[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
                                               const OpacityCurve& curve);
 
 /// One of these rays.
@@ -35,9 +35,10 @@ struct ObjectRay {
 };
 /// The rays that surfaceContrast looks at, row by row: where the truth is asked once for many curves.
 [[nodiscard]] std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
-                                                const View& view);
+                                                const Viewpoint& view);
 /// One contrast a curve, of given rays; each equals surfaceContrast's, bit for bit. The volume is sampled once.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
-                                                            const View& view, std::span<const OpacityCurve> curves);
+                                                            const Viewpoint& view,
+                                                            std::span<const OpacityCurve> curves);
 
 }  // namespace echolucent

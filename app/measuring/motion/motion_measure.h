@@ -16,7 +16,7 @@ struct MotionCase {
     std::string name;   ///< of files: "fetus_both"
     std::string title;  ///< "Simulated fetus, probe and object move"
     std::vector<std::shared_ptr<const Volume>> phases;
-    View start;
+    Viewpoint start;
     Motion motion;
     bool stills = false;  ///< whether the page shows pictures of it
 };

@@ -23,7 +23,7 @@ struct OtfStudyOptions {
 };
 
 /// Away from every grid axis, so that the tubes' samples must be interpolated.
-const View oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
+const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 struct GroupedPhantom {
     std::string group;
@@ -59,8 +59,8 @@ void addContrast(const StudyPhantom& phantom, const std::string& condition, std:
     if (!isOne) return;
     std::vector<OpacityCurve> curves{parabolaCurve(), linearCurve()};
     for (const ReadingResult& reading : readings) curves.emplace_back(reading.curve);
-    const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, View{});
-    const auto contrasts = surfaceContrasts(phantom.volume, rays, View{}, curves);
+    const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, Viewpoint{});
+    const auto contrasts = surfaceContrasts(phantom.volume, rays, Viewpoint{}, curves);
     study.fixed.push_back(
         {condition, phantom.config.seed, contrasts[0].contrastToNoise(), contrasts[1].contrastToNoise()});
     for (std::size_t i = 0; i < readings.size(); ++i) readings[i].contrast = contrasts[i + 2].contrastToNoise();
@@ -69,7 +69,7 @@ void addContrast(const StudyPhantom& phantom, const std::string& condition, std:
 void measurePhantom(const GroupedPhantom& grouped, int repeats, OtfStudy& study) {
     const StudyPhantom phantom(grouped.phantom.config);
     const std::string& condition = grouped.phantom.name;
-    for (const View& view : {View{}, oblique}) {
+    for (const Viewpoint& view : {Viewpoint{}, oblique}) {
         const OtfCase one{condition, &phantom.volume, view, &phantom.truth};
         const std::size_t first = study.readings.size();
         for (const MethodReading reading : allReadings) {
@@ -77,7 +77,7 @@ void measurePhantom(const GroupedPhantom& grouped, int repeats, OtfStudy& study)
             study.readings.back().group = grouped.group;
             study.readings.back().seed = phantom.config.seed;
         }
-        if (view == View{}) addContrast(phantom, condition, std::span(study.readings).subspan(first), study);
+        if (view == Viewpoint{}) addContrast(phantom, condition, std::span(study.readings).subspan(first), study);
         if (!isForErrors(condition)) continue;
         measureErrors(one, study.variants);
         if (condition == "base") measureTimes(one, repeats, study.variants);

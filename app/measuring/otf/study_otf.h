@@ -27,13 +27,13 @@ struct OtfVariant {
 
 /// For the variance and then for the ratio: unchanged, the reference, and one parameter at a time. A grid of tube cores
 /// of a given spacing covers this volume in this view. The same number of variants in the same order for any volume.
-[[nodiscard]] std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const View& view);
+[[nodiscard]] std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const Viewpoint& view);
 
 /// A volume in a view. truth: none where it is not known.
 struct OtfCase {
     std::string name;
     const Volume* volume = nullptr;
-    View view;
+    Viewpoint view;
     const PhantomTruth* truth = nullptr;
 };
 
@@ -63,7 +63,7 @@ void markFront(std::vector<VariantResult>& results);
 struct ReadingResult {
     std::string condition, group;  ///< group: "ordinary", "hard", "front wall", "empty"; of a volume: empty
     std::uint64_t seed = 0;
-    View view;
+    Viewpoint view;
     MethodReading reading = MethodReading::standard;
     DetectionQuality detection;
     std::optional<double> contrast;  ///< CNR_S, of the six conditions along the beam

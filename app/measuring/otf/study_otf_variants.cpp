@@ -12,7 +12,7 @@ namespace {
 constexpr double referenceSpacing = 4.0;  // units between tube cores
 
 /// How many units the automatic grid covers along the view's right and down axes.
-std::array<double, 2> coveredUnits(const VolumeGeometry& geometry, const View& view) {
+std::array<double, 2> coveredUnits(const VolumeGeometry& geometry, const Viewpoint& view) {
     AdaptiveOtfConfig one;
     one.tubeColumns = one.tubeRows = 1;
     one.tubeSpacing = 0;
@@ -21,7 +21,7 @@ std::array<double, 2> coveredUnits(const VolumeGeometry& geometry, const View& v
 
 class VariantList {
 public:
-    VariantList(const VolumeGeometry& geometry, const View& view, InterfaceFunction function)
+    VariantList(const VolumeGeometry& geometry, const Viewpoint& view, InterfaceFunction function)
         : m_covered(coveredUnits(geometry, view)) {
         m_base.interfaceFunction = function;
     }
@@ -107,7 +107,7 @@ std::string nameOf(InterfaceFunction function) {
     return function == InterfaceFunction::variance ? "variance" : "ratio";
 }
 
-std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const View& view) {
+std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const Viewpoint& view) {
     std::vector<OtfVariant> all;
     for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio}) {
         VariantList list(geometry, view, function);

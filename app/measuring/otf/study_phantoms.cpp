@@ -55,7 +55,7 @@ OpacityCurve parabolaCurve() { return PowerCurve{2, 1.0}; }
 
 OpacityCurve linearCurve() { return LinearCurve{20.0 / 255.0, 0.5, 1.0}; }
 
-ContrastCurves contrastCurvesOf(const Volume& volume, const View& view) {
+ContrastCurves contrastCurvesOf(const Volume& volume, const Viewpoint& view) {
     ContrastCurves all{{"x²", "eq. 1"}, {parabolaCurve(), linearCurve()}};
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
         all.names.emplace_back(nameOf(reading));
@@ -64,7 +64,7 @@ ContrastCurves contrastCurvesOf(const Volume& volume, const View& view) {
     return all;
 }
 
-std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const View& view) {
+std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view) {
     const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
     std::vector<std::optional<double>> values;
     for (const SurfaceContrast& contrast :

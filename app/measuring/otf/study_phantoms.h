@@ -43,10 +43,10 @@ struct ContrastCurves {
     std::vector<OpacityCurve> curves;
 };
 /// parabolaCurve(), linearCurve(), and the adaptive curves of the published, settled and default readings.
-[[nodiscard]] ContrastCurves contrastCurvesOf(const Volume& volume, const View& view);
+[[nodiscard]] ContrastCurves contrastCurvesOf(const Volume& volume, const Viewpoint& view);
 
 /// CNR_S of each of these curves.
-[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const View& view);
+[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view);
 
 /// Mean of the values there are; none: there is none.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);

@@ -28,7 +28,7 @@ constexpr int usualRepeats = 9, quickRepeats = 3;
 constexpr double largestEdge = 2048;
 
 /// Away from every grid axis, so that samples lie between voxel centres.
-const View oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
+const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 Result<RayCastSettings> referenceSettings(const RenderStudyOptions& options) {
     const std::string text = !options.size.empty() ? options.size : options.quick ? "160x160" : "512x512";
@@ -66,7 +66,7 @@ std::shared_ptr<const Volume> phantom(int edge) {
     return std::make_shared<const Volume>(*makePhantom(config));
 }
 
-std::string subjectOf(const RenderStudyOptions& options, const Volume& volume, const View& view) {
+std::string subjectOf(const RenderStudyOptions& options, const Volume& volume, const Viewpoint& view) {
     const auto& size = volume.geometry().size;
     return fmt::format(
         "{} ({}x{}x{} voxels, {}), beam axis {}, azimuth {:g}°, elevation {:g}°, near cut {:g} mm, parallel "

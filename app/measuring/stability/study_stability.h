@@ -30,7 +30,7 @@ struct NumericCheck {
 struct ExtremeCase {
     std::string name;
     Volume volume;
-    View view;
+    Viewpoint view;
     std::optional<double> dMax;      ///< instead of the reading's strength
     std::optional<int> tubesAcross;  ///< instead of 15
 };

@@ -105,12 +105,12 @@ std::vector<ExtremeCase> extremeCases() {
     addPlainVolumes(cases);
     addFloats(cases);
     const Volume plane = volumeOf<std::uint8_t>(geometryOf(usual), Plane{});
-    const View oblique{.azimuthDegrees = 31, .elevationDegrees = 12};
+    const Viewpoint oblique{.azimuthDegrees = 31, .elevationDegrees = 12};
     cases.push_back({"an ordinary surface, oblique", plane, oblique, {}, {}});
     cases.push_back({"constant 77, oblique", constantOf(usual, 77), oblique, {}, {}});
-    cases.push_back({"near cut behind the volume", plane, View{.nearCutMm = 1e6}, {}, {}});
+    cases.push_back({"near cut behind the volume", plane, Viewpoint{.nearCutMm = 1e6}, {}, {}});
     cases.push_back({"T = 1", plane, {}, {}, 1});
-    cases.push_back({"T = 102,400", plane, View{}, {}, 320});
+    cases.push_back({"T = 102,400", plane, Viewpoint{}, {}, 320});
     cases.push_back({"d_max = 0", plane, {}, 0.0, {}});
     cases.push_back({"d_max = 1e6", plane, {}, 1e6, {}});
     return cases;

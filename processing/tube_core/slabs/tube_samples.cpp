@@ -13,7 +13,7 @@ constexpr double rounding = 1e-9;
 constexpr double noData = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view, int cellSize,
+TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const Viewpoint& view, int cellSize,
                       bool onVoxels) {
     const ViewFrame frame = frameOf(view);
     const double unit = geometry.unit();

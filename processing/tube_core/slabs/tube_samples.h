@@ -24,7 +24,7 @@ struct TubeSamples {
 
 /// The samples of a tube core's axis; no slab where the axis misses the picture. Slabs lie half a unit behind the entry
 /// and then one unit apart; on voxels, at the voxel centres from the entry on.
-[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const View& view,
+[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const Viewpoint& view,
                                     int cellSize, bool onVoxels);
 
 /// Mean and sum of squared deviations over the samples of a slab that have data, in normalised intensity.

@@ -41,7 +41,7 @@ std::vector<ObjectRay> allRays() {
 }
 
 SurfaceContrast contrastOf(const Volume& volume, const OpacityCurve& curve) {
-    return surfaceContrasts(volume, allRays(), View{}, {&curve, 1}).front();
+    return surfaceContrasts(volume, allRays(), Viewpoint{}, {&curve, 1}).front();
 }
 
 OpacityCurve constantOpacity(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
@@ -104,7 +104,7 @@ TEST(SurfaceContrast, TheNearCutTakesWhatLiesBeforeItAway) {
     constexpr double opacity = 0.1;
     const OpacityCurve curve = constantOpacity(opacity);
     const SurfaceContrast cut =
-        surfaceContrasts(twoLayers(100, 200), allRays(), View{.nearCutMm = 15}, {&curve, 1}).front();
+        surfaceContrasts(twoLayers(100, 200), allRays(), Viewpoint{.nearCutMm = 15}, {&curve, 1}).front();
     double rest = 0.0;
     for (int k = 15; k < 18; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 100;
     for (int k = 26; k < depth; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 200;
@@ -130,7 +130,7 @@ TEST(SurfaceContrast, RaysAreThoseWhoseFirstInterfaceIsObject) {
     const PhantomConfig config = smallShapes();
     const PhantomTruth truth(config);
     const Volume volume = *makePhantom(config);
-    const View view{.azimuthDegrees = 12};
+    const Viewpoint view{.azimuthDegrees = 12};
     const Vec3 forward = frameOf(view).forward;
     const auto rays = objectRays(volume.geometry(), truth, view);
     ASSERT_GT(rays.size(), 100U);
@@ -154,7 +154,7 @@ TEST(SurfaceContrast, SameBitsForAnyNumberOfThreads) {
     const PhantomConfig config = smallShapes();
     const PhantomTruth truth(config);
     const Volume volume = *makePhantom(config);
-    const View view{.azimuthDegrees = 20, .elevationDegrees = -8};
+    const Viewpoint view{.azimuthDegrees = 20, .elevationDegrees = -8};
     const auto with = [&](int threads) {
         tbb::task_arena arena(threads);
         return arena.execute([&] { return surfaceContrast(volume, truth, view, PowerCurve{2, 1.0}); });

@@ -34,7 +34,7 @@ TEST(PictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
     std::printf("%-22s %8s %8s %9s %8s %8s\n", "CNR_S", "x^2", "eq. 1", "published", "settled", "default");
     for (const NamedPhantom& condition : conditions) {
         const Volume volume = *makePhantom(condition.config);
-        const View view;
+        const Viewpoint view;
         std::vector<OpacityCurve> curves{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}};
         for (const MethodReading reading :
              {MethodReading::asPublished, MethodReading::settled, MethodReading::standard})

@@ -31,9 +31,9 @@ AdaptiveOtfConfig fewTubes() {
 }
 
 TEST(Sweep, TurnsAboutTheViewsAxesLikeTheWindow) {
-    const View start{
+    const Viewpoint start{
         .beamAxis = BeamAxis::plusY, .azimuthDegrees = 5, .elevationDegrees = -3, .rollDegrees = 2, .nearCutMm = 7};
-    View expected = start;
+    Viewpoint expected = start;
     expected.elevationDegrees = 7;
     EXPECT_EQ(turned(start, SweepAxis::x, 10), expected);
     expected = start;
@@ -74,7 +74,7 @@ TEST(Sweep, FramesEndWhereTheRangeDoes) {
 
 TEST(Sweep, ThePapersThreeScenarios) {
     Motion motion{.axis = SweepAxis::x, .from = -2, .to = 2, .step = 1, .firstPhase = 2};
-    const View start{.elevationDegrees = 10};
+    const Viewpoint start{.elevationDegrees = 10};
     const auto probe = motionFrames(start, motion, 3);
     motion.objectMoves = true;
     const auto both = motionFrames(start, motion, 3);
@@ -132,7 +132,7 @@ TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {
 TEST(Sweep, AStillProbeComputesEachPhaseOnce) {
     const Phases phases = phantomPhases(2);
     std::vector<SweepFrame> frames = sweepFrames({}, SweepAxis::y, 0, 99, 1, 2);
-    for (SweepFrame& frame : frames) frame.view = View{};
+    for (SweepFrame& frame : frames) frame.view = Viewpoint{};
     // Reports come from the calling thread, one a computed frame at most.
     int reports = 0;
     const auto swept = sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::none, {[&](double) { ++reports; }, nullptr});

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "processing/phantom/phantom.h"
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 
 namespace echolucent {
 namespace {
@@ -50,7 +50,7 @@ struct Counts {
 };
 
 template <typename IsFluid>
-Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, const View& view, double tolerance,
+Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, const Viewpoint& view, double tolerance,
                int grid, const IsFluid& isFluid) {
     const PhantomTruth truth(config);
     const ViewFrame frame = frameOf(view);
@@ -85,7 +85,7 @@ TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheVoxels) {
         };
         return volume.storedValue(geometry.offset(nearest(0), nearest(1), nearest(2))) == 14;
     };
-    for (const View& view : {View{}, View{.azimuthDegrees = 25, .elevationDegrees = -15}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 25, .elevationDegrees = -15}}) {
         const Counts counts = compare(config, geometry, view, 2.5, 20, isFluid);
         EXPECT_GT(counts.withInterface, counts.rays / 3);
         // Rays that graze a surface meet it elsewhere between voxels.
@@ -99,7 +99,7 @@ TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheSharpMaterials) {
     VolumeGeometry geometry;
     geometry.size = config.size;
     geometry.spacing = config.spacing;
-    const View view{.azimuthDegrees = -20, .elevationDegrees = 10};
+    const Viewpoint view{.azimuthDegrees = -20, .elevationDegrees = 10};
     const Counts counts =
         compare(config, geometry, view, 0.05, 9, [&](const Vec3& p) { return truth.echoAt(p) == config.fluid; });
     EXPECT_LE(counts.different, 1);

@@ -57,7 +57,7 @@ OneVoxel oneVoxel() {
     std::vector<float> voxels(125, 0.0f);
     voxels[static_cast<std::size_t>(geometry.offset(2, 2, 2))] = 1.0f;
     const Volume volume(geometry, voxels, 1.0);
-    RayCastSettings settings = settingsFor(volume, View{}, 20, 20);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 20);
     settings.camera.heightMm = 5.0;
     settings.colourMap = ColourMap::grey;
     settings.findDepth = true;
@@ -132,7 +132,7 @@ void compareWithReference() {
                         for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % 17 < 3 || i % 23 == 0 ? 0 : 1;
                         volume = volume.withDataMask(mask);
                     }
-                    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusY, 31, -17, 5, 2}, 29, 23);
+                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusY, 31, -17, 5, 2}, 29, 23);
                     settings.camera.projection = projection;
                     settings.interpolation = interpolation;
                     settings.step = 0.83;
@@ -148,7 +148,7 @@ TEST(PlainCaster, AgreesWithABackToFrontReferenceOnFloats) { compareWithReferenc
 
 TEST(PlainCaster, LightsEverySampleUnlessToldOtherwise) {
     const Volume volume = randomVolume<std::uint8_t>({20, 20, 20}, {1, 1, 1}, 3);
-    RayCastSettings settings = settingsFor(volume, View{}, 21, 21);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 21, 21);
     settings.shading = Shading{};
     settings.step = 0.02;  // no sample adds 1/128
     const OpacityCurve curve = PowerCurve{2, 0.3};
@@ -259,7 +259,7 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
                     12.75, 1e-5);
     }
     // Obliquely: the length of every ray within the box, by its own arithmetic.
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
     settings.step = 3.3;
     const Picture picture = cast(volume, everywhere(0.1), settings);
     const Camera& camera = settings.camera;
@@ -336,7 +336,7 @@ TEST(PlainCaster, EndsARayWhereItIsAsked) {
 
 TEST(PlainCaster, SamePixelsForAnyNumberOfThreadsAndCancelled) {
     const Volume volume = randomVolume<std::uint8_t>({19, 17, 13}, {1, 0.8, 1.2}, 5);
-    const RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusX, 20, 10, 0, 0}, 60, 50);
+    const RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusX, 20, 10, 0, 0}, 60, 50);
     const OpacityCurve curve = PowerCurve{2, 0.5};
     Picture alone;
     tbb::task_arena(1).execute([&] { alone = cast(volume, curve, settings); });

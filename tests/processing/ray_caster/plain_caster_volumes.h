@@ -27,7 +27,7 @@ inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opaci
 inline OpacityCurve between(double a, double b, double p) { return ManualCurve{{{a, 0}, {a, p}, {b, p}, {b, 0}}}; }
 
 inline RayCastSettings greySettings(const Volume& volume) {
-    RayCastSettings settings = settingsFor(volume, View{}, 5, 5);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 5, 5);
     settings.colourMap = ColourMap::grey;
     settings.findDepth = true;
     return settings;

@@ -32,7 +32,7 @@ TEST(RayCaster, TwoIntensityModelFollowsEquations2And3) {
     const Volume volume(geometry, voxels);
     for (const int exponent : {1, 2, 4}) {
         const OpacityCurve curve = PowerCurve{exponent, 0.3};
-        RayCastSettings settings = settingsFor(volume, View{}, 9, 9);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, 9, 9);
         settings.camera.heightMm *= 1.5;
         settings.interpolation = Interpolation::nearest;
         settings.colourMap = ColourMap::grey;
@@ -63,7 +63,7 @@ TEST(RayCaster, TwoIntensityModelFollowsEquations2And3) {
 
 struct Setting {
     const char* name;
-    View view;
+    Viewpoint view;
     Vec3 spacing;
     Interpolation interpolation;
     Projection projection;
@@ -129,7 +129,7 @@ TEST(RayCaster, AgreesWithASlowReferenceOnFloatsShaded) { comparePictures<float>
 
 TEST(RayCaster, SamePixelsForAnyNumberOfThreads) {
     const Volume volume = randomVolume<std::uint8_t>({31, 27, 29}, {1, 0.8, 1.2}, 5);
-    View view;
+    Viewpoint view;
     view.azimuthDegrees = 20;
     RayCastSettings settings = settingsFor(volume, view, 150, 130);
     settings.shading = Shading{};
@@ -142,7 +142,7 @@ TEST(RayCaster, SamePixelsForAnyNumberOfThreads) {
 
 TEST(RayCaster, EarlyTerminationErrsByLessThanItsShareOfWhite) {
     const Volume volume = randomVolume<std::uint8_t>({40, 40, 40}, {1, 1, 1}, 8);
-    RayCastSettings settings = settingsFor(volume, View{}, 60, 60);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 60, 60);
     const OpacityCurve curve = PowerCurve{2, 0.8};
     const auto whole = castRays(volume, curve, settings);
     settings.terminationTransmittance = 1.0 / 64;
@@ -157,7 +157,7 @@ TEST(RayCaster, EarlyTerminationErrsByLessThanItsShareOfWhite) {
 
 TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
     const Volume volume = slab(20, 90);
-    const RayCastSettings settings = settingsFor(volume, View{}, 200, 200);
+    const RayCastSettings settings = settingsFor(volume, Viewpoint{}, 200, 200);
     std::atomic<bool> cancel = true;
     Progress progress;
     progress.cancel = &cancel;
@@ -178,7 +178,7 @@ TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
 
 TEST(RayCaster, RefusesRequestsThatMakeNoSense) {
     const Volume volume = slab(3, 90);
-    const RayCastSettings good = settingsFor(volume, View{}, 8, 8);
+    const RayCastSettings good = settingsFor(volume, Viewpoint{}, 8, 8);
     const auto throws = [&](auto change) {
         RayCastSettings settings = good;
         change(settings);

@@ -53,7 +53,8 @@ template <typename Voxel>
 void expectCutsLikeTheReference() {
     const Volume whole = randomVolume<Voxel>({19, 17, 21}, {1, 0.9, 1.1}, 41);
     for (const Volume& volume : {whole, sectorOf(whole)})
-        for (const View& view : {View{}, View{BeamAxis::minusY, 0, 0, 0, 0}, View{BeamAxis::plusX, 33, -24, 5, 0}})
+        for (const Viewpoint& view :
+             {Viewpoint{}, Viewpoint{BeamAxis::minusY, 0, 0, 0, 0}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
             for (const Projection projection : {Projection::parallel, Projection::perspective}) {
                 RayCastSettings plain = settingsFor(volume, view, 35, 25);
                 plain.camera.projection = projection;
@@ -78,7 +79,7 @@ TEST(RayCasterCuts, ABoxThatLeavesNothingShowsNothing) {
                                {{5, 5, 5}, {5, 5, 5}},         {{0, 0, 1e9}, {20, 20, -1e9}},
                                {{-90, -90, -90}, {-1, -1, -1}}};
     for (const RenderBox& box : boxes)
-        for (const View& view : {View{}, View{BeamAxis::plusX, 33, -24, 5, 0}})
+        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::mean}) {
                     RayCastSettings settings = settingsFor(volume, view, 40, 40);
@@ -93,7 +94,7 @@ TEST(RayCasterCuts, ABoxThatLeavesNothingShowsNothing) {
 
 TEST(RayCasterCuts, PlanesThatLeaveNothingShowNothingAndPlanesBesideChangeNothing) {
     const Volume volume = randomVolume<std::uint8_t>({20, 20, 20}, {1, 1, 1}, 3);
-    for (const View& view : {View{}, View{BeamAxis::plusX, 33, -24, 5, 0}})
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             RayCastSettings settings = settingsFor(volume, view, 40, 40);
             settings.camera.projection = projection;
@@ -118,7 +119,7 @@ TEST(RayCasterCuts, ASlabEndsAtTheOpaqueDepthExactly) {
     const float start = -0.5f;  // the slab's face, mm
     for (const double step : {0.25, 1.0, 3.0})
         for (const float depth : {0.0f, 0.6f, 7.3f, 31.9f, 39.4f, 400.0f}) {
-            RayCastSettings settings = settingsFor(volume, View{}, 8, 8);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
             settings.camera.heightMm = 16;
             settings.step = step;
             settings.opaqueDepth = depthMap(1, 1, {start + depth});
@@ -131,7 +132,7 @@ TEST(RayCasterCuts, ASlabEndsAtTheOpaqueDepthExactly) {
 
 TEST(RayCasterCuts, ADepthMapOfAnotherSizeIsReadAtTheNearestPlace) {
     const Volume volume = constantVolume<std::uint8_t>({20, 20, 40}, 0.5);
-    RayCastSettings settings = settingsFor(volume, View{}, 12, 10);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 12, 10);
     settings.camera.heightMm = 15;
     const std::vector<float> depths{4.5f, 9.5f, 14.5f, 19.5f, 24.5f, 29.5f};
     settings.opaqueDepth = depthMap(3, 2, depths);
@@ -152,7 +153,7 @@ TEST(RayCasterCuts, NothingOpaqueAndAllHidden) {
     const Volume volume = randomVolume<std::uint16_t>({20, 21, 22}, {1, 1, 1}, 9);
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::mean}) {
-            RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusX, 33, -24, 5, 0}, 30, 30);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}, 30, 30);
             settings.camera.projection = projection;
             settings.mode = mode;
             const auto whole = castRays(volume, haze, settings);
@@ -209,7 +210,7 @@ TEST(RayCasterCuts, AnOpaqueSphereHalfInsideTheVolumeIsRightFromSixSides) {
     for (int beam = 0; beam < 6; ++beam)
         for (const double azimuth : {0.7, 24.0})
             for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-                View view;
+                Viewpoint view;
                 view.beamAxis = static_cast<BeamAxis>(beam);
                 view.azimuthDegrees = azimuth;
                 view.elevationDegrees = 0.4;

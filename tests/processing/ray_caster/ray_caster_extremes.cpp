@@ -10,7 +10,7 @@
 namespace echolucent {
 namespace {
 
-const View oblique{BeamAxis::plusZ, 27, -16, 5, 0};
+const Viewpoint oblique{BeamAxis::plusZ, 27, -16, 5, 0};
 
 /// As the slow reference has it, bytes of noise but for their shares' 7 bits; and sound.
 void expectReference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
@@ -65,7 +65,7 @@ TEST(RayCasterExtremes, ARodSeenAlongItself) {
     for (int axis = 0; axis < 3; ++axis)
         for (const double step : {0.25, 1.0, 100.0}) {
             const Volume volume = rod<std::uint8_t>(axis);
-            View view;
+            Viewpoint view;
             view.beamAxis = axis == 0 ? BeamAxis::plusX : axis == 1 ? BeamAxis::plusY : BeamAxis::minusZ;
             RayCastSettings settings = settingsFor(volume, view, 3, 3);
             settings.step = step;
@@ -77,7 +77,7 @@ TEST(RayCasterExtremes, ARodSeenAcrossShowsEachPieceInItsPlace) {
     for (int axis = 0; axis < 3; ++axis)
         for (const int pixels : {4, 8, 64, 1024}) {
             const Volume volume = rod<std::uint16_t>(axis);
-            View view;
+            Viewpoint view;
             view.beamAxis = axis == 2 ? BeamAxis::plusX : BeamAxis::plusZ;
             RayCastSettings settings = settingsFor(volume, view, pixels, 1);
             settings.camera.heightMm = 32768.0 / pixels;
@@ -92,7 +92,7 @@ TEST(RayCasterExtremes, ARodSeenAcrossShowsEachPieceInItsPlace) {
 
 /// Looks nearly along the rod: rays of neighbouring pixels meet it thousands of voxels apart.
 RayCastSettings grazing(const Volume& volume, int width, int height) {
-    View view;
+    Viewpoint view;
     view.beamAxis = BeamAxis::plusZ;
     view.azimuthDegrees = 89.9;
     RayCastSettings settings = settingsFor(volume, view, width, height);
@@ -124,7 +124,7 @@ TEST(RayCasterExtremes, RaysAloneJumpOverWhatIsEmptyAndNoFarther) {
         std::fill_n(along.begin() + static_cast<std::ptrdiff_t>(y), 4, 0.6);
     const Volume volume = volumeOf<std::uint8_t>(
         {80, length, 1}, {1, 1, 1}, [&](auto, auto y, auto) { return along[static_cast<std::size_t>(y)]; });
-    View view;
+    Viewpoint view;
     view.beamAxis = BeamAxis::plusY;
     RayCastSettings settings = settingsFor(volume, view, 4, 1);
     settings.camera.heightMm = 26.2;
@@ -144,7 +144,7 @@ TEST(RayCasterExtremes, LargeSlicesAndLargeSteps) {
         for (const BeamAxis beam :
              {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusY, BeamAxis::minusZ})
             for (const double step : {4.0, 40.0, 100.0}) {
-                View view = oblique;
+                Viewpoint view = oblique;
                 view.beamAxis = beam;
                 RayCastSettings settings = settingsFor(*volume, view, 21, 13);
                 settings.step = step;
@@ -153,7 +153,7 @@ TEST(RayCasterExtremes, LargeSlicesAndLargeSteps) {
                 expectReference(*caster.cast(curve, settings), *volume, curve, settings,
                                 "step " + std::to_string(step));
             }
-    View along;
+    Viewpoint along;
     along.beamAxis = BeamAxis::minusX;
     RayCastSettings settings = settingsFor(*volume, along, 9, 1);
     settings.camera.heightMm = 320;
@@ -212,7 +212,7 @@ TEST(RayCasterExtremes, WhiteLevelsOfAnyMagnitude) {
 
 TEST(RayCasterExtremes, CameraInsideOnTheFaceAndAlongAnAxis) {
     const Volume volume = speckledShell<std::uint16_t>({25, 22, 28}, {1, 0.8, 1.3}, 3);
-    for (const View& view : {View{}, View{BeamAxis::minusX, 0, 0, 0, 0}, oblique})
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::minusX, 0, 0, 0, 0}, oblique})
         for (const double distance : {0.0, 1e-9, 5.0, 1e7})
             for (const double angle : {1e-3, 40.0, 120.0, 179.0}) {
                 RayCastSettings settings = settingsFor(volume, view, 15, 11);
@@ -234,7 +234,7 @@ TEST(RayCasterExtremes, OneOpaqueVoxelIsSeenFromEverywhereAndOnlyThere) {
     const Volume volume = volumeOf<std::uint8_t>(
         {21, 21, 21}, {1, 1, 1}, [](auto x, auto y, auto z) { return x == 7 && y == 11 && z == 15 ? 1.0 : 0.0; });
     for (int beam = 0; beam < 6; ++beam) {
-        View view;
+        Viewpoint view;
         view.beamAxis = static_cast<BeamAxis>(beam);
         RayCastSettings settings = settingsFor(volume, view, 105, 105);
         settings.camera.heightMm = 21;
@@ -271,12 +271,12 @@ TEST(RayCasterExtremes, PicturesOfOnePixelOneRowOneColumn) {
 TEST(RayCasterExtremes, TheWholeVolumeInOnePixelAndOneVoxelOverAllPixels) {
     const Volume volume = speckledShell<std::uint8_t>({20, 20, 20}, {1, 1, 1}, 13);
     for (const double height : {1e12, 1e6, 2000.0, 0.5, 1e-3, 1e-9})
-        for (const View& view : {View{}, oblique}) {
+        for (const Viewpoint& view : {Viewpoint{}, oblique}) {
             RayCastSettings settings = settingsFor(volume, view, 9, 9);
             settings.camera.heightMm = height;
             expectReference(volume, PowerCurve{2, 0.5}, settings, "height " + std::to_string(height));
         }
-    RayCastSettings settings = settingsFor(volume, View{}, 9, 9);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 9, 9);
     settings.camera.focalPoint = {1e9, -1e9, 1e9};
     EXPECT_EQ(largestAlpha(*castRays(volume, PowerCurve{2, 0.5}, settings)), 0.0f) << "far beside it";
 }

@@ -43,7 +43,7 @@ void expectEditsFollowed(const Volume& volume, const RayCastSettings& settings, 
 }
 
 RayCastSettings obliqueSettings(const Volume& volume, int width = 73, int height = 59) {
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
     settings.terminationTransmittance = RayCastSettings{}.terminationTransmittance;
     settings.findDepth = true;
     return settings;
@@ -85,7 +85,8 @@ TEST(RayCasterKept, RaysThatEndedEarlyGoOnUnderATransparentCurve) {
         for (int column = 0; column < map.width; ++column)
             map.depthMm.push_back((row + column) % 3 == 0 ? INFINITY : 20.0f + 3.0f * static_cast<float>(column % 9));
     for (const double azimuth : {0.0, 20.0, 65.0}) {
-        RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, azimuth, 9, 0, 0}, map.width, map.height);
+        RayCastSettings settings =
+            settingsFor(volume, Viewpoint{BeamAxis::plusZ, azimuth, 9, 0, 0}, map.width, map.height);
         settings.opaqueDepth = std::make_shared<const DepthMap>(map);
         RayCaster caster(held(volume));
         const OpacityCurve wallAlone = ManualCurve{{{0.0, 0.0}, {0.9, 0.0}, {0.95, 1.0}, {1.0, 1.0}}};
@@ -216,7 +217,7 @@ TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
 TEST(RayCasterKept, RaysOfOnePacketFarApartAreNotMixedUp) {
     const Volume volume = volumeOf<std::uint8_t>(
         {32768, 1, 1}, {1, 1, 1}, [](auto x, auto, auto) { return static_cast<double>(x * 37 / 100 % 100) / 100; });
-    RayCastSettings settings = settingsFor(volume, View{}, 4, 1);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 4, 1);
     settings.camera.heightMm = 8000.0;
     settings.step = 0.05;
     RayCaster caster(held(volume));
@@ -227,7 +228,7 @@ TEST(RayCasterKept, RaysOfOnePacketFarApartAreNotMixedUp) {
 TEST(RayCasterKept, MemoryIsWhatTheSamplesTake) {
     const Volume volume = constantVolume<std::uint8_t>({64, 64, 150}, 0.5);
     for (const double opacity : {0.001, 0.9}) {
-        RayCastSettings settings = settingsFor(volume, View{}, 128, 128);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, 128, 128);
         settings.camera.heightMm = 60;
         settings.terminationTransmittance = 1.0 / 512;
         RayCaster caster(held(volume));
@@ -259,7 +260,7 @@ TEST(RayCasterKept, AViewAboveTheMemoryLimitKeepsNothing) {
         double step;
     };
     for (const Wanted& wanted : {Wanted{2048, 2048, 0.2}, {512, 512, 0.01}, {4096, 1, 0.001}, {1, 4096, 0.001}}) {
-        RayCastSettings settings = settingsFor(volume, View{}, wanted.width, wanted.height);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, wanted.width, wanted.height);
         settings.camera.heightMm = 32.0 / std::max(1, wanted.width / wanted.height);
         settings.step = wanted.step;
         const double bytes = 2.0 * 32 / wanted.step * wanted.width * wanted.height;
@@ -275,7 +276,7 @@ TEST(RayCasterKept, AViewAboveTheMemoryLimitKeepsNothing) {
 
 TEST(RayCasterKept, WhatIsHiddenBehindSomethingOpaqueDoesNotLowerTheEstimate) {
     const Volume volume = constantVolume<std::uint8_t>({32, 32, 32}, 0.5);
-    RayCastSettings settings = settingsFor(volume, View{}, 2048, 2048);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 2048, 2048);
     settings.step = 0.1;  // half the picture: 1.3 GB
     settings.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 2, {INFINITY, -1e6f}});
     EXPECT_EQ(bytesKeptOfTheFirstTiles(volume, settings), 0u);

@@ -28,7 +28,7 @@ const OpacityCurve surface = LinearCurve{0.2, 1.5, 1.0};
 
 TEST(RayCasterLight, ShadingChangesColourAndNeverOpacity) {
     const Volume volume = ball();
-    RayCastSettings settings = settingsFor(volume, View{}, 64, 64);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 64, 64);
     const auto plain = castRays(volume, surface, settings);
     settings.shading = Shading{};
     const auto shaded = castRays(volume, surface, settings);
@@ -47,7 +47,7 @@ TEST(RayCasterLight, ShadingChangesColourAndNeverOpacity) {
 TEST(RayCasterLight, LightComesFromWhereItIsSaid) {
     const Volume volume = ball();
     for (const BeamAxis beam : {BeamAxis::plusZ, BeamAxis::minusX, BeamAxis::plusY}) {
-        View view;
+        Viewpoint view;
         view.beamAxis = beam;
         RayCastSettings settings = settingsFor(volume, view, 64, 64);
         const auto brightnessAt = [&](const Vec3& light, int column, int row) {
@@ -66,7 +66,7 @@ TEST(RayCasterLight, WhereThereIsNoSurfaceLightIsEven) {
     VolumeGeometry geometry;
     geometry.size = {20, 20, 20};
     const Volume volume(geometry, std::vector<std::uint8_t>(8000, 120));
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
     settings.colourMap = ColourMap::grey;  // whose shadows have no tint
     const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
     const auto plain = castRays(volume, curve, settings);
@@ -98,7 +98,7 @@ TEST(RayCasterLight, NoDataIsTransparentWhateverTheCurveSaysOfZero) {
     const Volume volume = halfEmpty();
     const OpacityCurve curve = ManualCurve{{{0, 0.9}, {0.3, 0.9}, {0.4, 0.02}, {1, 0.02}}};
     for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear}) {
-        RayCastSettings settings = settingsFor(volume, View{}, 32, 32);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, 32, 32);
         settings.camera.heightMm = 32;  // a pixel a voxel
         settings.interpolation = interpolation;
         const auto picture = castRays(volume, curve, settings);
@@ -110,7 +110,7 @@ TEST(RayCasterLight, NoDataIsTransparentWhateverTheCurveSaysOfZero) {
 
 TEST(RayCasterLight, TheBorderOfTheSectorIsNotLit) {
     const Volume volume = halfEmpty();
-    for (const View& view : {View{}, View{BeamAxis::plusX, 15, 10, 0, 0}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 15, 10, 0, 0}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
         settings.colourMap = ColourMap::grey;  // whose shadows have no tint
@@ -139,7 +139,7 @@ void compareMasked() {
         const Volume volume = whole.withDataMask(mask);
         for (const bool shaded : {false, true})
             for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear}) {
-                RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 28, -16, 3, 0}, 41, 37);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 28, -16, 3, 0}, 41, 37);
                 settings.interpolation = interpolation;
                 settings.step = 0.83;
                 if (shaded) settings.shading = Shading{};

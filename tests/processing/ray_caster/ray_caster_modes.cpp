@@ -36,7 +36,7 @@ void expectLayersInClosedForm() {
     }
     for (const ColourMap map : {ColourMap::sepia, ColourMap::grey, ColourMap::ice})
         for (const RenderMode mode : extremes) {
-            RayCastSettings settings = settingsFor(volume, View{}, 9, 7);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 9, 7);
             settings.camera.heightMm = 8;
             settings.colourMap = map;
             settings.mode = mode;
@@ -80,7 +80,7 @@ void expectBruteForce() {
         for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear})
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const RenderMode mode : extremes) {
-                    RayCastSettings settings = settingsFor(volume, View{BeamAxis::minusX, 23, 31, 5, 0}, 37, 33);
+                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5, 0}, 37, 33);
                     settings.camera.projection = projection;
                     settings.interpolation = interpolation;
                     settings.mode = mode;
@@ -115,7 +115,7 @@ TEST(RayCasterModes, WhereThereIsNoDataNothingIsShown) {
     const Volume full = constantVolume<float>({9, 9, 9}, 0.5);
     const Volume volume = full.withDataMask(std::vector<std::uint8_t>(729, 0));
     for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::minimum, RenderMode::mean}) {
-        RayCastSettings settings = settingsFor(volume, View{}, 11, 11);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, 11, 11);
         settings.mode = mode;
         settings.findDepth = true;
         const auto picture = castRays(volume, everywhere(1.0), settings);
@@ -135,7 +135,7 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const bool preIntegrated : {false, true})
             for (const double step : {0.05, 0.5, 1.7}) {
-                RayCastSettings settings = settingsFor(volume, View{}, 20, 16);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 16);
                 settings.camera.projection = projection;
                 settings.camera.heightMm = 30;
                 settings.camera.distanceMm = 120;
@@ -159,7 +159,7 @@ TEST(RayCasterModes, DepthIsWhereHalfTheOpacityIsReached) {
     for (const double opacity : {0.0016, 0.0021, 0.01, 0.05, 0.3, 0.49, 0.51, 1.0})
         for (const bool preIntegrated : {false, true})
             for (const double step : {0.25, 1.0, 2.0}) {
-                RayCastSettings settings = settingsFor(volume, View{}, 5, 5);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{}, 5, 5);
                 settings.camera.heightMm = 5;
                 settings.findDepth = true;
                 settings.preIntegrated = preIntegrated;
@@ -183,7 +183,7 @@ TEST(RayCasterModes, DepthOfExtremesIsThatOfTheSampleShown) {
     const Volume volume = randomVolume<float>({21, 24, 19}, {1, 0.8, 1.3}, 52);
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const RenderMode mode : extremes) {
-            RayCastSettings settings = settingsFor(volume, View{BeamAxis::minusX, 23, 31, 5, 0}, 31, 27);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5, 0}, 31, 27);
             settings.camera.projection = projection;
             settings.mode = mode;
             settings.findDepth = true;
@@ -218,7 +218,7 @@ TEST(RayCasterModes, TintsAreThoseOfFrontAndBackAndLinearBetween) {
     const DepthColouring colouring{{0.9, 0.7, 0.5}, {0.2, 0.4, 1.0}};
     for (const double opaqueFrom : {-0.75, 20.0, 55.5, 88.0})
         for (const double nearPlane : {-1e30, 10.0}) {
-            RayCastSettings settings = settingsFor(volume, View{}, 8, 8);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
             settings.camera.heightMm = 20;
             settings.colourMap = ColourMap::grey;
             settings.depthColouring = colouring;
@@ -244,7 +244,7 @@ TEST(RayCasterModes, ATintedSlabIsTheSumOfItsSteps) {
     for (const bool shaded : {false, true})
         for (const bool preIntegrated : {false, true}) {
             if (shaded && preIntegrated) continue;
-            RayCastSettings settings = settingsFor(volume, View{}, 8, 8);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
             settings.camera.heightMm = 20;
             settings.colourMap = ColourMap::grey;
             settings.depthColouring = colouring;
@@ -267,7 +267,7 @@ TEST(RayCasterModes, JitterMovesRaysByAnyShareOfAStepAndFavoursNone) {
     const Volume volume = constantVolume<std::uint8_t>({64, 64, 40}, 0.5);
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const double step : {0.5, 4.0}) {
-            RayCastSettings settings = settingsFor(volume, View{}, 100, 100);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 100, 100);
             settings.camera.heightMm = 60;
             settings.camera.projection = projection;
             settings.camera.distanceMm = 1e5;
@@ -299,7 +299,7 @@ TEST(RayCasterModes, JitterMovesRaysByAnyShareOfAStepAndFavoursNone) {
 TEST(RayCasterModes, JitterLeavesEachRayItsWholeWay) {
     // 10.5 steps deep, wherever they begin.
     const Volume volume = constantVolume<std::uint8_t>({64, 64, 42}, 0.5);
-    RayCastSettings settings = settingsFor(volume, View{}, 120, 120);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 120, 120);
     settings.camera.heightMm = 60;
     settings.step = 4.0;
     settings.jittered = true;
@@ -310,7 +310,7 @@ TEST(RayCasterModes, JitterLeavesEachRayItsWholeWay) {
 
 TEST(RayCasterModes, RefusesRequestsThatMakeNoSense) {
     const Volume volume = constantVolume<std::uint8_t>({3, 3, 3}, 0.5);
-    const RayCastSettings good = settingsFor(volume, View{}, 8, 8);
+    const RayCastSettings good = settingsFor(volume, Viewpoint{}, 8, 8);
     RayCaster caster(std::make_shared<const Volume>(volume));
     const auto throws = [&](const char* what, auto change) {
         RayCastSettings settings = good;

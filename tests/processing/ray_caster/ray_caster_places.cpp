@@ -55,7 +55,7 @@ TEST(RayCasterPlaces, EachBeamAxisShowsTheBlockWhereItIs) {
                           {BeamAxis::plusY, {1, 0, 0}, {0, 0, -1}}, {BeamAxis::minusY, {1, 0, 0}, {0, 0, 1}}};
     for (const Case& c : cases)
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-            View view;
+            Viewpoint view;
             view.beamAxis = c.beam;
             RayCastSettings settings = settingsFor(volume, view, 200, 160);
             settings.camera.projection = projection;
@@ -78,12 +78,12 @@ TEST(RayCasterPlaces, WhatIsInFrontHidesWhatIsBehind) {
     std::fill_n(voxels.begin(), 200, std::uint8_t{153});        // z = 0, 1
     std::fill_n(voxels.begin() + 800, 200, std::uint8_t{255});  // z = 8, 9
     const Volume volume(geometry, voxels);
-    View view;
+    Viewpoint view;
     RayCastSettings settings = settingsFor(volume, view, 21, 21);
     settings.colourMap = ColourMap::grey;
     settings.interpolation = Interpolation::nearest;
     EXPECT_NEAR(pixelAt(*castRays(volume, opaqueAboveHalf, settings), 10, 10)[0], 0.6f, 1e-6f);
-    settings.camera.frame = frameOf(View{BeamAxis::minusZ, 0, 0, 0, 0});
+    settings.camera.frame = frameOf(Viewpoint{BeamAxis::minusZ, 0, 0, 0, 0});
     settings.nearPlaneDepthMm = -INFINITY;
     EXPECT_NEAR(pixelAt(*castRays(volume, opaqueAboveHalf, settings), 10, 10)[0], 1.0f, 1e-6f);
 }
@@ -97,7 +97,7 @@ TEST(RayCasterPlaces, TheNearPlaneCutsThere) {
     const Volume volume(geometry, voxels);
     const OpacityCurve opaqueFront = ManualCurve{{{0.0, 0.02}, {0.4, 0.02}, {0.41, 1.0}, {1.0, 1.0}}};
     const auto alphaAt = [&](double cut, Projection projection) {
-        View view;
+        Viewpoint view;
         view.nearCutMm = cut;
         RayCastSettings settings = settingsFor(volume, view, 11, 11);
         settings.camera.projection = projection;
@@ -117,8 +117,8 @@ TEST(RayCasterPlaces, TheNearPlaneCutsThere) {
 TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
     for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.3, 0.3, 2.0}})
         for (const double aspect : {0.4, 1.0, 2.5})
-            for (const View& view :
-                 {View{}, View{BeamAxis::plusY, 0, 0, 0, 3}, View{BeamAxis::minusX, 30, -40, 70, 0}}) {
+            for (const Viewpoint& view :
+                 {Viewpoint{}, Viewpoint{BeamAxis::plusY, 0, 0, 0, 3}, Viewpoint{BeamAxis::minusX, 30, -40, 70, 0}}) {
                 VolumeGeometry geometry;
                 geometry.size = {60, 50, 40};
                 geometry.spacing = spacing;
@@ -159,7 +159,7 @@ TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
         for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.1, 5, 0.7}})
             for (const bool shaded : {false, true}) {
                 const Volume volume = randomVolume<std::uint8_t>(size, spacing, 3);
-                RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 25, 15, 0, 0}, 25, 19);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, 25, 19);
                 if (shaded) settings.shading = Shading{};
                 settings.step = 2.3;
                 expectSound(volume, settings,
@@ -171,7 +171,7 @@ TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
 TEST(RayCasterPlaces, OneVoxelIsOneBox) {
     VolumeGeometry geometry;
     const Volume volume(geometry, std::vector<std::uint8_t>{255});
-    const RayCastSettings settings = settingsFor(volume, View{}, 104, 104);
+    const RayCastSettings settings = settingsFor(volume, Viewpoint{}, 104, 104);
     const auto picture = castRays(volume, ManualCurve{{{0, 0.25}}}, settings);
     int inside = 0;
     for (std::size_t i = 3; i < picture->rgba.size(); i += 4) {
@@ -192,27 +192,27 @@ TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
     const Volume volume(random.geometry(), voxels, 3.5);
     for (const bool shaded : {false, true})
         for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear}) {
-            RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 31, -13, 5, 0}, 41, 31);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -13, 5, 0}, 41, 31);
             settings.interpolation = interpolation;
             if (shaded) settings.shading = Shading{};
             expectSound(volume, settings, "masked");
             expectSound(volume.withDataMask({}), settings, "mask forgotten");
         }
     const Volume nothing(random.geometry(), std::vector<float>(voxels.size(), std::nanf("")));
-    const auto picture = castRays(nothing, ManualCurve{{{0, 1.0}}}, settingsFor(nothing, View{}, 20, 20));
+    const auto picture = castRays(nothing, ManualCurve{{{0, 1.0}}}, settingsFor(nothing, Viewpoint{}, 20, 20));
     for (const float value : picture->rgba) EXPECT_EQ(value, 0.0f);
 }
 
 TEST(RayCasterPlaces, CameraInsideOnTheFaceAndBehind) {
     const Volume volume = randomVolume<std::uint8_t>({15, 16, 17}, {1, 1, 1}, 11);
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 10, 20, 0, 0}, 33, 33);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 10, 20, 0, 0}, 33, 33);
     settings.camera.projection = Projection::perspective;
     settings.camera.viewAngleDegrees = 100;
     settings.nearPlaneDepthMm = -INFINITY;
     const Vec3 forward = settings.camera.frame.forward;
     settings.camera.distanceMm = 0.0;  // the eye in the centre
     expectSound(volume, settings, "inside");
-    settings.camera = defaultCamera(volume.geometry(), View{}, 1.0);
+    settings.camera = defaultCamera(volume.geometry(), Viewpoint{}, 1.0);
     settings.camera.projection = Projection::perspective;
     settings.camera.distanceMm = 8.5;
     expectSound(volume, settings, "on the face");

@@ -15,7 +15,7 @@ Volume ramp(std::int64_t depth) {
                            [&](auto, auto, auto z) { return static_cast<double>(z) / static_cast<double>(depth - 1); });
 }
 
-RayCastSettings throughRamp(const Volume& volume, const View& view, double step, bool preIntegrated) {
+RayCastSettings throughRamp(const Volume& volume, const Viewpoint& view, double step, bool preIntegrated) {
     RayCastSettings settings = settingsFor(volume, view, 6, 6);
     settings.camera.heightMm = 6;
     settings.step = step;
@@ -47,7 +47,7 @@ void expectRampInClosedForm(std::int64_t depth, double tolerance) {
     for (const OpacityCurve& curve : curves)
         for (const BeamAxis beam : {BeamAxis::plusZ, BeamAxis::minusZ})
             for (const double step : {0.5, 1.0, 2.0, 4.0}) {
-                View view;
+                Viewpoint view;
                 view.beamAxis = beam;
                 const auto picture = castRays(volume, curve, throughRamp(volume, view, step, true));
                 const auto [alpha, grey] = alphaAndGrey(curve, static_cast<double>(depth), beam == BeamAxis::minusZ);
@@ -71,7 +71,7 @@ TEST(RayCasterPreIntegrated, FaintTissueBesideSomethingOpaqueKeepsItsOpacity) {
     for (const double faint : {1e-2, 1e-3, 1e-4}) {
         const OpacityCurve curve = ManualCurve{{{0.0, 1.0}, {0.4, 1.0}, {0.45, faint}, {1.0, faint}}};
         for (const double step : {0.5, 1.0, 2.0}) {
-            const auto picture = castRays(volume, curve, throughRamp(volume, View{}, step, true));
+            const auto picture = castRays(volume, curve, throughRamp(volume, Viewpoint{}, step, true));
             const double alpha = -std::expm1(300 * std::log1p(-faint));
             EXPECT_NEAR(pixelAt(*picture, 3, 3)[3], alpha, 0.02 * alpha + 1e-5) << faint << " at step " << step;
         }
@@ -86,7 +86,7 @@ TEST(RayCasterPreIntegrated, AThinShellBetweenSamplesIsNotMissed) {
         return std::clamp(1.0 - radius / 40, 0.0, 1.0);
     });
     const OpacityCurve shell = onlyBetween(0.5, 0.508, 0.95);
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 21, 17, 0, 0}, 40, 40);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 21, 17, 0, 0}, 40, 40);
     settings.step = 0.01;
     const auto converged = castRays(volume, shell, settings);
     ASSERT_GT(largestAlpha(*converged), 0.3f);
@@ -110,7 +110,7 @@ TEST(RayCasterPreIntegrated, OnSmallStepsItIsThePictureOfPoints) {
         const Volume whole = speckledShell<std::uint8_t>({34, 31, 36}, {1, 1.1, 0.9}, 5);
         const Volume volume = masked ? sectorOf(whole) : whole;
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-            RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 21, 17, 0, 0}, 40, 40);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 21, 17, 0, 0}, 40, 40);
             settings.camera.projection = projection;
             settings.step = 0.05;
             const auto points = castRays(volume, PowerCurve{2, 0.3}, settings);

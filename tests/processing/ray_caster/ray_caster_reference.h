@@ -279,7 +279,7 @@ Volume randomVolume(const std::array<std::int64_t, 3>& size, const Vec3& spacing
     return Volume(geometry, std::move(voxels), top);
 }
 
-inline RayCastSettings settingsFor(const Volume& volume, const View& view, int width, int height) {
+inline RayCastSettings settingsFor(const Volume& volume, const Viewpoint& view, int width, int height) {
     RayCastSettings settings;
     settings.width = width;
     settings.height = height;

@@ -27,7 +27,7 @@ void expectRoutesAgree() {
             for (const double end : {0.0, 1.0 / 128, 0.2})
                 for (const OpacityCurve& curve :
                      {OpacityCurve{PowerCurve{1, 0.9}}, everywhere(0.3), onlyBetween(0.4, 0.9, 0.5)}) {
-                    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 31, -22, 7, 0}, 61, 53);
+                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 61, 53);
                     settings.camera.projection = projection;
                     settings.terminationTransmittance = end;
                     // Positions differ in their last bit; of bytes that may be a step in their shares of 7 bits.
@@ -46,7 +46,7 @@ TEST(RayCasterRoutes, ARayThatHasEndedGetsNothingOfTheBackFace) {
     const Volume volume = volumeOf<std::uint8_t>({16, 16, 40}, {1, 1, 1}, [](auto x, auto, auto z) {
         return z == 39 ? 1.0 : x < 6 && z > 5 && z < 9 ? 0.5 : 0.0;
     });
-    RayCastSettings settings = settingsFor(volume, View{}, 16, 16);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 16, 16);
     settings.camera.heightMm = 16;
     settings.step = 0.9;  // the last four ninths of a step are cut off
     settings.interpolation = Interpolation::nearest;
@@ -68,7 +68,7 @@ TEST(RayCasterRoutes, BytesAboveWhiteAreWhiteAlsoWhereSamplesAreKept) {
         std::mt19937 dice(8);
         for (auto& voxel : voxels) voxel = static_cast<std::uint8_t>(dice() % 3 == 0 ? 255 : dice() % 120);
         const Volume volume = sectorOf(Volume(geometry, std::move(voxels), white));
-        RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 31, -22, 7, 0}, 31, 29);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 31, 29);
         RayCaster caster(held(volume));
         for (int picture = 0; picture < 3; ++picture) (void)caster.cast(PowerCurve{1, 0.5}, settings);
         EXPECT_GT(caster.keptSampleBytes(), 0u);
@@ -87,7 +87,7 @@ TEST(RayCasterRoutes, CutStepsOfOnePacketMayLieFarApart) {
     const Volume volume = volumeOf<std::uint8_t>({6, 6, 40000}, {1, 1, 1}, [](auto, auto, auto) { return 0.5; });
     for (const bool withDepth : {false, true})
         for (const RenderMode mode : {RenderMode::direct, RenderMode::mean}) {
-            RayCastSettings settings = settingsFor(volume, View{}, 6, 6);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 6, 6);
             settings.camera.heightMm = 6;
             settings.step = 0.7;
             settings.mode = mode;

@@ -14,7 +14,7 @@ constexpr double opacitiesTried[] = {0.0, 1e-12, 1e-6, 1e-3, 0.03, 0.3, 0.9, 1.0
 
 /// All pixels look through the whole slab.
 RayCastSettings throughSlab(const Volume& volume, double step) {
-    RayCastSettings settings = settingsFor(volume, View{}, 4, 4);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 4, 4);
     settings.camera.heightMm = 2.0;
     settings.step = step;
     settings.colourMap = ColourMap::grey;
@@ -66,7 +66,7 @@ TEST(RayCasterSlab, TheClosedFormHoldsForEveryVoxelTypeAndProjection) {
 TEST(RayCasterSlab, HalvingTheStepLeavesTheTransmittanceOfASpeckledVolume) {
     // Opacities that follow intensity: the sum over a ray converges, and each halving with its correction stays near.
     const Volume volume = speckledShell<std::uint8_t>({40, 40, 40}, {1, 1, 1}, 5);
-    RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusZ, 20, 10, 0, 0}, 32, 32);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 32, 32);
     settings.step = 0.02;
     const auto converged = castRays(volume, PowerCurve{2, 0.5}, settings);
     double before = 1e30;
@@ -84,7 +84,7 @@ TEST(RayCasterSlab, AWhiteFurnaceStaysWhite) {
     const Volume volume = randomVolume<std::uint8_t>({60, 50, 70}, {1, 0.8, 1.1}, 6);
     for (const double step : {0.01, 0.3, 1.0, 4.0})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-            RayCastSettings settings = settingsFor(volume, View{BeamAxis::plusY, 25, -13, 0, 0}, 24, 20);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusY, 25, -13, 0, 0}, 24, 20);
             settings.shading = Shading{.ambient = 1e6};
             settings.step = step;
             settings.camera.projection = projection;

@@ -68,7 +68,8 @@ TEST(RayCasterTables, BytesOfASmoothVolumeAreShownToATenthOfALevel) {
         return 0.5 + 0.24 * std::sin(0.17 * static_cast<double>(x) + 0.4) * std::cos(0.19 * static_cast<double>(y)) +
                0.24 * std::sin(0.13 * static_cast<double>(z) - 0.08 * static_cast<double>(y));
     });
-    for (const View& view : {View{}, View{BeamAxis::minusX, 0, 0, 0, 0}, View{BeamAxis::plusY, 31, -22, 4, 0}}) {
+    for (const Viewpoint& view :
+         {Viewpoint{}, Viewpoint{BeamAxis::minusX, 0, 0, 0, 0}, Viewpoint{BeamAxis::plusY, 31, -22, 4, 0}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         settings.step = 0.77;
         for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.2}}, OpacityCurve{LinearCurve{0.3, 0.9, 0.2}}})

@@ -36,7 +36,7 @@ struct Shares {
 using SharesOfReadings = std::array<Shares, readings.size()>;
 
 /// All readings on one volume, which is made once.
-Qualities qualitiesOf(const PhantomConfig& phantom, const View& view, const Volume& volume) {
+Qualities qualitiesOf(const PhantomConfig& phantom, const Viewpoint& view, const Volume& volume) {
     const PhantomTruth truth(phantom);
     Qualities qualities;
     for (std::size_t r = 0; r < readings.size(); ++r)
@@ -52,10 +52,10 @@ void print(const std::string& what, const Qualities& qualities) {
 }
 
 /// Measures each condition along the beam and obliquely, and prints a line for each.
-void measure(const std::vector<NamedPhantom>& conditions, const View& oblique, SharesOfReadings& shares) {
+void measure(const std::vector<NamedPhantom>& conditions, const Viewpoint& oblique, SharesOfReadings& shares) {
     for (const NamedPhantom& condition : conditions) {
         const Volume volume = *makePhantom(condition.config);
-        for (const View& view : {View{}, oblique}) {
+        for (const Viewpoint& view : {Viewpoint{}, oblique}) {
             const Qualities qualities = qualitiesOf(condition.config, view, volume);
             print(std::string(nameOf(condition.config.scene)) + " " + std::to_string(condition.config.seed) + " " +
                       condition.name + (view.azimuthDegrees == 0 ? "" : " oblique"),
@@ -71,7 +71,7 @@ SharesOfReadings measureSeeds(std::vector<NamedPhantom> (*conditions)(const Phan
     struct Run {
         PhantomScene scene;
         std::uint64_t seed;
-        View oblique;
+        Viewpoint oblique;
     };
     std::printf("share of the weight on right tubes / on tubes without an interface / tubes found\n%-52s", "");
     for (const MethodReading reading : readings) std::printf("  %-21s", std::string(nameOf(reading)).c_str());

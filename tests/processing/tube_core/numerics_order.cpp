@@ -62,7 +62,7 @@ private:
     std::string m_bytes;
 };
 
-std::string bitsOn(std::size_t threads, const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
+std::string bitsOn(std::size_t threads, const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return Bits(adapted(volume, view, config)).bytes();
 }
@@ -106,7 +106,7 @@ Volume phantomOf(int bits) {
 TEST(SameBits, WithOneTwoAndSevenThreads) {
     for (const int bits : {8, 16, 32}) {
         const Volume volume = phantomOf(bits);
-        for (const View& view : {View{}, View{.azimuthDegrees = 24, .elevationDegrees = -13}})
+        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 24, .elevationDegrees = -13}})
             for (const Named& named : allConfigs()) {
                 const std::string one = bitsOn(1, volume, view, named.config);
                 EXPECT_GT(one.size(), 90000u);

@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-inline AdaptiveOtf adapted(const Volume& volume, const View& view = {}, const AdaptiveOtfConfig& config = {}) {
+inline AdaptiveOtf adapted(const Volume& volume, const Viewpoint& view = {}, const AdaptiveOtfConfig& config = {}) {
     return adaptOpacity(volume, view, config).value();
 }
 

@@ -92,7 +92,7 @@ TEST(Ramp, TheOrderOfTheTubesChangesNoBit) {
 }
 
 TEST(RampCurve, HasTheSameBitsOnAnyNumberOfThreads) {
-    for (const View& view : {View{}, View{.azimuthDegrees = 23, .elevationDegrees = -14}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 23, .elevationDegrees = -14}}) {
         const AdaptiveOtf otf = *adaptOpacity(shapes(), view, {});
         ASSERT_GT(otf.tubesWithSurface, 50);
         for (const std::size_t threads : {1u, 2u, 7u}) {
@@ -185,7 +185,7 @@ TEST(RampCurve, DoesNotDependOnTheNumberOfTubes) {
     few.tubeSpacing = 8;
     many.tubeColumns = many.tubeRows = 50;
     many.tubeSpacing = 2.4;
-    for (const View& view : {View{}, View{.azimuthDegrees = 19, .elevationDegrees = 7}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 19, .elevationDegrees = 7}}) {
         const AdaptiveOtf of225 = *adaptOpacity(shapes(), view, few), of2500 = *adaptOpacity(shapes(), view, many);
         ASSERT_GT(of2500.tubesMeetingVolume, 2000);
         double most = 0, squares = 0;

@@ -260,7 +260,7 @@ std::vector<NamedPhantom> emptyPhantoms(PhantomConfig base) {
     return {{"base", base}, {"full", full}, {"uncorrelated", uncorrelated}, {"log-compressed", compressed}};
 }
 
-void expectNothingFound(const PhantomConfig& config, const View& view, const std::string& what) {
+void expectNothingFound(const PhantomConfig& config, const Viewpoint& view, const std::string& what) {
     const AdaptiveOtf otf = *adaptOpacity(*makePhantom(config), view, {});
     EXPECT_EQ(otf.tubesWithSurface, 0) << what;
     EXPECT_EQ(otf.message, "No surface found: the initial function is used.") << what;
@@ -287,8 +287,9 @@ TEST(RatioDetection, InventsNoSurfaceInVolumesWithoutFluid) {
             base.seed = static_cast<std::uint64_t>(100 * run.edge + seed);
             for (const NamedPhantom& phantom : emptyPhantoms(base)) {
                 const std::string what = phantom.name + " " + std::to_string(run.edge) + " " + std::to_string(seed);
-                expectNothingFound(phantom.config,
-                                   seed % 2 == 0 ? View{.azimuthDegrees = 17, .elevationDegrees = -9} : View{}, what);
+                expectNothingFound(
+                    phantom.config,
+                    seed % 2 == 0 ? Viewpoint{.azimuthDegrees = 17, .elevationDegrees = -9} : Viewpoint{}, what);
             }
         }
 }

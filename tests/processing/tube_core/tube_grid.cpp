@@ -16,7 +16,7 @@ VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, Vec3 spacing) {
 
 TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
     const auto geometry = geometryOf({199, 197, 199}, {0.5, 0.5, 0.5});
-    const auto spacing = tubeSpacingUnits(geometry, View{}, AdaptiveOtfConfig{});
+    const auto spacing = tubeSpacingUnits(geometry, Viewpoint{}, AdaptiveOtfConfig{});
     EXPECT_EQ(spacing[0], 13.0);
     EXPECT_EQ(spacing[1], 13.0);
 }
@@ -24,8 +24,8 @@ TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
 TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
     // 90 mm across y at a unit of 0.5 mm are 180 units, although there are 60 voxels.
     const auto geometry = geometryOf({120, 60, 200}, {0.5, 1.5, 0.5});
-    const View straight, turned{.azimuthDegrees = 40, .elevationDegrees = -20, .rollDegrees = 10};
-    for (const View& view : {straight, turned}) {
+    const Viewpoint straight, turned{.azimuthDegrees = 40, .elevationDegrees = -20, .rollDegrees = 10};
+    for (const Viewpoint& view : {straight, turned}) {
         const auto spacing = tubeSpacingUnits(geometry, view, AdaptiveOtfConfig{});
         EXPECT_EQ(spacing[0], 8.0);
         EXPECT_EQ(spacing[1], 12.0);
@@ -39,7 +39,7 @@ TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
 
 TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
     const auto geometry = geometryOf({100, 80, 60}, {0.4, 0.6, 0.9});
-    const View view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 25, .elevationDegrees = 15};
+    const Viewpoint view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 25, .elevationDegrees = 15};
     AdaptiveOtfConfig config;
     config.tubeColumns = 4;
     config.tubeRows = 3;
@@ -63,7 +63,7 @@ TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
         for (const int cellSize : {5, 4}) {
             AdaptiveOtfConfig config;
             config.cellSize = cellSize;
-            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), View{}, config);
+            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), Viewpoint{}, config);
             for (const TubeAxis& axis : axes) {
                 if (!axis.entryVoxel) continue;
                 const double outermost = (*axis.entryVoxel)[0] - (cellSize - 1) / 2.0;
@@ -77,19 +77,19 @@ TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
 
 TEST(TubeGrid, EntersWhereThePictureBegins) {
     const auto geometry = geometryOf({100, 100, 100}, {0.5, 0.5, 0.5});
-    const View cut{.nearCutMm = 10.0};
+    const Viewpoint cut{.nearCutMm = 10.0};
     for (const TubeAxis& axis : tubeAxes(geometry, cut, AdaptiveOtfConfig{})) {
         ASSERT_TRUE(axis.entryVoxel);
         EXPECT_NEAR((*axis.entryVoxel)[2], 19.5, 1e-9) << "20 voxels of 0.5 mm are cut off";
         EXPECT_NEAR(*axis.lengthUnits, 80.0, 1e-9);
     }
-    const View beyond{.nearCutMm = 60.0};
+    const Viewpoint beyond{.nearCutMm = 60.0};
     for (const TubeAxis& axis : tubeAxes(geometry, beyond, AdaptiveOtfConfig{})) EXPECT_FALSE(axis.entryVoxel);
 }
 
 TEST(TubeGrid, ObliqueAxesEnterAndLeaveTheBox) {
     const auto geometry = geometryOf({60, 80, 40}, {0.7, 0.5, 1.0});
-    const View view{.azimuthDegrees = 30, .elevationDegrees = 20};
+    const Viewpoint view{.azimuthDegrees = 30, .elevationDegrees = 20};
     int inside = 0;
     for (const TubeAxis& axis : tubeAxes(geometry, view, AdaptiveOtfConfig{})) {
         if (!axis.entryVoxel) continue;

@@ -19,7 +19,7 @@ Volume noise(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
     return Volume(geometry, std::move(voxels));
 }
 
-std::vector<TubeSamples> samplesFor(const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
+std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     std::vector<TubeSamples> samples;
     for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
         samples.push_back(
@@ -32,13 +32,13 @@ TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
     AdaptiveOtfConfig config;
     for (const auto& [cut, first, count] :
          {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {
-        const View view{.nearCutMm = cut};
+        const Viewpoint view{.nearCutMm = cut};
         const TubeSamples samples = samplesFor(volume, view, config)[112];
         EXPECT_EQ(samples.slabs, count) << cut;
         if (count > 0) {
             EXPECT_EQ(samples.first[2], first) << cut;
         }
-        const View back{.beamAxis = BeamAxis::minusZ, .nearCutMm = cut};
+        const Viewpoint back{.beamAxis = BeamAxis::minusZ, .nearCutMm = cut};
         const TubeSamples backwards = samplesFor(volume, back, config)[112];
         EXPECT_EQ(backwards.slabs, count) << cut;
         if (count > 0) {
@@ -59,7 +59,7 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
             for (int x = 0; x < 40; ++x)
                 voxels.push_back(static_cast<float>(field(geometry.gridMmFromVoxel(Vec3(x, y, z)))));
     const Volume volume(geometry, voxels, 1.0);
-    const View view{.azimuthDegrees = 33, .elevationDegrees = -21, .rollDegrees = 12};
+    const Viewpoint view{.azimuthDegrees = 33, .elevationDegrees = -21, .rollDegrees = 12};
     AdaptiveOtfConfig config;
     config.tubeSpacing = 4;
     const TubeSamples centre = samplesFor(volume, view, config)[112];

@@ -38,7 +38,7 @@ Volume masked(const Volume& volume) {
     return volume.withDataMask(std::move(mask));
 }
 
-std::vector<TubeSamples> samplesFor(const Volume& volume, const View& view, const AdaptiveOtfConfig& config) {
+std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     std::vector<TubeSamples> samples;
     for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
         samples.push_back(
@@ -83,7 +83,7 @@ void expectSumsOfAllAxisViews(const Volume& volume, std::uint32_t limit) {
                 AdaptiveOtfConfig config;
                 config.cellSize = cellSize;
                 config.tubeColumns = config.tubeRows = 7;
-                const View view{.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll, .nearCutMm = 3.3};
+                const Viewpoint view{.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll, .nearCutMm = 3.3};
                 const auto tubes = samplesFor(volume, view, config);
                 std::vector<SlabSums> sums(tubes.size());
                 sumSlabs(volume, limit, tubes, true, sums);
@@ -108,7 +108,7 @@ TEST(TubeSlabs, TheLargest16BitCellsDoNotOverflow) {
     AdaptiveOtfConfig config;
     config.cellSize = largestCellSize;
     config.tubeColumns = config.tubeRows = 1;
-    const auto tubes = samplesFor(volume, View{}, config);
+    const auto tubes = samplesFor(volume, Viewpoint{}, config);
     std::vector<SlabSums> sums(1);
     sumSlabs(volume, 65535, tubes, true, sums);
     CellStatistics cells;
@@ -140,7 +140,7 @@ bool roundingDecides(const TubeSamples& tube, int slab) {
 
 /// Compares all tubes of a view with the reference and counts the slabs compared: those in which rounding
 /// does not decide.
-int slabsLikeTheReference(const Volume& volume, const View& view, TubeSampling sampling, double largest) {
+int slabsLikeTheReference(const Volume& volume, const Viewpoint& view, TubeSampling sampling, double largest) {
     AdaptiveOtfConfig config;
     config.tubeColumns = config.tubeRows = 9;
     const auto tubes = samplesFor(volume, view, config);
@@ -172,9 +172,10 @@ void expectTheReference(double largest, std::optional<double> white = std::nullo
     for (const Vec3& spacing : {Vec3(1, 1, 1), Vec3(0.5, 0.7, 0.9), Vec3(2, 0.8, 0.3)}) {
         const Volume complete = noise<Voxel>({47, 52, 58}, largest, spacing, white);
         for (const Volume& volume : {complete, masked(complete)})
-            for (const View& view : {View{.azimuthDegrees = 20, .elevationDegrees = -12},
-                                     View{.beamAxis = BeamAxis::minusX, .azimuthDegrees = 63, .elevationDegrees = 31},
-                                     View{.beamAxis = BeamAxis::plusY, .azimuthDegrees = -7, .rollDegrees = 33}})
+            for (const Viewpoint& view :
+                 {Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12},
+                  Viewpoint{.beamAxis = BeamAxis::minusX, .azimuthDegrees = 63, .elevationDegrees = 31},
+                  Viewpoint{.beamAxis = BeamAxis::plusY, .azimuthDegrees = -7, .rollDegrees = 33}})
                 for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest})
                     EXPECT_GT(slabsLikeTheReference(volume, view, sampling, largest), 500);
     }
@@ -192,7 +193,7 @@ TEST(TubeSlabs, ConstantsStayConstantToTheLastBit) {
     geometry.size = {50, 50, 50};
     const Volume volume(geometry, std::vector<std::uint16_t>(50 * 50 * 50, 12345));
     AdaptiveOtfConfig config;
-    const auto tubes = samplesFor(volume, View{.azimuthDegrees = 31, .elevationDegrees = 17}, config);
+    const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 31, .elevationDegrees = 17}, config);
     std::vector<SlabMeans> slabs(tubes.size());
     meanSlabs(volume, TubeSampling::trilinear, tubes, true, slabs);
     for (const SlabMeans& tube : slabs)
@@ -212,7 +213,7 @@ TEST(TubeSlabs, ALargeMeanDoesNotDrownASmallSpread) {
     const Volume volume(geometry, voxels, 65535);
     AdaptiveOtfConfig config;
     config.tubeColumns = config.tubeRows = 3;
-    const auto tubes = samplesFor(volume, View{.azimuthDegrees = 10}, config);
+    const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 10}, config);
     std::vector<SlabMeans> fast(tubes.size());
     meanSlabs(volume, TubeSampling::trilinear, tubes, true, fast);
     std::vector<SlabMoments> reference;
@@ -235,7 +236,7 @@ TEST(TubeSlabs, NotFiniteVoxelsAreLeftOut) {
         voxels[i] = i % 2 == 0 ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::infinity();
     const Volume volume(geometry, voxels, 1.0);
     AdaptiveOtfConfig config;
-    const auto tubes = samplesFor(volume, View{.azimuthDegrees = 20, .elevationDegrees = -12}, config);
+    const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12}, config);
     std::vector<SlabMeans> slabs(tubes.size());
     meanSlabs(volume, TubeSampling::trilinear, tubes, true, slabs);
     for (const SlabMeans& tube : slabs)
@@ -250,9 +251,9 @@ TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
     const Volume volume = masked(noise<std::uint8_t>({60, 61, 62}, 255));
     const Volume floating = noise<float>({60, 61, 62}, 1.0);
     AdaptiveOtfConfig config;
-    const View view{.azimuthDegrees = 20, .elevationDegrees = -12};
+    const Viewpoint view{.azimuthDegrees = 20, .elevationDegrees = -12};
     const auto tubes = samplesFor(volume, view, config);
-    const auto onVoxels = samplesFor(volume, View{}, config);
+    const auto onVoxels = samplesFor(volume, Viewpoint{}, config);
     std::vector<std::vector<float>> all;
     std::vector<std::vector<std::int32_t>> allSums;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
@@ -292,7 +293,8 @@ TEST(TubeSlabs, ThinVolumesAgreeWithTheReference) {
     for (const std::array<std::int64_t, 3> size : {std::array<std::int64_t, 3>{40, 1, 40}, {40, 40, 1}, {4, 2, 50}}) {
         const Volume volume = noise<std::uint8_t>(size, 255);
         ASSERT_TRUE(canMeanSlabs(volume));
-        for (const View& view : {View{.azimuthDegrees = 3, .elevationDegrees = 2}, View{.elevationDegrees = 81}})
+        for (const Viewpoint& view :
+             {Viewpoint{.azimuthDegrees = 3, .elevationDegrees = 2}, Viewpoint{.elevationDegrees = 81}})
             compared += slabsLikeTheReference(volume, view, TubeSampling::trilinear, 255);
     }
     EXPECT_GT(compared, 100);

@@ -35,7 +35,7 @@ Camera cameraFor(const CameraPose& pose) {
     return camera;
 }
 
-CameraPose fittedPose(const VolumeGeometry& geometry, const View& view, Projection projection, double aspect) {
+CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Projection projection, double aspect) {
     const Camera fitted = defaultCamera(geometry, view, aspect);
     // In perspective the volume's front is larger than its middle: the distance of the default camera allows for that.
     const double height = projection == Projection::parallel
@@ -63,7 +63,7 @@ CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits) {
     return pose;
 }
 
-CameraPose turnedTo(CameraPose pose, const View& view, const Vec3& centre) {
+CameraPose turnedTo(CameraPose pose, const Viewpoint& view, const Vec3& centre) {
     const ViewFrame before = frameOf(pose.view), after = frameOf(view);
     const Vec3 offset = pose.focalPoint - centre;
     pose.focalPoint = centre + after.right * offset.dot(before.right) + after.down * offset.dot(before.down) +

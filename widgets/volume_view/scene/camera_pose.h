@@ -7,7 +7,7 @@ namespace echolucent {
 
 /// A camera kept as the angles a person turns, so that orbiting never rolls and the view can be told exactly.
 struct CameraPose {
-    View view;                 ///< direction, roll and near cut
+    Viewpoint view;            ///< direction, roll and near cut
     Vec3 focalPoint{0, 0, 0};  ///< grid mm; seen at the picture's centre
     double heightMm = 1.0;     ///< of the picture, in the plane of the focal point, for both projections; > 0
     Projection projection = Projection::parallel;
@@ -26,7 +26,7 @@ struct ZoomLimits {
 [[nodiscard]] Camera cameraFor(const CameraPose& pose);
 
 /// The whole volume in the picture, seen along a view (see defaultCamera()).
-[[nodiscard]] CameraPose fittedPose(const VolumeGeometry& geometry, const View& view, Projection projection,
+[[nodiscard]] CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Projection projection,
                                     double aspect);
 
 /// Turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the hand. The
@@ -41,6 +41,6 @@ struct ZoomLimits {
 [[nodiscard]] CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits);
 
 /// Turned to a view about a centre (grid mm) that keeps its place in the picture.
-[[nodiscard]] CameraPose turnedTo(CameraPose pose, const View& view, const Vec3& centre);
+[[nodiscard]] CameraPose turnedTo(CameraPose pose, const Viewpoint& view, const Vec3& centre);
 
 }  // namespace echolucent

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 #include "widgets/volume_view/scene/annotation/smooth_lines.h"
 
 class vtkRenderer;

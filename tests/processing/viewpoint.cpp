@@ -1,4 +1,4 @@
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 
 #include <gtest/gtest.h>
 
@@ -13,30 +13,30 @@ constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::pl
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-TEST(View, NamesOfBeamAxes) {
+TEST(Viewpoint, NamesOfBeamAxes) {
     for (const BeamAxis axis : allAxes) EXPECT_EQ(beamAxisFromName(nameOf(axis)), axis);
     EXPECT_EQ(nameOf(BeamAxis::minusY), "-y");
     for (const char* name : {"", "z", "+w", "+Z", "--z", "+z "})
         EXPECT_FALSE(beamAxisFromName(name).has_value()) << name;
 }
 
-TEST(View, TheBeamAxisIsTheDefaultDirectionExactly) {
+TEST(Viewpoint, TheBeamAxisIsTheDefaultDirectionExactly) {
     const Vec3 directions[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (std::size_t i = 0; i < 6; ++i) {
-        View view;
+        Viewpoint view;
         view.beamAxis = allAxes[i];
         EXPECT_EQ(frameOf(view).forward, directions[i]) << nameOf(allAxes[i]);
     }
-    const ViewFrame frame = frameOf(View{});
+    const ViewFrame frame = frameOf(Viewpoint{});
     EXPECT_EQ(frame.right, Vec3(1, 0, 0));
     EXPECT_EQ(frame.down, Vec3(0, 1, 0));
 }
 
 // R_y(azimuth) R_x(elevation) (0,0,1), multiplied out by hand.
-TEST(View, AnglesTurnTheDirectionAsDefined) {
+TEST(Viewpoint, AnglesTurnTheDirectionAsDefined) {
     for (double azimuth = -170; azimuth <= 180; azimuth += 35)
         for (double elevation = -85; elevation <= 85; elevation += 17) {
-            View view;
+            Viewpoint view;
             view.azimuthDegrees = azimuth;
             view.elevationDegrees = elevation;
             view.rollDegrees = 3 * azimuth;
@@ -44,17 +44,17 @@ TEST(View, AnglesTurnTheDirectionAsDefined) {
             const Vec3 expected{std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e)};
             EXPECT_LT(length(frameOf(view).forward - expected), 1e-14);
         }
-    View right;
+    Viewpoint right;
     right.azimuthDegrees = 90;
     EXPECT_EQ(frameOf(right).forward, Vec3(1, 0, 0)) << "azimuth turns +z towards +x";
-    View up;
+    Viewpoint up;
     up.elevationDegrees = 90;
     EXPECT_EQ(frameOf(up).forward, Vec3(0, -1, 0)) << "elevation turns +z towards -y";
 }
 
-TEST(View, AnotherBeamAxisTurnsTheWholeFrame) {
+TEST(Viewpoint, AnotherBeamAxisTurnsTheWholeFrame) {
     // With beam +y the frame is that of +z with y where z was and -z where y was.
-    View z, y;
+    Viewpoint z, y;
     y.beamAxis = BeamAxis::plusY;
     z.azimuthDegrees = y.azimuthDegrees = 25;
     z.elevationDegrees = y.elevationDegrees = -40;
@@ -65,26 +65,26 @@ TEST(View, AnotherBeamAxisTurnsTheWholeFrame) {
     EXPECT_LT(length(frameOf(y).forward - turned(frameOf(z).forward)), 1e-14);
 }
 
-TEST(View, FramesAreOrthonormalAndRightHanded) {
+TEST(Viewpoint, FramesAreOrthonormalAndRightHanded) {
     for (const BeamAxis axis : allAxes)
         for (double angle = -179; angle < 180; angle += 29.3) {
-            const View view{axis, angle, angle / 2, -angle, 0};
+            const Viewpoint view{axis, angle, angle / 2, -angle, 0};
             const ViewFrame frame = frameOf(view);
             EXPECT_NEAR(length(frame.right), 1, 1e-14);
             EXPECT_NEAR(length(frame.down), 1, 1e-14);
             EXPECT_LT(length(frame.right.cross(frame.down) - frame.forward), 1e-14);
-            View rolled = view;
+            Viewpoint rolled = view;
             rolled.rollDegrees += 77;
             EXPECT_LT(length(frameOf(rolled).forward - frame.forward), 1e-14) << "roll moves no tube core";
         }
 }
 
-TEST(View, ViewAlongFindsTheViewOfAFrame) {
+TEST(Viewpoint, ViewAlongFindsTheViewOfAFrame) {
     for (const BeamAxis seenFrom : allAxes)
         for (const BeamAxis beam : allAxes)
             for (double angle = -171; angle < 180; angle += 38.6) {
-                const ViewFrame frame = frameOf(View{seenFrom, angle, angle / 2.3, angle * 0.7, 0});
-                const View found = viewAlong(frame.forward * 3.0, frame.down * 0.2 + frame.forward, beam, 4.5);
+                const ViewFrame frame = frameOf(Viewpoint{seenFrom, angle, angle / 2.3, angle * 0.7, 0});
+                const Viewpoint found = viewAlong(frame.forward * 3.0, frame.down * 0.2 + frame.forward, beam, 4.5);
                 EXPECT_EQ(found.beamAxis, beam);
                 EXPECT_EQ(found.nearCutMm, 4.5);
                 EXPECT_LT(length(frameOf(found).forward - frame.forward), 1e-7);
@@ -94,41 +94,41 @@ TEST(View, ViewAlongFindsTheViewOfAFrame) {
             }
 }
 
-TEST(View, ViewAlongGivesBackTheAngles) {
-    const View view{BeamAxis::minusX, -33, 21, 58, 7};
+TEST(Viewpoint, ViewAlongGivesBackTheAngles) {
+    const Viewpoint view{BeamAxis::minusX, -33, 21, 58, 7};
     const ViewFrame frame = frameOf(view);
-    const View found = viewAlong(frame.forward, frame.down, BeamAxis::minusX, 7);
+    const Viewpoint found = viewAlong(frame.forward, frame.down, BeamAxis::minusX, 7);
     EXPECT_NEAR(found.azimuthDegrees, view.azimuthDegrees, 1e-9);
     EXPECT_NEAR(found.elevationDegrees, view.elevationDegrees, 1e-9);
     EXPECT_NEAR(found.rollDegrees, view.rollDegrees, 1e-9);
 }
 
 // Straight up, asin is badly conditioned: half the digits are all there is unless it is done with care.
-TEST(View, ViewAlongThePolesKeepsItsDigits) {
+TEST(Viewpoint, ViewAlongThePolesKeepsItsDigits) {
     for (const double elevation : {90.0, -90.0, 89.9999999, 89.99})
         for (const double azimuth : {0.0, 40.0, -120.0}) {
-            const ViewFrame frame = frameOf(View{BeamAxis::plusZ, azimuth, elevation, 10, 0});
+            const ViewFrame frame = frameOf(Viewpoint{BeamAxis::plusZ, azimuth, elevation, 10, 0});
             const ViewFrame found = frameOf(viewAlong(frame.forward, frame.down, BeamAxis::plusZ, 0));
             EXPECT_LT(length(found.forward - frame.forward), 1e-12) << elevation;
             EXPECT_LT(length(found.down - frame.down), 1e-9) << elevation << " " << azimuth;
         }
 }
 
-TEST(View, DirectionsInVoxelsHonourSpacing) {
+TEST(Viewpoint, DirectionsInVoxelsHonourSpacing) {
     VolumeGeometry geometry;
     geometry.size = {10, 10, 10};
     geometry.spacing = {1, 2, 4};
-    View view;
+    Viewpoint view;
     view.azimuthDegrees = 45;  // (1, 0, 1) in mm is (1, 0, 1/4) in voxels
     EXPECT_LT(length(directionInVoxels(view, geometry) - normalized(Vec3(1, 0, 0.25))), 1e-14);
-    EXPECT_EQ(directionInVoxels(View{}, geometry), Vec3(0, 0, 1));
+    EXPECT_EQ(directionInVoxels(Viewpoint{}, geometry), Vec3(0, 0, 1));
 }
 
-TEST(View, TheNearPlaneIsCountedFromTheForemostCorner) {
+TEST(Viewpoint, TheNearPlaneIsCountedFromTheForemostCorner) {
     VolumeGeometry geometry;
     geometry.size = {10, 20, 30};
     geometry.spacing = {1, 0.5, 2};
-    View view;
+    Viewpoint view;
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -1.0) << "half a voxel before the first centres";
     view.nearCutMm = 7;
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), 6.0);
@@ -136,7 +136,7 @@ TEST(View, TheNearPlaneIsCountedFromTheForemostCorner) {
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -9.5 + 7);
     view.nearCutMm = -3;
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -9.5) << "never before the volume";
-    view = View{};
+    view = Viewpoint{};
     view.azimuthDegrees = 45;
     EXPECT_NEAR(nearPlaneDepthMm(view, geometry), (-0.5 - 1.0) * std::sqrt(0.5), 1e-14);
 }

@@ -18,14 +18,14 @@ enum class BeamAxis { plusX, minusX, plusY, minusY, plusZ, minusZ };
 
 /// A view direction and what is cut off in front. With beam axis +z the direction is
 /// R_y(azimuth) R_x(elevation) (0,0,1), right-handed, on the grid axes in mm; another beam axis turns that frame first.
-struct View {
+struct Viewpoint {
     BeamAxis beamAxis = BeamAxis::plusZ;
     double azimuthDegrees = 0.0;
     double elevationDegrees = 0.0;
     double rollDegrees = 0.0;  ///< turn of the picture about the view direction; moves no tube core's axis direction
     double nearCutMm = 0.0;    ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
 
-    friend bool operator==(const View&, const View&) = default;
+    friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
 /// The orthonormal frame of a view in grid mm: `forward` is the direction in which rays travel (from the probe into the
@@ -36,21 +36,21 @@ struct ViewFrame {
     Vec3 forward;
     friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
-[[nodiscard]] ViewFrame frameOf(const View& view);
+[[nodiscard]] ViewFrame frameOf(const Viewpoint& view);
 
 /// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute
 /// for this view" needs. Both vectors of any length above 0, not parallel. Angles in (-180, 180], elevation in [-90,
 /// 90].
-[[nodiscard]] View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
+[[nodiscard]] Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
-[[nodiscard]] Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry);
+[[nodiscard]] Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry);
 
 /// How deep the volume's box is along the view, mm: the near cut that leaves nothing.
-[[nodiscard]] double depthAlongViewMm(const View& view, const VolumeGeometry& geometry);
+[[nodiscard]] double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
 /// Distance along `forward` (mm, measured from the grid origin) of the near cut plane: the foremost corner of the box
 /// plus nearCutMm.
-[[nodiscard]] double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry);
+[[nodiscard]] double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-#include "processing/view.h"
+#include "processing/viewpoint.h"
 
 #include <array>
 #include <cmath>
@@ -36,14 +36,14 @@ std::optional<BeamAxis> beamAxisFromName(std::string_view name) {
     return static_cast<BeamAxis>(found - beamAxisNames.begin());
 }
 
-ViewFrame frameOf(const View& view) {
+ViewFrame frameOf(const Viewpoint& view) {
     const Mat3 turn = beamFrame(view.beamAxis) * rotationY(view.azimuthDegrees) * rotationX(view.elevationDegrees) *
                       rotationZ(view.rollDegrees);
     return {Vec3(turn.col(0).val), Vec3(turn.col(1).val), Vec3(turn.col(2).val)};
 }
 
-View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm) {
-    View view;
+Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm) {
+    Viewpoint view;
     view.beamAxis = beamAxis;
     view.nearCutMm = nearCutMm;
     const Mat3 toBeamFrame = beamFrame(beamAxis).t();
@@ -58,7 +58,7 @@ View viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double 
     return view;
 }
 
-Vec3 directionInVoxels(const View& view, const VolumeGeometry& geometry) {
+Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
 }
 
@@ -69,7 +69,7 @@ struct Range {
 };
 
 /// Where the box begins and ends along the view, mm from the grid origin.
-Range boxAlongView(const View& view, const VolumeGeometry& geometry) {
+Range boxAlongView(const Viewpoint& view, const VolumeGeometry& geometry) {
     const Vec3 forward = frameOf(view).forward;
     const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
     Range range;
@@ -83,12 +83,12 @@ Range boxAlongView(const View& view, const VolumeGeometry& geometry) {
 }
 }  // namespace
 
-double depthAlongViewMm(const View& view, const VolumeGeometry& geometry) {
+double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry) {
     const Range range = boxAlongView(view, geometry);
     return range.high - range.low;
 }
 
-double nearPlaneDepthMm(const View& view, const VolumeGeometry& geometry) {
+double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
     return boxAlongView(view, geometry).low + std::max(0.0, view.nearCutMm);
 }
 
