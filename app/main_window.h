@@ -126,6 +126,8 @@ private:
     bool chooseAndSaveCurve();
     void chooseAndSavePicture();
     bool mayLoseManualCurve();
+    /// Fails where `path` is a file of the open study.
+    [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);
 
     // main_window_actions.cpp: menus and shortcuts

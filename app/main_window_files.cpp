@@ -7,6 +7,7 @@
 
 #include "app/main_window.h"
 #include "io/curve_file.h"
+#include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/raw_layout_dialog.h"
@@ -138,6 +139,7 @@ bool MainWindow::chooseAndSaveCurve() {
 }
 
 bool MainWindow::saveCurve(const QString& path) {
+    if (!report(mayOverwrite(path))) return false;
     if (!report(writeCurve(path.toStdString(), m_otfEditor->state().manual))) return false;
     m_otfEditor->setManualSaved();
     return true;
@@ -151,6 +153,7 @@ void MainWindow::chooseAndSavePicture() {
 }
 
 bool MainWindow::savePicture(const QString& path) {
+    if (!report(mayOverwrite(path))) return false;
     const QImage image = m_volumeView->convergedImage().convertToFormat(QImage::Format_RGB888);
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()) * 3);
@@ -158,6 +161,11 @@ bool MainWindow::savePicture(const QString& path) {
         rgb.insert(rgb.end(), image.constScanLine(y),
                    image.constScanLine(y) + 3 * static_cast<std::ptrdiff_t>(image.width()));
     return report(writePng(path.toStdString(), image.width(), image.height(), rgb));
+}
+
+Result<void> MainWindow::mayOverwrite(const QString& path) const {
+    if (!m_session.study()) return {};
+    return refuseToOverwrite(m_session.study()->files, {path.toStdString()});
 }
 
 bool MainWindow::report(const Result<void>& written) {

@@ -167,6 +167,9 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
 
     StudyParts parts;
     parts.path = stored.path;
+    parts.files = {stored.path};
+    if (stored.dataPath != stored.path) parts.files.push_back(stored.dataPath);
+    if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
     parts.geometry = stored.geometry;
     parts.spacingSource = stored.spacingSource;
     parts.voxels = convertVoxels(std::move(*phases), stored.type);

@@ -15,6 +15,7 @@ namespace echolucent {
 struct StoredVolume {
     std::string path;        ///< header file, as the person gave it
     std::string dataPath;    ///< file that holds the voxels; may be the same
+    std::string layoutPath;  ///< file that describes a raw file; empty where a person gave the layout or none is needed
     std::string sizeKey;     ///< what declared the size: "DimSize", "sizes", "--raw-size"
     VoxelExtent extent;      ///< `length` is filled in from the file where 0
     bool dataAtEnd = false;  ///< voxels end where the file ends (HeaderSize = -1, byte skip: -1)

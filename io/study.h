@@ -24,6 +24,10 @@ struct ImportFact {
 /// A study: one volume, or the phases of a 4D one. Never empty once read. No patient name or identifier in it.
 struct Study {
     std::string name;  ///< file or folder name, for the window's title
+    /// Every file the study was read from (header, voxels, layout kept beside a raw file, all DICOM files of a folder),
+    /// as paths that can be opened; empty where it was not read from files. No output may be one of them
+    /// (refuseToOverwrite()).
+    std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
     std::optional<double> phaseSeconds;  ///< time between phases; none: unknown
     bool lossyCompressed = false;

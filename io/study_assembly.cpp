@@ -127,6 +127,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
         if (!eightBit) {
             const WhiteLevel white = whiteLevelOf(parts.voxels.phases);
             if (white.level > 0) whiteLevel = white.level;
+    study.files = std::move(parts.files);
             if (std::string warning = absurdVoxelsWarning(white); !warning.empty()) {
                 whiteLevelSource = "largest value in the data that is not absurd";
                 study.warnings.push_back(std::move(warning));

@@ -12,7 +12,8 @@ namespace echolucent {
 
 /// What a reader has found out; `facts` and `warnings` hold what it wants to say first.
 struct StudyParts {
-    std::string path;  ///< as the person gave it
+    std::string path;                ///< as the person gave it
+    std::vector<std::string> files;  ///< every file that was read (Study::files)
     VolumeGeometry geometry;
     std::string spacingSource;  ///< key or tag; empty: assumed
     ConvertedVoxels voxels;

@@ -55,7 +55,7 @@ Result<Study> readUnknown(const std::string& path, std::string_view beginning, c
         const auto recalled = recalledRawLayout(path);
         if (!recalled) return tl::unexpected(recalled.error());
         layout = *recalled;
-        source = nameFromPath(path) + ".echolucent.json";
+        source = nameFromPath(rawLayoutPath(path));
     }
     if (!layout) {
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
@@ -68,6 +68,7 @@ Result<Study> readUnknown(const std::string& path, std::string_view beginning, c
     }
     auto stored = storedVolumeFromLayout(path, *layout, source);
     if (!stored) return tl::unexpected(stored.error());
+    if (!options.raw) stored->layoutPath = rawLayoutPath(path);
     return readStoredVolume(std::move(*stored), options, progress);
 }
 

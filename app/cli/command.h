@@ -37,10 +37,11 @@ struct VolumeOptions {
     std::int64_t rawHeaderBytes = 0;
 
     void addTo(CLI::App& command);
-    /// Reads the study; fails (wrong usage) where --phase is out of range.
-    [[nodiscard]] Result<Study> readAll() const;
-    /// Reads and picks the phase.
-    [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase() const;
+    /// Reads the study. Fails (wrong usage) where --phase is out of range, or where one of the `outputs` of the command
+    /// is a file of the study: an input is never overwritten.
+    [[nodiscard]] Result<Study> readAll(const std::vector<std::string>& outputs) const;
+    /// Reads the study as readAll() does, and gives the volume of the phase that --phase names.
+    [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
 };
 
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
@@ -89,10 +90,17 @@ private:
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
                                                        const std::string& option);
 
-/// Fails (wrong usage) where two of the paths name the same file; empty paths and "-" are left out.
-[[nodiscard]] Result<void> differentFiles(const std::vector<std::string>& paths);
+/// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
+/// or where one of them is the file of a manual curve among `curveNames` (names as curveFromName() takes them). Empty
+/// outputs and "-" are left out. The files of the volume are checked where it is read (VolumeOptions::readAll()).
+[[nodiscard]] Result<void> checkOutputs(const std::vector<std::string>& outputs,
+                                        const std::vector<std::string>& curveNames = {});
 
-/// linear | parabolic | quartic | manual:FILE. opacityScale multiplies (none: the default of docs/cli.md).
+/// The FILE of the curve name manual:FILE; empty for every other name.
+[[nodiscard]] std::string curveFileOf(const std::string& name);
+
+/// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; where
+/// that is not given, a manual curve stays as it is and the others have the scale that docs/cli.md names.
 [[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
 
 }  // namespace echolucent::cli

@@ -88,7 +88,7 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
 }
 
 Result<void> runInfo(const InfoOptions& options) {
-    const auto study = options.volume.readAll();
+    const auto study = options.volume.readAll({});
     if (!study) return tl::unexpected(study.error());
     const Volume& volume = *study->phases[static_cast<std::size_t>(options.volume.phase)];
     // Text in files may be in any encoding; JSON must be UTF-8.

@@ -38,13 +38,13 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (toStandardOutput > 1)
         return fail(FailureKind::wrongUsage, "", "",
                     "only one of --json, --csv and --tubes-csv can go to standard output");
-    if (auto distinct = differentFiles({options.volume.path, options.json, options.csv, options.tubesCsv}); !distinct)
-        return distinct;
+    const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
+    if (auto checked = checkOutputs(outputs, {options.method.initial}); !checked) return checked;
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto volume = options.volume.readPhase();
+    const auto volume = options.volume.readPhase(outputs);
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const auto cut = options.view.get(**volume, *config);
     if (!cut) return tl::unexpected<Failure>(cut.error());

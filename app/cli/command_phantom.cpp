@@ -124,7 +124,7 @@ Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
 }
 
 Result<void> writePhantom(const PhantomOptions& options) {
-    if (auto distinct = differentFiles({options.output, options.truth}); !distinct) return distinct;
+    if (auto checked = checkOutputs({options.output, options.truth}); !checked) return checked;
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;

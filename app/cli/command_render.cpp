@@ -116,7 +116,7 @@ OpacityCurve curveFor(const Volume& volume, const Viewpoint& view, const std::op
 }
 
 Result<void> render(const RenderOptions& options) {
-    if (auto distinct = differentFiles({options.volume.path, options.output}); !distinct) return distinct;
+    if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked) return checked;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
@@ -137,7 +137,7 @@ Result<void> render(const RenderOptions& options) {
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
 
-    const auto volume = options.volume.readPhase();
+    const auto volume = options.volume.readPhase({options.output});
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const VolumeGeometry& geometry = (*volume)->geometry();
     if (!geometry.spacingKnown)

@@ -117,14 +117,16 @@ void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bo
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the movie may be wrong.\n");
 }
 
-Result<void> checkOutputs(const SweepOptions& options) {
+std::vector<std::string> outputsOf(const SweepOptions& options) { return {options.csv, options.json, options.movie}; }
+
+Result<void> checkSweepOutputs(const SweepOptions& options) {
     if ((options.json == "-") + (options.csv == "-") + (options.movie == "-") > 1)
         return wrong("", "only one of --csv, --json and --movie can go to standard output");
-    return differentFiles({options.volume.path, options.csv, options.json, options.movie});
+    return checkOutputs(outputsOf(options), {options.method.initial});
 }
 
 Result<void> sweep(const SweepOptions& options) {
-    if (auto possible = checkOutputs(options); !possible) return possible;
+    if (auto possible = checkSweepOutputs(options); !possible) return possible;
     const auto motion = motionFrom(options);
     if (!motion) return tl::unexpected<Failure>(motion.error());
     const auto settings = settingsFrom(options);
@@ -132,7 +134,7 @@ Result<void> sweep(const SweepOptions& options) {
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto study = options.volume.readAll();
+    const auto study = options.volume.readAll(outputsOf(options));
     if (!study) return tl::unexpected<Failure>(study.error());
     if (motion->objectMoves && study->phases.size() < 2)
         return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",

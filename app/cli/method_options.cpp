@@ -179,6 +179,11 @@ Result<OpacityCurve> manualCurve(const std::string& path, double factor) {
 
 }  // namespace
 
+std::string curveFileOf(const std::string& name) {
+    constexpr std::string_view manual = "manual:";
+    return name.starts_with(manual) ? name.substr(manual.size()) : std::string();
+}
+
 Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale) {
     if (opacityScale && !(*opacityScale >= 0.0 && *opacityScale <= 1e6))
         return fail(FailureKind::wrongUsage, "", "--opacity-scale", "must be 0 to 1000000");
@@ -190,9 +195,7 @@ Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double
         linear.slope = opacityScale.value_or(linear.slope);
         return OpacityCurve(linear);
     }
-    constexpr std::string_view manual = "manual:";
-    if (name.starts_with(manual) && name.size() > manual.size())
-        return manualCurve(name.substr(manual.size()), opacityScale.value_or(1.0));
+    if (const std::string file = curveFileOf(name); !file.empty()) return manualCurve(file, opacityScale.value_or(1.0));
     return fail(FailureKind::wrongUsage, "", "", "\"" + name + "\" is not an opacity curve",
                 "Use linear, parabolic, quartic or manual:FILE.");
 }

@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "io/headers/header_text.h"
+#include "io/output/overwriting.h"
 #include "io/voxel_types.h"
 
 namespace echolucent::cli {
@@ -80,17 +81,25 @@ Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t co
     return *values;
 }
 
-Result<void> differentFiles(const std::vector<std::string>& paths) {
-    const auto isSame = [](const std::string& left, const std::string& right) {
+Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& curveNames) {
+    // No file needs to be there; empty where the path cannot be followed.
+    const auto whole = [](const std::string& path) {
         std::error_code error;
-        return left == right || std::filesystem::equivalent(left, right, error);
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
     };
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        for (std::size_t k = i + 1; k < paths.size(); ++k)
-            if (!paths[i].empty() && paths[i] != "-" && isSame(paths[i], paths[k]))
-                return fail(FailureKind::wrongUsage, paths[k], "", "is named twice, and would be overwritten",
+    const auto isSame = [&](const std::string& left, const std::string& right) {
+        std::error_code error;
+        return left == right || (!whole(left).empty() && whole(left) == whole(right)) ||
+               std::filesystem::equivalent(left, right, error);
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (std::size_t k = i + 1; k < outputs.size(); ++k)
+            if (!outputs[i].empty() && outputs[i] != "-" && !outputs[k].empty() && isSame(outputs[i], outputs[k]))
+                return fail(FailureKind::wrongUsage, outputs[k], "", "is named twice, and would be overwritten",
                             "Give each output a name of its own.");
-    return {};
+    std::vector<std::string> curves;
+    for (const std::string& name : curveNames) curves.push_back(curveFileOf(name));
+    return refuseToOverwrite(curves, outputs);
 }
 
 void VolumeOptions::addTo(CLI::App& command) {
@@ -114,14 +123,17 @@ void VolumeOptions::addTo(CLI::App& command) {
         "Take every voxel as data: do not guess what lies outside the scanned sector");
 }
 
-Result<Study> VolumeOptions::readAll() const {
+Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) const {
     ReadOptions options = read;
     const auto layout = layoutFrom(*this);
     if (!layout) return tl::unexpected(layout.error());
     options.raw = *layout;
     if (phase < 0) return wrongOption("--phase", "must be 0 or more", "Phases are counted from 0.");
+    // The path itself is compared at once, the files behind it when they are known.
+    if (auto kept = refuseToOverwrite({path}, outputs); !kept) return tl::unexpected(kept.error());
     auto study = readStudy(path, options);
     if (!study) return study;
+    if (auto kept = refuseToOverwrite(study->files, outputs); !kept) return tl::unexpected(kept.error());
     if (phase < 0 || static_cast<std::size_t>(phase) >= study->phases.size())
         return fail(FailureKind::wrongUsage, path, "--phase",
                     fmt::format("is {}, but the volume has {} phase(s)", phase, study->phases.size()),
@@ -129,8 +141,8 @@ Result<Study> VolumeOptions::readAll() const {
     return study;
 }
 
-Result<std::shared_ptr<const Volume>> VolumeOptions::readPhase() const {
-    const auto study = readAll();
+Result<std::shared_ptr<const Volume>> VolumeOptions::readPhase(const std::vector<std::string>& outputs) const {
+    const auto study = readAll(outputs);
     if (!study) return tl::unexpected(study.error());
     return study->phases[static_cast<std::size_t>(phase)];
 }

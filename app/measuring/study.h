@@ -23,15 +23,21 @@ void addStudyRenderCommand(CLI::App& study, Action& action);
 /// Where a study writes its files.
 class StudyFolder {
 public:
-    /// Makes the folder, and those above it, where they are missing. Fails (unwritable) where that cannot be done.
-    [[nodiscard]] static Result<StudyFolder> at(const std::string& path);
-    /// Whole or not at all, over a file of that name.
+    /// Makes the folder, and those above it, where they are missing. `names` are all files that the study may write
+    /// into it, so that paths() can be compared with what is read. Fails (unwritable) where the folder cannot be made.
+    [[nodiscard]] static Result<StudyFolder> at(const std::string& path, std::vector<std::string> names);
+    /// Writes one of the files whole or not at all, over a file of that name. Throws std::invalid_argument where `name`
+    /// was not given to at().
     [[nodiscard]] Result<void> write(const std::string& name, std::string_view bytes) const;
     [[nodiscard]] std::string pathOf(const std::string& name) const;
+    /// The paths of all files that the study may write.
+    [[nodiscard]] std::vector<std::string> paths() const;
 
 private:
-    explicit StudyFolder(std::string path) : m_path(std::move(path)) {}
+    StudyFolder(std::string path, std::vector<std::string> names)
+        : m_path(std::move(path)), m_names(std::move(names)) {}
     std::string m_path;
+    std::vector<std::string> m_names;
 };
 
 /// A number is written with the digits that tell doubles apart; one that is not finite as an empty cell.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -30,14 +31,14 @@ bool parseWhole(std::string_view text, std::uint64_t& value) {
 
 }  // namespace
 
-Result<StudyFolder> StudyFolder::at(const std::string& path) {
+Result<StudyFolder> StudyFolder::at(const std::string& path, std::vector<std::string> names) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
     if (error || !std::filesystem::is_directory(path))
         return fail(FailureKind::unwritable, path, "",
                     error ? "could not be made a folder: " + error.message() : "is not a folder",
                     "Choose another name.");
-    return StudyFolder(path);
+    return StudyFolder(path, std::move(names));
 }
 
 std::string StudyFolder::pathOf(const std::string& name) const {
@@ -45,7 +46,15 @@ std::string StudyFolder::pathOf(const std::string& name) const {
 }
 
 Result<void> StudyFolder::write(const std::string& name, std::string_view bytes) const {
+    if (std::find(m_names.begin(), m_names.end(), name) == m_names.end())
+        throw std::invalid_argument("StudyFolder::write: " + name + " was not announced");
     return writeFileAtomically(pathOf(name), bytes);
+}
+
+std::vector<std::string> StudyFolder::paths() const {
+    std::vector<std::string> paths;
+    for (const std::string& name : m_names) paths.push_back(pathOf(name));
+    return paths;
 }
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) : m_columns(columns.size()) {

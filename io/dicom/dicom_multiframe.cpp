@@ -190,6 +190,7 @@ Result<Study> MultiframeReader::read() {
     parts.whiteLevelSource = m_frames.whiteLevelSource();
     parts.phaseSeconds = layout->phaseSeconds;
     parts.phaseSource = "(0020,930d) Temporal Position Time Offset";
+    parts.files = {m_file.path()};
     parts.lossyCompressed = m_frames.lossyCompressed();
     parts.facts = {{"format", "DICOM, one multi-frame file", ""}};
     for (auto&& fact : m_frames.facts()) parts.facts.push_back(std::move(fact));

@@ -82,6 +82,7 @@ Result<std::optional<FileHeader>> headerOf(const std::string& path) {
 /// The images of a folder, most slices first, and what could not be read.
 struct FolderContents {
     std::vector<Series> series;
+    std::vector<std::string> files;  ///< all DICOM files, those of other series and unreadable ones among them
     std::size_t unreadable = 0;
     std::optional<Failure> firstFailure;
 };
@@ -94,6 +95,7 @@ Result<FolderContents> contentsOf(const std::string& folder, const Progress& pro
         if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
         progress.at(0.3 * static_cast<double>(i) / static_cast<double>(files.size()));
         if (!isDicomFile(files[i])) continue;
+        contents.files.push_back(files[i]);
         auto header = headerOf(files[i]);
         if (header && *header) {
             series[(*header)->series].files.push_back(std::move(**header));
@@ -263,7 +265,9 @@ Result<Study> readSeriesFolder(const std::string& path, const ReadOptions& optio
         if (!order) return tl::unexpected(order.error());
         return SliceReader(path, std::move(*order), options, progress).read();
     }();
-    if (study) study->warnings.insert(study->warnings.begin(), warnings.begin(), warnings.end());
+    if (!study) return study;
+    study->files = contents->files;
+    study->warnings.insert(study->warnings.begin(), warnings.begin(), warnings.end());
     return study;
 }
 

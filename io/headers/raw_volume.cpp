@@ -15,8 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string sideCarOf(const std::string& path) { return path + ".echolucent.json"; }
-
 tl::unexpected<Failure> wrongSideCar(const std::string& file, const std::string& key, const std::string& problem) {
     return fail(FailureKind::unreadable, file, key, problem,
                 "Delete this file and describe the raw file again, with --raw-size and the options beside it.");
@@ -36,6 +34,8 @@ bool readKey(const json& object, const char* key, T& value) {
 }
 
 }  // namespace
+
+std::string rawLayoutPath(const std::string& path) { return path + ".echolucent.json"; }
 
 Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLayout& layout,
                                             const std::string& source) {
@@ -76,11 +76,11 @@ Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout)
                       {"header_bytes", layout.headerBytes},
                       {"spacing_mm", {layout.spacing[0], layout.spacing[1], layout.spacing[2]}},
                       {"spacing_known", layout.spacingKnown}};
-    return writeFileAtomically(sideCarOf(path), object.dump(2) + "\n");
+    return writeFileAtomically(rawLayoutPath(path), object.dump(2) + "\n");
 }
 
 Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
-    const std::string file = sideCarOf(path);
+    const std::string file = rawLayoutPath(path);
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return std::optional<RawLayout>();
     const auto text = readWholeFile(file, headerLimit);

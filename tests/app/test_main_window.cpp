@@ -268,6 +268,24 @@ private slots:
         QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
     }
 
+    void whatIsOpenIsNotOverwritten() {
+        open(m_shapes);
+        QFile volume(m_shapes);
+        QVERIFY(volume.open(QIODevice::ReadOnly));
+        const QByteArray before = volume.readAll();
+        const QString link = m_folder.filePath("link.png");
+        QVERIFY(QFile::link(m_shapes, link));
+        for (const QString& path : {m_shapes, link}) {
+            QVERIFY(!m_window->savePicture(path));
+            QVERIFY(message()->text().contains("would overwrite"));
+            QVERIFY(!m_window->saveCurve(path));
+        }
+        QFile after(m_shapes);
+        QVERIFY(after.open(QIODevice::ReadOnly));
+        QVERIFY(after.readAll() == before);
+        QVERIFY(m_window->savePicture(m_folder.filePath("new.png")));
+    }
+
     void anEditedCurveIsNotLostWithoutAsking() {
         open(m_shapes);
         m_window->otfEditor().model().moveNode(1, {0.45, 0.25});

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"otf VOLUME --tube-grid 4000x4000", 2, "262144"},
         Row{"otf VOLUME --view-azimuth 1e300", 2, "--view-azimuth"},
         Row{"otf VOLUME --json FOLDER/x --csv FOLDER/x", 2, "named twice"},
-        Row{"otf VOLUME --json VOLUME", 2, "named twice"}, Row{"render VOLUME -o VOLUME", 2, "named twice"},
+        Row{"otf VOLUME --json VOLUME", 2, "would overwrite"}, Row{"render VOLUME -o VOLUME", 2, "would overwrite"},
         Row{"render VOLUME --otf cubic -o FOLDER/x.png", 2, "adaptive"},
         Row{"phantom FOLDER/p.mha --truth FOLDER/p.mha", 2, "named twice"},
         Row{"phantom FOLDER/p.mha --seed -1", 2, "--seed"},

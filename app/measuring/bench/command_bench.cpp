@@ -149,12 +149,12 @@ std::string tableOf(const ordered_json& report) {
 }
 
 Result<std::shared_ptr<const Volume>> volumeOf(const BenchOptions& options) {
-    if (!options.volume.path.empty()) return options.volume.readPhase();
+    if (!options.volume.path.empty()) return options.volume.readPhase({options.json});
     return std::make_shared<const Volume>(*makePhantom(defaultPhantom(PhantomScene::shapes)));
 }
 
 Result<void> bench(const BenchOptions& options) {
-    if (auto distinct = differentFiles({options.volume.path, options.json}); !distinct) return distinct;
+    if (auto checked = checkOutputs({options.json}, {options.method.initial}); !checked) return checked;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());

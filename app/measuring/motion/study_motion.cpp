@@ -58,7 +58,22 @@ std::vector<std::shared_ptr<const Volume>> phantomPhases(PhantomScene scene, con
     return volumes;
 }
 
-Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const AdaptiveOtfConfig& config) {
+std::string courseFile(const std::string& motionCase, MotionMode mode) {
+    return fmt::format("otfs_{}_{}.csv", motionCase, nameOf(mode));
+}
+
+/// All files that the study may write: the tables, the page, and for every case of addCases() two courses.
+std::vector<std::string> namesOfFiles() {
+    std::vector<std::string> names{"motion.csv", "motion_views.csv", "motion.html"};
+    for (const char* subject : {"shapes", "fetus", "volume"})
+        for (const char* motion : {"probe", "object", "both"})
+            for (const OtfSmoothing smoothing : {OtfSmoothing::none, OtfSmoothing::leastFlicker})
+                names.push_back(courseFile(fmt::format("{}_{}", subject, motion), smoothing));
+    return names;
+}
+
+Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const AdaptiveOtfConfig& config,
+                                          const std::vector<std::string>& outputs) {
     const Motion motion{.axis = SweepAxis::y, .from = options.from, .to = options.to, .step = options.step};
     std::vector<MotionCase> cases;
     if (options.phantoms || options.volume.path.empty()) {
@@ -66,7 +81,7 @@ Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, con
         addCases(cases, {"fetus", "Simulated fetus", phantomPhases(PhantomScene::fetus, options), {}, motion});
     }
     if (options.volume.path.empty()) return cases;
-    const auto study = options.volume.readAll();
+    const auto study = options.volume.readAll(outputs);
     if (!study) return tl::unexpected<Failure>(study.error());
     const auto view = options.view.get(*study->phases[static_cast<std::size_t>(options.volume.phase)], config);
     if (!view) return tl::unexpected<Failure>(view.error());
@@ -89,10 +104,11 @@ Result<void> studyMotion(const MotionStudyOptions& options) {
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto cases = casesFrom(options, *config);
-    if (!cases) return tl::unexpected<Failure>(cases.error());
-    const auto folder = StudyFolder::at(options.output);
+    const auto folder = StudyFolder::at(options.output, namesOfFiles());
     if (!folder) return tl::unexpected<Failure>(folder.error());
+    if (auto checked = checkOutputs(folder->paths(), {options.method.initial}); !checked) return checked;
+    const auto cases = casesFrom(options, *config, folder->paths());
+    if (!cases) return tl::unexpected<Failure>(cases.error());
 
     std::vector<MotionFigures> figures;
     for (const MotionCase& motionCase : *cases) {
@@ -102,7 +118,7 @@ Result<void> studyMotion(const MotionStudyOptions& options) {
             if (mode.mode != OtfSmoothing::none && mode.mode != OtfSmoothing::leastFlicker) continue;
             std::vector<SweptOtf> course = figures.back().frames;
             for (std::size_t i = 0; i < course.size(); ++i) course[i].shown = mode.shown[i];
-            const std::string name = fmt::format("otfs_{}_{}.csv", motionCase.name, nameOf(mode.mode));
+            const std::string name = courseFile(motionCase.name, mode.mode);
             if (auto done = folder->write(name, sweepTable(course)); !done) return done;
         }
     }

@@ -99,9 +99,16 @@ Result<OtfStudy> studyPhantoms(const OtfStudyOptions& options) {
     return study;
 }
 
-Result<OtfStudy> studyVolume(const OtfStudyOptions& options) {
+std::string paretoFile(InterfaceFunction function) { return "otf-pareto-" + nameOf(function) + ".svg"; }
+
+std::vector<std::string> namesOfFiles() {
+    return {"otf-settings.csv", "otf-readings.csv", "otf.html", paretoFile(InterfaceFunction::variance),
+            paretoFile(InterfaceFunction::ratio)};
+}
+
+Result<OtfStudy> studyVolume(const OtfStudyOptions& options, const std::vector<std::string>& outputs) {
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
-    const auto volume = options.volume.readPhase();
+    const auto volume = options.volume.readPhase(outputs);
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const auto view = options.view.get(**volume, {});
     if (!view) return tl::unexpected<Failure>(view.error());
@@ -125,7 +132,7 @@ Result<void> writeStudy(const StudyFolder& folder, const OtfStudy& study) {
                                                            {"otf-readings.csv", readingsCsv(study)},
                                                            {"otf.html", otfPage(study)}};
     for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio})
-        files.emplace_back("otf-pareto-" + nameOf(function) + ".svg", svgOf(paretoPlot(study, function, false)));
+        files.emplace_back(paretoFile(function), svgOf(paretoPlot(study, function, false)));
     for (const auto& [name, bytes] : files)
         if (auto written = folder.write(name, bytes); !written) return written;
     return writeFileAtomically("-", summaryText(study) + "\n" + folder.pathOf("otf.html") + "\n");
@@ -135,9 +142,9 @@ Result<void> studyOtf(const OtfStudyOptions& options) {
     if (options.onPhantoms == !options.volume.path.empty())
         return fail(FailureKind::wrongUsage, "", "", "either a VOLUME or --phantoms is needed");
     // Before the long work, so that a folder that cannot be is said at once.
-    const auto folder = StudyFolder::at(options.folder);
+    const auto folder = StudyFolder::at(options.folder, namesOfFiles());
     if (!folder) return tl::unexpected<Failure>(folder.error());
-    auto study = options.onPhantoms ? studyPhantoms(options) : studyVolume(options);
+    auto study = options.onPhantoms ? studyPhantoms(options) : studyVolume(options, folder->paths());
     if (!study) return tl::unexpected<Failure>(study.error());
     markFront(study->variants);
     return writeStudy(*folder, *study);

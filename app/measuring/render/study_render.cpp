@@ -87,16 +87,17 @@ Result<void> studyRendering(const RenderStudyOptions& options) {
     const auto settings = referenceSettings(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
 
+    const auto folder = StudyFolder::at(options.output, {"render.csv", "render-pareto.svg", "render.html"});
+    if (!folder) return tl::unexpected<Failure>(folder.error());
+    if (auto checked = checkOutputs(folder->paths(), {options.otf, options.method.initial}); !checked) return checked;
     RenderCase one{nullptr, PowerCurve{}, *settings};
     if (options.volume.path.empty()) {
         one.volume = phantom(options.phantomSize);
     } else {
-        const auto volume = options.volume.readPhase();
+        const auto volume = options.volume.readPhase(folder->paths());
         if (!volume) return tl::unexpected<Failure>(volume.error());
         one.volume = *volume;
     }
-    const auto folder = StudyFolder::at(options.output);
-    if (!folder) return tl::unexpected<Failure>(folder.error());
     const auto view = options.view.get(*one.volume, *config);
     if (!view) return tl::unexpected<Failure>(view.error());
     const VolumeGeometry& geometry = one.volume->geometry();

@@ -103,7 +103,7 @@ void addCases(const std::vector<ExtremeResult>& results, HtmlPage& page) {
 }
 
 Result<void> studyStability(const std::string& path) {
-    const auto folder = StudyFolder::at(path);
+    const auto folder = StudyFolder::at(path, {"stability.html", "stability-numbers.csv", "stability-cases.csv"});
     if (!folder) return tl::unexpected<Failure>(folder.error());
     const std::vector<NumericCheck> checks = numericChecks();
     std::vector<ExtremeResult> results;
