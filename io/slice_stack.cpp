@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "io/study_assembly.h"
+
 namespace echolucent {
 
 namespace {
@@ -39,6 +41,11 @@ Result<SliceStack> stackSlices(const std::string& file, const std::string& posit
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unreadable, file, positionTag, problem, remedy);
     };
+    for (const SlicePlane& plane : planes)
+        if (!isPosition(plane.position))
+            return refuse(fmt::format("puts a slice at ({:.4g}, {:.4g}, {:.4g}) mm, where no scanner can be",
+                                      plane.position[0], plane.position[1], plane.position[2]),
+                          "Export the series again.");
     const bool parallel = std::all_of(planes.begin(), planes.end(),
                                       [&](const SlicePlane& plane) { return sameOrientation(plane, first); });
     if (!parallel)
@@ -61,10 +68,10 @@ Result<SliceStack> stackSlices(const std::string& file, const std::string& posit
         least = std::min(least, distance);
         most = std::max(most, distance);
     }
-    if (least < samePositionMm)
+    if (!(least >= samePositionMm))
         return refuse("is the same for two slices", "Keep the slices of one volume at one time in the folder.");
-    if (most - stack.spacing > refusedUnevenness * stack.spacing ||
-        stack.spacing - least > refusedUnevenness * stack.spacing)
+    if (!(most - stack.spacing <= refusedUnevenness * stack.spacing &&
+          stack.spacing - least <= refusedUnevenness * stack.spacing))
         return refuse(
             fmt::format("puts slices between {:.4g} and {:.4g} mm apart; slices are missing or uneven", least, most),
             "Export the whole series again, with equal distances.");

@@ -17,7 +17,7 @@ struct SlicePlane {
     Vec3 alongColumn{0, 1, 0};
 };
 
-/// The slices of one volume.
+/// How the slices of one volume lie on each other.
 struct SliceStack {
     std::vector<std::size_t> order;  ///< indices of the planes, by position along the normal
     Vec3 origin{0, 0, 0};            ///< position of the first slice
@@ -26,8 +26,9 @@ struct SliceStack {
     std::vector<std::string> warnings;
 };
 
-/// Sorts planes along their common normal. Fails (about `file`, naming `positionTag`) where they are not parallel,
-/// where two share a position, or where distances differ from their mean by more than a tenth. At least two planes.
+/// Sorts planes along their common normal. Fails (about `file`, naming `positionTag`) where a position is no number or
+/// farther than 10 km away, where the planes are not parallel, where two share a position, or where distances differ
+/// from their mean by more than a tenth. `planes` holds at least two.
 [[nodiscard]] Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
                                              const std::vector<SlicePlane>& planes);
 

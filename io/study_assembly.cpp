@@ -69,6 +69,13 @@ std::string nameFromPath(const std::string& path) {
     return file.has_filename() ? file.filename().string() : path;
 }
 
+bool isPosition(const Vec3& position) {
+    constexpr double farthestMm = 1e7;
+    // Not "none is too far": a comparison with NaN is false.
+    return std::abs(position[0]) <= farthestMm && std::abs(position[1]) <= farthestMm &&
+           std::abs(position[2]) <= farthestMm;
+}
+
 bool normalizeDirection(Mat3& direction) {
     for (int column = 0; column < 3; ++column) {
         const Vec3 axis(direction(0, column), direction(1, column), direction(2, column));
@@ -91,29 +98,39 @@ std::string skewWarning(const Mat3& direction) {
 namespace {
 
 /// A spacing that no scanner has is a slip of units somewhere, and would make tubes and rays of millions of samples.
-Result<void> checkSpacing(const StudyParts& parts) {
-    const auto [smallest, largest] =
-        std::minmax({parts.geometry.spacing[0], parts.geometry.spacing[1], parts.geometry.spacing[2]});
+Result<void> checkGeometry(const StudyParts& parts) {
+    const Vec3& spacing = parts.geometry.spacing;
     constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
     const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
-    if (smallest < smallestMm || largest > largestMm)
+    // Each is asked whether it lies inside: NaN lies nowhere.
+    const bool sensible =
+        std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
+    if (!sensible)
         return fail(FailureKind::unreadable, parts.path, element,
                     fmt::format("gives voxels of {}, which no scanner makes", spacingText(parts.geometry.spacing)),
                     "Give the spacing in mm.");
+    const auto [smallest, largest] = std::minmax({spacing[0], spacing[1], spacing[2]});
     if (largest > largestRatio * smallest)
         return fail(FailureKind::unreadable, parts.path, element,
                     fmt::format("gives voxels of {}, more than {} times as long as wide",
                                 spacingText(parts.geometry.spacing), largestRatio),
                     "Correct the spacing.");
+    if (!isPosition(parts.geometry.origin))
+        return fail(FailureKind::unreadable, parts.path, "the origin",
+                    "lies farther from 0 than 10 km, or is no number", "Correct the position of the volume.");
     return {};
 }
 
 }  // namespace
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
-    if (auto sensible = checkSpacing(parts); !sensible) return tl::unexpected(sensible.error());
+    if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());
     Study study;
     study.name = nameFromPath(parts.path);
+    study.files = std::move(parts.files);
+    // Times that are far apart overflow; no time is better than one that no clock can wait for.
+    if (parts.phaseSeconds && !(*parts.phaseSeconds > 0 && std::isfinite(*parts.phaseSeconds)))
+        parts.phaseSeconds.reset();
     study.phaseSeconds = parts.phaseSeconds;
     study.lossyCompressed = parts.lossyCompressed;
     study.facts = std::move(parts.facts);
@@ -127,7 +144,6 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
         if (!eightBit) {
             const WhiteLevel white = whiteLevelOf(parts.voxels.phases);
             if (white.level > 0) whiteLevel = white.level;
-    study.files = std::move(parts.files);
             if (std::string warning = absurdVoxelsWarning(white); !warning.empty()) {
                 whiteLevelSource = "largest value in the data that is not absurd";
                 study.warnings.push_back(std::move(warning));

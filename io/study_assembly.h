@@ -37,7 +37,11 @@ struct StudyParts {
 /// File or folder name without the folders above it.
 [[nodiscard]] std::string nameFromPath(const std::string& path);
 
-/// Makes the columns unit vectors. False where one has no length or the three do not span space.
+/// Whether a position in the patient can be one: its coordinates (mm) are finite and no more than 10 km from 0, where
+/// doubles still tell nanometres apart.
+[[nodiscard]] bool isPosition(const Vec3& position);
+
+/// Makes the columns of `direction` unit vectors. False where one has no length or the three do not span space.
 [[nodiscard]] bool normalizeDirection(Mat3& direction);
 /// A sentence where the columns (unit vectors) are not perpendicular to each other; else empty.
 [[nodiscard]] std::string skewWarning(const Mat3& direction);

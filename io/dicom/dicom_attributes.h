@@ -1,7 +1,9 @@
 // Attributes of DICOM data sets as plain values. DCMTK's item type is only named here, never seen.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,22 +17,29 @@ struct DicomTag {
     std::uint16_t element = 0;
 };
 
-/// "(0018,0088)".
+/// The tag as DICOM writes it: "(0018,0088)".
 [[nodiscard]] std::string tagText(DicomTag tag);
 
-/// The attribute's text with its values as stored, trimmed; empty where it is missing or empty.
+// Each of these functions takes time in proportion to the attribute's length, however many values it holds: DCMTK's own
+// access by index is quadratic.
+
+/// The attribute's text: its values as stored, each trimmed, with backslashes between them. The text is empty where the
+/// attribute is missing or empty.
 [[nodiscard]] std::string dicomText(DcmItem& item, DicomTag tag);
-/// All values as numbers; empty where the attribute is missing or one of them is no finite number.
-[[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag);
-/// The first value as a whole number.
+/// The attribute's values as numbers, where it holds exactly `count` of them and every one is finite; else empty.
+[[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count);
+/// The first value of the attribute, where it is a whole number of at most 10^15; else no value.
 [[nodiscard]] std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag);
 [[nodiscard]] bool dicomHas(DcmItem& item, DicomTag tag);
 
-/// An item of a sequence; null where there is none.
-[[nodiscard]] DcmItem* dicomSequenceItem(DcmItem& item, DicomTag sequence, std::size_t index = 0);
+/// The first item of a sequence; null where the sequence is missing or has no item.
+[[nodiscard]] DcmItem* dicomFirstItem(DcmItem& item, DicomTag sequence);
+/// Hands the items of a sequence to `visit` in their order, until `visit` returns false.
+void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(DcmItem&)>& visit);
+/// How many items a sequence holds; 0 where it is missing.
 [[nodiscard]] std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence);
 
-/// Unsigned 16-bit words of a binary attribute (palettes); empty where it is missing.
+/// Unsigned 16-bit words of a binary attribute (palettes); empty where the attribute is missing.
 [[nodiscard]] std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag);
 
 }  // namespace echolucent

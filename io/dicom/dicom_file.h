@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/dicom/dicom_scan.h"
+#include "processing/progress.h"
 #include "processing/result.h"
 
 class DcmDataset;
@@ -12,10 +13,13 @@ class DcmFileFormat;
 
 namespace echolucent {
 
+/// A file as DCMTK has parsed it, and what the scan before that has seen.
 class DicomFile {
 public:
-    /// headerOnly: stops before the pixel data.
-    [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly);
+    /// Scans and parses the file at `path`; where `headerOnly` is set, parsing stops before the pixel data. `progress`
+    /// is polled for cancel between elements. Fails where the file is damaged, is no image that can be read, or where
+    /// the person cancelled.
+    [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly, const Progress& progress);
     DicomFile(DicomFile&&) noexcept;
     DicomFile& operator=(DicomFile&&) noexcept;
     ~DicomFile();

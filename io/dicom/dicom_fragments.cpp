@@ -10,11 +10,6 @@ namespace echolucent {
 
 namespace {
 
-std::uint32_t fragmentLength(DcmPixelSequence& fragments, std::size_t index) {
-    DcmPixelItem* item = nullptr;
-    return fragments.getItem(item, static_cast<unsigned long>(index)).good() && item != nullptr ? item->getLength() : 0;
-}
-
 tl::expected<FragmentMap, std::string> mapByOffsets(DcmPixelSequence& fragments, std::int64_t frames) {
     const auto table = fragmentBytes(fragments, {0, 1});
     const std::size_t count = static_cast<std::size_t>(frames);
@@ -23,7 +18,9 @@ tl::expected<FragmentMap, std::string> mapByOffsets(DcmPixelSequence& fragments,
                                           fragments.card() - 1, frames));
     FragmentMap map;
     std::uint64_t offset = 0;
-    for (std::size_t fragment = 1; fragment < fragments.card(); ++fragment) {
+    // Not getItem(index), which counts from the first fragment each time. Fragment 0 is the offset table.
+    DcmObject* item = fragments.nextInContainer(fragments.nextInContainer(nullptr));
+    for (std::size_t fragment = 1; item != nullptr; ++fragment, item = fragments.nextInContainer(item)) {
         const std::uint8_t* entry = table->data() + 4 * map.size();
         const bool more = map.size() < count;
         const std::uint32_t start =
@@ -34,7 +31,7 @@ tl::expected<FragmentMap, std::string> mapByOffsets(DcmPixelSequence& fragments,
             break;
         else
             ++map.back().count;
-        offset += 8 + std::uint64_t{fragmentLength(fragments, fragment)};
+        offset += 8 + std::uint64_t{item->getLength()};
     }
     if (map.size() != count)
         return tl::unexpected(std::string("has an offset table that does not match its fragments"));

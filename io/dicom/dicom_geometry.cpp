@@ -3,7 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "io/dicom/dicom_attributes.h"
+#include "io/study_assembly.h"
 
 namespace echolucent {
 
@@ -16,27 +16,29 @@ constexpr DicomTag orientationPatient{0x0020, 0x0037};
 constexpr DicomTag pixelSpacing{0x0028, 0x0030};
 
 std::optional<Vec3> pointFrom(DcmItem& item, DicomTag tag) {
-    const auto values = dicomNumbers(item, tag);
-    if (values.size() != 3) return std::nullopt;
+    const auto values = dicomNumbers(item, tag, 3);
+    if (values.empty()) return std::nullopt;
     return Vec3(values[0], values[1], values[2]);
 }
 
 /// Two perpendicular directions, made unit vectors.
 std::optional<std::array<Vec3, 2>> orientationFrom(DcmItem& item, DicomTag tag) {
-    const auto values = dicomNumbers(item, tag);
-    if (values.size() != 6) return std::nullopt;
+    const auto values = dicomNumbers(item, tag, 6);
+    if (values.empty()) return std::nullopt;
     const Vec3 alongRow(values[0], values[1], values[2]);
     const Vec3 alongColumn(values[3], values[4], values[5]);
-    if (length(alongRow) < 0.5 || length(alongColumn) < 0.5) return std::nullopt;
+    // The largest numbers have no length that a double could hold.
+    const auto isDirection = [](const Vec3& vector) { return length(vector) >= 0.5 && std::isfinite(length(vector)); };
+    if (!isDirection(alongRow) || !isDirection(alongColumn)) return std::nullopt;
     const Vec3 row = normalized(alongRow);
     const Vec3 column = normalized(alongColumn);
-    if (std::abs(row.dot(column)) > 0.01) return std::nullopt;
+    if (!(std::abs(row.dot(column)) <= 0.01)) return std::nullopt;
     return std::array<Vec3, 2>{row, normalized(column - row * row.dot(column))};
 }
 
 std::optional<std::array<double, 2>> spacingFrom(DcmItem& item) {
-    const auto values = dicomNumbers(item, pixelSpacing);
-    if (values.size() != 2 || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
+    const auto values = dicomNumbers(item, pixelSpacing, 2);
+    if (values.empty() || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
     return std::array<double, 2>{values[1], values[0]};  // the tag holds the distance between rows first
 }
 
@@ -44,23 +46,26 @@ std::optional<std::array<double, 2>> spacingFrom(DcmItem& item) {
 void readGroups(DcmItem& groups, FramePlacement& placement) {
     for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9113}, positionPatient},
                                         std::pair{DicomTag{0x0020, 0x930e}, DicomTag{0x0020, 0x9301}}})
-        if (DcmItem* item = dicomSequenceItem(groups, sequence))
-            if (const auto point = pointFrom(*item, tag)) placement.position = point;
+        if (DcmItem* item = dicomFirstItem(groups, sequence))
+            if (const auto point = pointFrom(*item, tag)) {
+                placement.position = point;
+                placement.positionTag = tag;
+            }
     for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9116}, orientationPatient},
                                         std::pair{DicomTag{0x0020, 0x930f}, DicomTag{0x0020, 0x9302}}})
-        if (DcmItem* item = dicomSequenceItem(groups, sequence))
+        if (DcmItem* item = dicomFirstItem(groups, sequence))
             if (const auto orientation = orientationFrom(*item, tag)) placement.orientation = orientation;
-    if (DcmItem* item = dicomSequenceItem(groups, {0x0028, 0x9110}))
+    if (DcmItem* item = dicomFirstItem(groups, {0x0028, 0x9110}))
         if (const auto spacing = spacingFrom(*item)) placement.pixelSpacing = spacing;
-    if (DcmItem* item = dicomSequenceItem(groups, {0x0018, 0x9807}))
+    if (DcmItem* item = dicomFirstItem(groups, {0x0018, 0x9807}))
         placement.dataType = dicomText(*item, {0x0018, 0x9808});
-    if (DcmItem* item = dicomSequenceItem(groups, {0x0020, 0x9111}))
+    if (DcmItem* item = dicomFirstItem(groups, {0x0020, 0x9111}))
         if (const auto index = dicomWholeNumber(*item, {0x0020, 0x9128}); index && !placement.time) {
             placement.time = static_cast<double>(*index);
             placement.timeIsIndex = true;
         }
-    if (DcmItem* item = dicomSequenceItem(groups, {0x0020, 0x9310}))
-        if (const auto seconds = dicomNumbers(*item, {0x0020, 0x930d}); seconds.size() == 1) {
+    if (DcmItem* item = dicomFirstItem(groups, {0x0020, 0x9310}))
+        if (const auto seconds = dicomNumbers(*item, {0x0020, 0x930d}, 1); !seconds.empty()) {
             placement.time = seconds[0];
             placement.timeIsIndex = false;
         }
@@ -76,29 +81,36 @@ bool framesFollowInTime(DcmItem& dataset) {
 std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
     FramePlacement placement;
     placement.position = pointFrom(dataset, positionPatient);
+    placement.positionTag = positionPatient;
     placement.orientation = orientationFrom(dataset, orientationPatient);
     placement.pixelSpacing = spacingFrom(dataset);
     if (!placement.position || !placement.orientation) return std::nullopt;
     return placement;
 }
 
-std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames) {
+std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames, const Progress& progress) {
     const std::size_t described = std::min(frames, dicomSequenceLength(dataset, perFrameGroups));
     FramePlacement shared;
-    if (DcmItem* groups = dicomSequenceItem(dataset, sharedGroups)) readGroups(*groups, shared);
+    if (DcmItem* groups = dicomFirstItem(dataset, sharedGroups)) readGroups(*groups, shared);
     std::vector<FramePlacement> placements(described, shared);
-    for (std::size_t frame = 0; frame < described; ++frame)
-        if (DcmItem* groups = dicomSequenceItem(dataset, perFrameGroups, frame)) readGroups(*groups, placements[frame]);
+    std::size_t frame = 0;
+    dicomVisitItems(dataset, perFrameGroups, [&](DcmItem& groups) {
+        if (frame >= described || progress.cancelled()) return false;
+        readGroups(groups, placements[frame++]);
+        return true;
+    });
     return placements;
 }
 
 std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t frames) {
     const auto spacing = spacingFrom(dataset);
     if (!spacing || framesFollowInTime(dataset)) return {};
-    auto offsets = dicomNumbers(dataset, {0x3004, 0x000c});
-    if (offsets.size() != frames) {
-        const auto between = dicomNumbers(dataset, {0x0018, 0x0088});
-        if (between.size() != 1 || between[0] == 0.0) return {};
+    DicomTag offsetTag{0x3004, 0x000c};
+    auto offsets = dicomNumbers(dataset, offsetTag, frames);
+    if (offsets.empty()) {
+        offsetTag = {0x0018, 0x0088};
+        const auto between = dicomNumbers(dataset, offsetTag, 1);
+        if (between.empty() || between[0] == 0.0) return {};
         offsets.resize(frames);
         for (std::size_t frame = 0; frame < frames; ++frame) offsets[frame] = static_cast<double>(frame) * between[0];
     }
@@ -109,6 +121,7 @@ std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t fram
     std::vector<FramePlacement> placements(frames);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         placements[frame].position = origin + normal * offsets[frame];
+        placements[frame].positionTag = isPosition(origin) ? offsetTag : positionPatient;
         placements[frame].orientation = orientation;
         placements[frame].pixelSpacing = spacing;
     }
@@ -120,13 +133,13 @@ std::optional<std::array<double, 2>> pixelSpacingOf(DcmItem& dataset, std::strin
         source = tagText(pixelSpacing);
         return spacing;
     }
-    DcmItem* region = dicomSequenceItem(dataset, {0x0018, 0x6011});
+    DcmItem* region = dicomFirstItem(dataset, {0x0018, 0x6011});
     if (region == nullptr) return std::nullopt;
-    const auto x = dicomNumbers(*region, {0x0018, 0x602c});
-    const auto y = dicomNumbers(*region, {0x0018, 0x602e});
+    const auto x = dicomNumbers(*region, {0x0018, 0x602c}, 1);
+    const auto y = dicomNumbers(*region, {0x0018, 0x602e}, 1);
     const bool centimetres =
         dicomWholeNumber(*region, {0x0018, 0x6024}) == 3 && dicomWholeNumber(*region, {0x0018, 0x6026}) == 3;
-    if (!centimetres || x.size() != 1 || y.size() != 1 || x[0] == 0 || y[0] == 0) return std::nullopt;
+    if (!centimetres || x.empty() || y.empty() || x[0] == 0 || y[0] == 0) return std::nullopt;
     source = "(0018,602c), (0018,602e)";
     return std::array<double, 2>{std::abs(x[0]) * 10.0, std::abs(y[0]) * 10.0};
 }

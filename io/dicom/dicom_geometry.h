@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/dicom_attributes.h"
 #include "io/slice_stack.h"
+#include "processing/progress.h"
 
 class DcmItem;
 
@@ -14,7 +16,8 @@ namespace echolucent {
 
 /// What one frame says of its place; whatever is missing stays empty.
 struct FramePlacement {
-    std::optional<Vec3> position;
+    std::optional<Vec3> position;                       ///< mm, of the centre of the first pixel
+    DicomTag positionTag;                               ///< which attribute gave the position
     std::optional<std::array<Vec3, 2>> orientation;     ///< along a row, along a column
     std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
     std::optional<double> time;                         ///< seconds, or an index where timeIsIndex
@@ -22,18 +25,23 @@ struct FramePlacement {
     std::string dataType;  ///< (0018,9808): TISSUE_INTENSITY, FLOW, ...
 };
 
-/// Three numbers as a point; none where the attribute does not hold three.
+/// The place of a single picture, from Image Position, Image Orientation and Pixel Spacing at top level; no value where
+/// the position or the orientation is missing or makes no sense.
 [[nodiscard]] std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset);
 
-/// The places of all frames from the functional groups (shared, then per frame); fewer where the sequence is short,
-/// none where there are no functional groups.
-[[nodiscard]] std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames);
+/// The places of all frames from the functional groups (shared, then per frame). There are fewer than `frames` where
+/// the sequence is short, and none where there are no functional groups. `progress` is polled for cancel between
+/// frames; the places of a cancelled call mean nothing.
+[[nodiscard]] std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames,
+                                                                    const Progress& progress);
 
-/// Places by the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or with spacing between
-/// slices (0018,0088), where frames are not said to follow each other in time. None where there is no such geometry.
+/// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
+/// with spacing between slices (0018,0088), where frames are not said to follow each other in time. Empty where the
+/// data set has no such geometry.
 [[nodiscard]] std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t frames);
 
-/// Pixel spacing (x, y) in mm from (0028,0030) or from the ultrasound regions' deltas in cm; source says which.
+/// Pixel spacing (x, y) in mm from (0028,0030) or from the ultrasound regions' deltas in cm; `source` is set to the
+/// tags that gave it. No value where both are missing.
 [[nodiscard]] std::optional<std::array<double, 2>> pixelSpacingOf(DcmItem& dataset, std::string& source);
 
 }  // namespace echolucent

@@ -78,12 +78,12 @@ std::uint8_t lumaOf(double red, double green, double blue) {
 
 /// One palette's entries as 8-bit values; empty where it is missing or too short.
 std::vector<std::uint8_t> paletteEntries(DcmItem& item, DicomTag descriptorTag, DicomTag dataTag) {
-    const auto descriptor = dicomNumbers(item, descriptorTag);
+    const auto descriptor = dicomNumbers(item, descriptorTag, 3);
     const auto words = dicomWords(item, dataTag);
-    if (descriptor.size() != 3 || words.empty()) return {};
-    const auto declared = static_cast<std::int64_t>(descriptor[0]);
+    if (descriptor.empty() || words.empty()) return {};
     const std::size_t count =
-        declared == 0 ? 65536 : static_cast<std::size_t>(std::clamp<std::int64_t>(declared, 0, 65536));
+        descriptor[0] == 0 ? 65536 : static_cast<std::size_t>(std::clamp(descriptor[0], 0.0, 65536.0));
+    if (count == 0) return {};
     const bool packed = words.size() < count && words.size() * 2 >= count;  // two 8-bit entries in a word
     if (words.size() < count && !packed) return {};
     // Some programs declare 16 bits and store 8.
@@ -107,7 +107,8 @@ Problem readPalette(DcmItem& item, DicomPixelFormat& format) {
         return problemAt(
             redDescriptor, "Palette Color Lookup Table",
             dicomHas(item, {0x0028, 0x1221}) ? "is segmented, which cannot be read" : "is missing or too short");
-    format.paletteFirst = static_cast<std::int64_t>(dicomNumbers(item, redDescriptor)[1]);
+    format.paletteFirst =
+        static_cast<std::int64_t>(std::clamp(dicomNumbers(item, redDescriptor, 3)[1], -65536.0, 65536.0));
     format.paletteLuma.resize(red.size());
     for (std::size_t i = 0; i < red.size(); ++i) format.paletteLuma[i] = lumaOf(red[i], green[i], blue[i]);
     return std::nullopt;

@@ -15,7 +15,13 @@ namespace echolucent {
 
 namespace {
 
-constexpr const char* positionName = "(0020,9301)/(0020,0032) Image Position";
+/// The name of what gave a frame its position, for messages.
+std::string positionName(const FramePlacement& placement) {
+    const char* name = placement.positionTag.group == 0x3004   ? "Grid Frame Offset Vector"
+                       : placement.positionTag.group == 0x0018 ? "Spacing Between Slices"
+                                                               : "Image Position";
+    return tagText(placement.positionTag) + " " + name;
+}
 
 /// The frames of every phase in slice order, and the geometry they share.
 struct FrameLayout {
@@ -49,7 +55,8 @@ private:
 
 Result<FrameLayout> MultiframeReader::layOut() {
     const auto count = static_cast<std::size_t>(m_frames.frames());
-    auto placements = functionalGroupPlacements(m_file.dataset(), count);
+    auto placements = functionalGroupPlacements(m_file.dataset(), count, m_progress);
+    if (m_progress.cancelled()) return fail(FailureKind::cancelled, m_file.path(), "", "was not read: cancelled");
     const bool placed = placements.size() == count &&
                         std::all_of(placements.begin(), placements.end(), [](const FramePlacement& placement) {
                             return placement.position && placement.orientation;
@@ -122,13 +129,13 @@ Result<FrameLayout> MultiframeReader::stackPhases(const std::map<double, std::ve
         for (const std::size_t frame : frames)
             planes.push_back({*placements[frame].position, (*placements[frame].orientation)[0],
                               (*placements[frame].orientation)[1]});
-        auto stack = stackSlices(m_file.path(), positionName, planes);
+        auto stack = stackSlices(m_file.path(), positionName(placements[frames.front()]), planes);
         if (!stack) return tl::unexpected(stack.error());
         if (!firstStack) firstStack = *stack;
-        if (length(stack->origin - firstStack->origin) > 0.1 * firstStack->spacing ||
-            std::abs(stack->spacing - firstStack->spacing) > 0.1 * firstStack->spacing)
-            return fail(FailureKind::unreadable, m_file.path(), positionName, "changes from phase to phase",
-                        "Export one phase, or all on one grid.");
+        if (!(length(stack->origin - firstStack->origin) <= 0.1 * firstStack->spacing &&
+              std::abs(stack->spacing - firstStack->spacing) <= 0.1 * firstStack->spacing))
+            return fail(FailureKind::unreadable, m_file.path(), positionName(placements[frames.front()]),
+                        "changes from phase to phase", "Export one phase, or all on one grid.");
         std::vector<std::size_t> ordered;
         for (const std::size_t index : stack->order) ordered.push_back(frames[index]);
         layout.phases.push_back(std::move(ordered));
@@ -183,6 +190,7 @@ Result<Study> MultiframeReader::read() {
     if (!phases) return tl::unexpected(phases.error());
     StudyParts parts;
     parts.path = m_file.path();
+    parts.files = {m_file.path()};
     parts.geometry = layout->geometry;
     parts.spacingSource = layout->spacingSource;
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
@@ -190,7 +198,6 @@ Result<Study> MultiframeReader::read() {
     parts.whiteLevelSource = m_frames.whiteLevelSource();
     parts.phaseSeconds = layout->phaseSeconds;
     parts.phaseSource = "(0020,930d) Temporal Position Time Offset";
-    parts.files = {m_file.path()};
     parts.lossyCompressed = m_frames.lossyCompressed();
     parts.facts = {{"format", "DICOM, one multi-frame file", ""}};
     for (auto&& fact : m_frames.facts()) parts.facts.push_back(std::move(fact));

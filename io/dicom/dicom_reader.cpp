@@ -72,7 +72,7 @@ Result<Study> readDicom(const std::string& path, const ReadOptions& options, con
             study = readSeriesFolder(path, options, progress);
             return;
         }
-        const auto file = DicomFile::load(path, false);
+        const auto file = DicomFile::load(path, false, progress);
         study = file ? readMultiframe(*file, options, progress) : Result<Study>(tl::unexpected(file.error()));
     });
     return study;

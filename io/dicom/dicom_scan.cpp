@@ -104,10 +104,10 @@ class Walk {
 public:
     Walk(const InputFile& file, DicomScan& scan) : m_file(file), m_stream(file), m_scan(scan) {}
 
-    /// False where sequences are nested too deep.
-    bool run() {
+    /// False where sequences are nested too deep. Ends early where the person cancels.
+    bool run(const Progress& progress) {
         if (!readMeta()) return true;
-        while (step() && m_sequences <= deepestSequence) {
+        while (!progress.cancelled() && step() && m_sequences <= deepestSequence) {
         }
         return m_sequences <= deepestSequence;
     }
@@ -318,16 +318,17 @@ bool Walk::enterIfItem(std::uint32_t length) {
 
 }  // namespace
 
-Result<DicomScan> scanDicom(const std::string& path) {
+Result<DicomScan> scanDicom(const std::string& path, const Progress& progress) {
     const auto file = InputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     DicomScan scan;
     scan.fileSize = file->size();
-    if (!Walk(*file, scan).run())
+    if (!Walk(*file, scan).run(progress))
         return fail(
             FailureKind::unreadable, path, "",
             fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence),
             "The file is damaged or made to do harm: do not open it.");
+    if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     return scan;
 }
 

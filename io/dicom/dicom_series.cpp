@@ -39,12 +39,13 @@ struct Series {
     }
 };
 
-std::vector<std::string> filesBelow(const std::string& folder) {
+std::vector<std::string> filesBelow(const std::string& folder, const Progress& progress) {
     std::vector<std::string> files;
     std::error_code error;
     std::filesystem::recursive_directory_iterator entry(
         folder, std::filesystem::directory_options::skip_permission_denied, error);
-    for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+    for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
+         entry.increment(error)) {
         if (entry.depth() >= deepestFolder) entry.disable_recursion_pending();
         if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
         error.clear();
@@ -61,8 +62,8 @@ bool isDicomFile(const std::string& path) {
 }
 
 /// The header of an image; no value for DICOM files that are no images.
-Result<std::optional<FileHeader>> headerOf(const std::string& path) {
-    auto file = DicomFile::load(path, true);
+Result<std::optional<FileHeader>> headerOf(const std::string& path, const Progress& progress) {
+    auto file = DicomFile::load(path, true, progress);
     if (!file) return tl::unexpected(file.error());
     if (!file->scan().hasPixelData) return std::optional<FileHeader>();
     DcmItem& dataset = file->dataset();
@@ -81,8 +82,8 @@ Result<std::optional<FileHeader>> headerOf(const std::string& path) {
 
 /// The images of a folder, most slices first, and what could not be read.
 struct FolderContents {
-    std::vector<Series> series;
     std::vector<std::string> files;  ///< all DICOM files, those of other series and unreadable ones among them
+    std::vector<Series> series;
     std::size_t unreadable = 0;
     std::optional<Failure> firstFailure;
 };
@@ -90,13 +91,14 @@ struct FolderContents {
 Result<FolderContents> contentsOf(const std::string& folder, const Progress& progress) {
     FolderContents contents;
     std::map<std::string, Series> series;
-    const auto files = filesBelow(folder);
+    const auto files = filesBelow(folder, progress);
+    if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
         progress.at(0.3 * static_cast<double>(i) / static_cast<double>(files.size()));
         if (!isDicomFile(files[i])) continue;
         contents.files.push_back(files[i]);
-        auto header = headerOf(files[i]);
+        auto header = headerOf(files[i], progress);
         if (header && *header) {
             series[(*header)->series].files.push_back(std::move(**header));
         } else if (!header && nameFromPath(files[i]) != "DICOMDIR") {
@@ -104,6 +106,7 @@ Result<FolderContents> contentsOf(const std::string& folder, const Progress& pro
             if (!contents.firstFailure) contents.firstFailure = header.error();
         }
     }
+    if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
     for (auto& [key, one] : series) contents.series.push_back(std::move(one));
     std::stable_sort(contents.series.begin(), contents.series.end(),
                      [](const Series& a, const Series& b) { return a.slices() > b.slices(); });
@@ -178,7 +181,7 @@ public:
 
 private:
     Result<void> readSlice(std::size_t slice) {
-        const auto file = DicomFile::load(m_order.paths[slice], false);
+        const auto file = DicomFile::load(m_order.paths[slice], false, m_progress);
         if (!file) return tl::unexpected(file.error());
         auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
         if (!frames) return tl::unexpected(frames.error());
@@ -257,7 +260,7 @@ Result<Study> readSeriesFolder(const std::string& path, const ReadOptions& optio
                                        contents->unreadable, contents->firstFailure->sentence()));
     Result<Study> study = [&]() -> Result<Study> {
         if (largest.files.size() == 1) {
-            const auto file = DicomFile::load(largest.files.front().path, false);
+            const auto file = DicomFile::load(largest.files.front().path, false, progress);
             if (!file) return tl::unexpected(file.error());
             return readMultiframe(*file, options, progress);
         }

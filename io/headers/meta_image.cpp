@@ -261,6 +261,8 @@ Result<void> MetaImageHeader::readPosition() {
             std::all_of(values->begin(), values->begin() + 3, [](double v) { return std::isfinite(v); });
         if (!finite) return wrong(key, fmt::format("must be {} finite numbers, not {}", dimensions, quotedText(text)));
         for (int axis = 0; axis < 3; ++axis) m_stored.geometry.origin[axis] = (*values)[static_cast<std::size_t>(axis)];
+        if (!isPosition(m_stored.geometry.origin))
+            return wrong(key, "lies farther than 10 km from 0: " + quotedText(text));
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (m_stored.geometry.spacing[axis] > 0) continue;

@@ -262,6 +262,8 @@ Result<void> NrrdHeader::readOrigin() {
     for (int row = 0; row < 3; ++row)
         m_stored.geometry.origin[row] =
             (*vectors->front())[static_cast<std::size_t>(row)] * mmOfAxis(static_cast<std::size_t>(row), "space units");
+    if (!isPosition(m_stored.geometry.origin))
+        return wrong("space origin", "lies farther than 10 km from 0: " + quotedText(*text));
     return {};
 }
 

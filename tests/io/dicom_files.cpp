@@ -87,6 +87,7 @@ void putGeometry(DcmDataset& dataset, const TestImage& image) {
             decimals(std::vector<double>(image.orientation->begin(), image.orientation->end())));
     if (image.pixelSpacing)
         put(dataset, DCM_PixelSpacing, decimals({(*image.pixelSpacing)[0], (*image.pixelSpacing)[1]}));
+    if (!image.pixelSpacingText.empty()) put(dataset, DCM_PixelSpacing, image.pixelSpacingText);
     if (image.spacingBetweenSlices) put(dataset, DCM_SpacingBetweenSlices, decimals({*image.spacingBetweenSlices}));
     if (!image.gridOffsets.empty()) put(dataset, DCM_GridFrameOffsetVector, decimals(image.gridOffsets));
 }

@@ -53,6 +53,7 @@ struct TestImage {
     std::optional<Vec3> position;
     std::optional<std::array<double, 6>> orientation;
     std::optional<std::array<double, 2>> pixelSpacing;  ///< as in the tag: between rows, between columns
+    std::string pixelSpacingText;  ///< Pixel Spacing as it stands in the file, in place of pixelSpacing
     std::optional<double> spacingBetweenSlices;
     std::vector<double> gridOffsets;
     std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
