@@ -52,7 +52,7 @@ InputFile::~InputFile() {
 }
 
 Result<InputFile> InputFile::open(const std::string& path) {
-    // Non-blocking, so that a named pipe without a writer does not hold the program; ignored by regular files.
+    // O_NONBLOCK keeps a named pipe without a writer from holding the program; regular files ignore it.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),

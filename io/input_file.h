@@ -11,18 +11,20 @@
 
 namespace echolucent {
 
-/// a * b, or none where it does not fit into 63 bits. Both at least 0.
+/// a * b, or no value where the product does not fit into 63 bits. Both factors are at least 0.
 [[nodiscard]] std::optional<std::int64_t> checkedProduct(std::int64_t a, std::int64_t b);
 
-/// Bytes of main memory in this machine.
+/// How many bytes of main memory this machine has; 2^40 where the system does not say.
 [[nodiscard]] std::uint64_t machineMemoryBytes();
 
-/// Fails with a sentence about `file` where `bytes` is more than this machine's memory.
+/// Fails (unreadable) with a sentence about `file` and its `element` (a header key or a tag; it may be empty) where
+/// `bytes` is more than this machine's memory.
 [[nodiscard]] Result<void> requireMemory(const std::string& file, const std::string& element, std::uint64_t bytes);
 
 /// A regular file opened for reading.
 class InputFile {
 public:
+    /// Opens the file at `path`. Fails (unreadable) where it cannot be opened or is no regular file.
     [[nodiscard]] static Result<InputFile> open(const std::string& path);
     InputFile(InputFile&& other) noexcept;
     InputFile& operator=(InputFile&& other) noexcept;
@@ -32,9 +34,10 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
-    /// Fills `bytes` from `offset` on; fails where the file ends before. Thread-safe.
+    /// Fills `bytes` with what the file holds from byte `offset` on. Fails where the file ends before. May be called
+    /// from several threads at once.
     [[nodiscard]] Result<void> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
-    /// The first `limit` bytes, or the whole file where it is shorter.
+    /// The first `limit` bytes of the file, or all of it where it is shorter.
     [[nodiscard]] Result<std::string> beginning(std::size_t limit) const;
 
 private:

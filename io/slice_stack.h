@@ -1,4 +1,4 @@
-// Planes in space, put in order as the slices of one volume. Knows nothing of files.
+// Planes in space, put in order as the slices of one volume. This file knows nothing of files' formats.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct SlicePlane {
 
 /// How the slices of one volume lie on each other.
 struct SliceStack {
-    std::vector<std::size_t> order;  ///< indices of the planes, by position along the normal
+    std::vector<std::size_t> order;  ///< indices of the planes, ascending along the normal
     Vec3 origin{0, 0, 0};            ///< position of the first slice
     Mat3 direction = Mat3::eye();    ///< columns: along a row, along a column, normal
-    double spacing = 1.0;            ///< mm between slices
+    double spacing = 1.0;            ///< mm between slices, their mean distance
     std::vector<std::string> warnings;
 };
 

@@ -81,7 +81,7 @@ Result<void> skipDecompressed(VoxelSource& source, std::uint64_t bytes, const Pr
     return {};
 }
 
-/// Phases interleaved voxel by voxel, taken apart.
+/// Takes apart phases that are interleaved voxel by voxel.
 std::vector<std::vector<std::uint8_t>> splitPhases(const std::vector<std::uint8_t>& all, std::size_t phases,
                                                    std::size_t voxelBytes) {
     std::vector<std::vector<std::uint8_t>> split(phases, std::vector<std::uint8_t>(all.size() / phases));

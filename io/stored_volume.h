@@ -14,18 +14,18 @@ namespace echolucent {
 /// A header, checked and understood; nothing of the voxels has been read yet.
 struct StoredVolume {
     std::string path;        ///< header file, as the person gave it
-    std::string dataPath;    ///< file that holds the voxels; may be the same
+    std::string dataPath;    ///< file that holds the voxels; it may be the header file
     std::string layoutPath;  ///< file that describes a raw file; empty where a person gave the layout or none is needed
-    std::string sizeKey;     ///< what declared the size: "DimSize", "sizes", "--raw-size"
-    VoxelExtent extent;      ///< `length` is filled in from the file where 0
-    bool dataAtEnd = false;  ///< voxels end where the file ends (HeaderSize = -1, byte skip: -1)
+    std::string sizeKey;     ///< the key or option that declared the size: "DimSize", "sizes", "--raw-size"
+    VoxelExtent extent;      ///< a length of 0 means that the voxels end with the file
+    bool dataAtEnd = false;  ///< the voxels end where the file ends (HeaderSize = -1, byte skip: -1)
     StoredType type = StoredType::uint8;
     bool bigEndian = false;
-    std::int64_t channels = 1;  ///< 3: red, green, blue, fastest; reduced to luma
+    std::int64_t channels = 1;  ///< 3 where every voxel is red, green, blue; these are reduced to luma
     VolumeGeometry geometry;
     std::int64_t phases = 1;
     bool phasesFastest = false;  ///< the phase is the fastest axis instead of the slowest
-    std::string spacingSource;   ///< empty: assumed
+    std::string spacingSource;   ///< the key that gave the spacing; empty where the spacing is assumed
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;
     std::optional<double> phaseSeconds;
@@ -34,17 +34,20 @@ struct StoredVolume {
     std::vector<std::string> warnings;
 };
 
-/// Bytes of the voxels of one phase and of all, or a failure where they cannot be counted in 63 bits.
+/// How many bytes the voxels take.
 struct ByteCounts {
-    std::int64_t phase = 0;
-    std::int64_t all = 0;
+    std::int64_t phase = 0;  ///< bytes of one phase
+    std::int64_t all = 0;    ///< bytes of all phases
 };
+/// Counts the bytes that `stored` declares. Fails (unreadable) where they cannot be counted in 63 bits.
 [[nodiscard]] Result<ByteCounts> countBytes(const StoredVolume& stored);
 
-/// Compares the declared size with what the file can hold, only then takes memory and reads.
+/// Reads the voxels that `stored` describes. The declared size is compared with what the file can hold before memory is
+/// taken. Fails (unreadable) where the file holds fewer voxels or is damaged. `progress` is polled for cancel.
 [[nodiscard]] Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress);
 
-/// The path of a data file named in a header; fails unless it stays in the header's folder.
+/// The path of the data file `name` that the header at `headerPath` names under `key`. Fails (unreadable) unless the
+/// data file lies in the header's folder.
 [[nodiscard]] Result<std::string> dataFileBeside(const std::string& headerPath, const std::string& key,
                                                  const std::string& name);
 

@@ -23,41 +23,47 @@ struct ImportFact {
 
 /// A study: one volume, or the phases of a 4D one. Never empty once read. No patient name or identifier in it.
 struct Study {
-    std::string name;  ///< file or folder name, for the window's title
+    std::string name;  ///< name of the file or folder, for the window's title
     /// Every file the study was read from (header, voxels, layout kept beside a raw file, all DICOM files of a folder),
     /// as paths that can be opened; empty where it was not read from files. No output may be one of them
     /// (refuseToOverwrite()).
     std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
-    std::optional<double> phaseSeconds;  ///< time between phases; none: unknown
+    std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value where they are unknown
     bool lossyCompressed = false;
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;  ///< sentences for the person: assumptions, conversions, unknown spacing
 };
 
-/// How a headerless raw file is laid out; also kept beside the file as FILE.echolucent.json once given.
+/// How a headerless raw file is laid out. Once a person has said it, it is kept beside the file as
+/// FILE.echolucent.json.
 struct RawLayout {
-    std::array<std::int64_t, 3> size{0, 0, 0};
-    std::string type = "uint8";  ///< uint8, int8, uint16, int16, uint32, int32, float32, float64
+    std::array<std::int64_t, 3> size{0, 0, 0};  ///< voxels along x (fastest), y and z
+    std::string type = "uint8";                 ///< uint8, int8, uint16, int16, uint32, int32, float32, float64
     bool bigEndian = false;
-    std::int64_t headerBytes = 0;
-    Vec3 spacing{1, 1, 1};
-    bool spacingKnown = false;
+    std::int64_t headerBytes = 0;  ///< bytes before the first voxel
+    Vec3 spacing{1, 1, 1};         ///< mm
+    bool spacingKnown = false;     ///< false where `spacing` is only assumed
 };
 
-/// Writes FILE.echolucent.json beside a headerless raw file, so that readStudy() opens it without a layout next time.
+/// Writes FILE.echolucent.json beside a headerless raw file, so that readStudy() opens it without a layout next
+/// time. Fails (unwritable) where the folder cannot be written into.
 [[nodiscard]] Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout);
-/// The layout remembered for a file; no value where there is none. Fails where the side-car is there but wrong.
+/// The layout kept beside the raw file at `path`; no value where there is none. Fails (unreadable) where
+/// FILE.echolucent.json is there but does not describe a layout.
 [[nodiscard]] Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path);
 
+/// What a person may say about how a file is to be read.
 struct ReadOptions {
     std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
     bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
     bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
 };
 
-/// Reads a volume from a file or a DICOM folder; picks the format by content, then by name. Every size is checked
-/// against the file before memory is taken. progress is polled for cancel at least every few MB.
+/// Reads a volume from the file or DICOM folder at `path`. The format is told by the content, then by the name. Every
+/// size is checked against the file before memory is taken. `progress` is polled for cancel every few MB, between files
+/// and between the elements of a DICOM file. Fails (unreadable) where there is no volume to be read, (cancelled) where
+/// the person ended it.
 [[nodiscard]] Result<Study> readStudy(const std::string& path, const ReadOptions& options = {},
                                       const Progress& progress = {});
 

@@ -71,7 +71,7 @@ std::string nameFromPath(const std::string& path) {
 
 bool isPosition(const Vec3& position) {
     constexpr double farthestMm = 1e7;
-    // Not "none is too far": a comparison with NaN is false.
+    // Each coordinate is asked whether it lies inside, because every comparison with NaN is false.
     return std::abs(position[0]) <= farthestMm && std::abs(position[1]) <= farthestMm &&
            std::abs(position[2]) <= farthestMm;
 }
@@ -97,12 +97,13 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
-/// A spacing that no scanner has is a slip of units somewhere, and would make tubes and rays of millions of samples.
+/// Refuses a spacing that no scanner has, which is a slip of units somewhere and would make tube cores and rays of
+/// millions of samples, and an origin that is no position.
 Result<void> checkGeometry(const StudyParts& parts) {
     const Vec3& spacing = parts.geometry.spacing;
     constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
     const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
-    // Each is asked whether it lies inside: NaN lies nowhere.
+    // Each spacing is asked whether it lies inside, because every comparison with NaN is false.
     const bool sensible =
         std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
     if (!sensible)

@@ -10,12 +10,12 @@
 
 namespace echolucent {
 
-/// What a reader has found out; `facts` and `warnings` hold what it wants to say first.
+/// What a reader has found out. Its own `facts` and `warnings` come first in the study's.
 struct StudyParts {
     std::string path;                ///< as the person gave it
     std::vector<std::string> files;  ///< every file that was read (Study::files)
     VolumeGeometry geometry;
-    std::string spacingSource;  ///< key or tag; empty: assumed
+    std::string spacingSource;  ///< key or tag that gave the spacing; empty where the spacing is assumed
     ConvertedVoxels voxels;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;  ///< key or tag that gave whiteLevel
@@ -26,15 +26,17 @@ struct StudyParts {
     std::vector<std::string> warnings;
 };
 
-/// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report.
+/// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report. Fails
+/// (unreadable) where the spacing or the origin is one that no scanner makes, NaN among them; (cancelled) where the
+/// person ended it.
 [[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
 
-/// "152 x 156 x 110".
+/// A size as text, such as "152 x 156 x 110".
 [[nodiscard]] std::string sizeText(const std::array<std::int64_t, 3>& size);
-/// "0.3 x 0.3 x 0.5 mm".
+/// A spacing as text, such as "0.3 x 0.3 x 0.5 mm".
 [[nodiscard]] std::string spacingText(const Vec3& spacing);
 
-/// File or folder name without the folders above it.
+/// The name of the file or folder at `path`, without the folders above it.
 [[nodiscard]] std::string nameFromPath(const std::string& path);
 
 /// Whether a position in the patient can be one: its coordinates (mm) are finite and no more than 10 km from 0, where
@@ -43,7 +45,7 @@ struct StudyParts {
 
 /// Makes the columns of `direction` unit vectors. False where one has no length or the three do not span space.
 [[nodiscard]] bool normalizeDirection(Mat3& direction);
-/// A sentence where the columns (unit vectors) are not perpendicular to each other; else empty.
+/// A sentence where the columns of `direction` (unit vectors) are not perpendicular to each other; else empty.
 [[nodiscard]] std::string skewWarning(const Mat3& direction);
 
 }  // namespace echolucent

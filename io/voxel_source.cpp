@@ -22,7 +22,7 @@ struct VoxelSource::Inflater {
     std::vector<std::uint8_t> input = std::vector<std::uint8_t>(std::size_t{1} << 18);
     bool ended = false;
 
-    // 15 bits of window; +32: zlib or gzip, told apart by the data.
+    // The window has 15 bits; 32 more let zlib tell its own format and gzip apart by the data.
     Inflater() { inflateInit2(&stream, 15 + 32); }
     ~Inflater() { inflateEnd(&stream); }
     Inflater(const Inflater&) = delete;

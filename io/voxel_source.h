@@ -12,12 +12,12 @@ namespace echolucent {
 /// Where in a file the voxels lie.
 struct VoxelExtent {
     std::uint64_t offset = 0;     ///< first byte in the file
-    std::uint64_t length = 0;     ///< bytes from there that belong to the voxels (compressed: before decompression)
-    bool compressed = false;      ///< zlib or gzip
+    std::uint64_t length = 0;     ///< bytes from there that belong to the voxels, before they are decompressed
+    bool compressed = false;      ///< whether the bytes are compressed with zlib or gzip
     std::uint64_t skipBytes = 0;  ///< bytes to skip after decompression
 };
 
-/// Gives the bytes in order. Fails with the numbers where there are fewer than asked for.
+/// Gives the bytes of an extent in their order.
 class VoxelSource {
 public:
     VoxelSource(InputFile file, const VoxelExtent& extent);
@@ -25,10 +25,12 @@ public:
     VoxelSource(const VoxelSource&) = delete;
     VoxelSource& operator=(const VoxelSource&) = delete;
 
-    /// Fills `bytes`; polls progress.cancel every few MB and reports [from, to] as share.
+    /// Fills `bytes` with what comes next, polls progress.cancel every few MB and reports shares from `from` to `to`.
+    /// Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
-    /// How many bytes come out, counted up to `limit`, without keeping them. Only before the first read.
+    /// How many bytes there are to be read, counted up to `limit` without keeping them. To be called before the first
+    /// read().
     [[nodiscard]] Result<std::uint64_t> countBytes(std::uint64_t limit, const Progress& progress);
 
 private:

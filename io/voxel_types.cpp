@@ -77,7 +77,7 @@ void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
     }
 }
 
-/// Integers: kept whole where they fit into 8 or 16 unsigned bits, else as float32.
+/// Integers are kept whole where they fit into 8 or 16 unsigned bits, else as float32.
 template <typename T>
 ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name) {
     ConvertedVoxels result;

@@ -13,26 +13,30 @@ namespace echolucent {
 
 enum class StoredType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
+/// The name of a type as storedTypeFromName() takes it: "uint8".
 [[nodiscard]] std::string_view nameOf(StoredType type);
-[[nodiscard]] std::optional<StoredType> storedTypeFromName(std::string_view name);  ///< "uint8", ..., "float64"
+/// The type of that name, from "uint8" to "float64"; no value for any other name.
+[[nodiscard]] std::optional<StoredType> storedTypeFromName(std::string_view name);
+/// How many bytes one value of a type takes.
 [[nodiscard]] std::int64_t bytesOf(StoredType type);
 
-/// Swaps the bytes of every value in place where `bigEndian` is not this machine's order.
+/// Swaps the bytes of every value of `bytes` in place where `bigEndian` is not this machine's order.
 void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian);
 
-/// Interleaved red, green, blue values reduced to luma (ITU-R BT.601: 0.299, 0.587, 0.114; rounded). Type uint8 or
-/// uint16; a grey pixel keeps its value.
+/// Interleaved red, green, blue values reduced to luma (ITU-R BT.601: 0.299, 0.587, 0.114; rounded). `type` is
+/// uint8 or uint16. A grey pixel keeps its value.
 void reduceToLuma(std::vector<std::uint8_t>& bytes, StoredType type);
 
 /// Voxels of all phases in one type, and what happened to them.
 struct ConvertedVoxels {
     std::vector<Voxels> phases;
-    std::string story;    ///< "int16, kept as uint16"
+    std::string story;    ///< how they were stored and are kept: "int16, kept as uint16"
     std::string warning;  ///< a sentence where values changed or are negative; else empty
 };
 
 /// Turns the bytes of every phase (machine byte order) into voxels, all phases alike: uint8, uint16 and float32 stay;
-/// integers that fit become uint8 (from int8) or uint16, everything else float32. Takes the bytes' memory.
+/// integers that fit become uint8 (from int8) or uint16, everything else becomes float32. The memory of `phases` is
+/// given free on the way.
 [[nodiscard]] ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type);
 
 }  // namespace echolucent

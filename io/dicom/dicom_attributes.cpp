@@ -117,7 +117,7 @@ DcmItem* dicomFirstItem(DcmItem& item, DicomTag sequence) {
 void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(DcmItem&)>& visit) {
     DcmSequenceOfItems* items = sequenceOf(item, sequence);
     if (items == nullptr) return;
-    // Not getItem(index), which counts from the first item each time.
+    // getItem(index) would count from the first item each time.
     for (DcmObject* one = items->nextInContainer(nullptr); one != nullptr; one = items->nextInContainer(one))
         if (!visit(static_cast<DcmItem&>(*one))) return;
 }

@@ -14,7 +14,7 @@ namespace echolucent {
 
 namespace {
 
-/// DCMTK's own messages go to stderr and may hold patient data: silence them.
+/// Silences DCMTK, whose own messages go to stderr and may hold patient data.
 void quietLibrary() {
     static std::once_flag once;
     std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });

@@ -18,7 +18,7 @@ tl::expected<FragmentMap, std::string> mapByOffsets(DcmPixelSequence& fragments,
                                           fragments.card() - 1, frames));
     FragmentMap map;
     std::uint64_t offset = 0;
-    // Not getItem(index), which counts from the first fragment each time. Fragment 0 is the offset table.
+    // getItem(index) would count from the first fragment each time. Fragment 0 is the offset table.
     DcmObject* item = fragments.nextInContainer(fragments.nextInContainer(nullptr));
     for (std::size_t fragment = 1; item != nullptr; ++fragment, item = fragments.nextInContainer(item)) {
         const std::uint8_t* entry = table->data() + 4 * map.size();
@@ -96,7 +96,7 @@ std::string jpegDisagreement(std::span<const std::uint8_t> data, const JpegFrame
                                columns, rows, samples, expected.columns, expected.rows, expected.samples);
         if (bits > expected.bitsAllocated)
             return fmt::format("has a JPEG frame of {} bits where {} are allocated", bits, expected.bitsAllocated);
-        // Not even an empty picture gets smaller than this; what claims to keeps decoders busy for nothing.
+        // Not even an empty picture becomes smaller than this; a frame that claims to keeps decoders busy for nothing.
         if (marker != 0xf7 && rows * columns > static_cast<std::int64_t>(data.size()) * 1024)
             return fmt::format("has a JPEG frame of {} bytes for {} x {} pixels, which cannot be", data.size(), columns,
                                rows);

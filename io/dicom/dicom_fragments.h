@@ -19,14 +19,15 @@ struct FragmentRange {
 };
 using FragmentMap = std::vector<FragmentRange>;
 
-/// One fragment a frame, or all for a single frame, or as the basic offset table says; else what is wrong.
+/// Which fragments make up each of `frames` frames: one fragment a frame, all fragments for a single frame, or what the
+/// basic offset table says. Fails with what is wrong where none of these fits.
 [[nodiscard]] tl::expected<FragmentMap, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames);
 
-/// The bytes of a range put together; none where one cannot be read.
+/// The bytes of a range of fragments put together; no value where a fragment cannot be read.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> fragmentBytes(DcmPixelSequence& fragments,
                                                                      const FragmentRange& range);
 
-/// What a JPEG or JPEG-LS frame must look like.
+/// What a JPEG or JPEG-LS frame must look like by the data set.
 struct JpegFrame {
     std::int64_t columns = 0;
     std::int64_t rows = 0;
@@ -34,8 +35,8 @@ struct JpegFrame {
     int bitsAllocated = 8;
 };
 
-/// Reads the frame header of a JPEG or JPEG-LS codestream. Empty where it agrees with the data set, else what is wrong:
-/// decoders trust that header with memory and time.
+/// Compares the frame header of a JPEG or JPEG-LS codestream with `expected`, because decoders trust that header with
+/// memory and time. The text is empty where they agree; else it says what is wrong.
 [[nodiscard]] std::string jpegDisagreement(std::span<const std::uint8_t> data, const JpegFrame& expected);
 
 }  // namespace echolucent

@@ -21,7 +21,7 @@ std::optional<Vec3> pointFrom(DcmItem& item, DicomTag tag) {
     return Vec3(values[0], values[1], values[2]);
 }
 
-/// Two perpendicular directions, made unit vectors.
+/// The two directions of an image orientation, made unit vectors; no value where they are missing or not perpendicular.
 std::optional<std::array<Vec3, 2>> orientationFrom(DcmItem& item, DicomTag tag) {
     const auto values = dicomNumbers(item, tag, 6);
     if (values.empty()) return std::nullopt;

@@ -76,7 +76,7 @@ std::uint8_t lumaOf(double red, double green, double blue) {
     return static_cast<std::uint8_t>(std::lround(0.299 * red + 0.587 * green + 0.114 * blue));
 }
 
-/// One palette's entries as 8-bit values; empty where it is missing or too short.
+/// One palette's entries as 8-bit values; empty where the palette is missing or too short.
 std::vector<std::uint8_t> paletteEntries(DcmItem& item, DicomTag descriptorTag, DicomTag dataTag) {
     const auto descriptor = dicomNumbers(item, descriptorTag, 3);
     const auto words = dicomWords(item, dataTag);
@@ -84,7 +84,7 @@ std::vector<std::uint8_t> paletteEntries(DcmItem& item, DicomTag descriptorTag, 
     const std::size_t count =
         descriptor[0] == 0 ? 65536 : static_cast<std::size_t>(std::clamp(descriptor[0], 0.0, 65536.0));
     if (count == 0) return {};
-    const bool packed = words.size() < count && words.size() * 2 >= count;  // two 8-bit entries in a word
+    const bool packed = words.size() < count && words.size() * 2 >= count;  // a word holds two 8-bit entries
     if (words.size() < count && !packed) return {};
     // Some programs declare 16 bits and store 8.
     const bool high =

@@ -26,25 +26,28 @@ struct DicomPixelFormat {
     int highBit = 7;
     bool isSigned = false;
     bool planar = false;  ///< samples plane by plane instead of pixel by pixel
-    bool halved = false;  ///< uncompressed 4:2:2: Y Y Cb Cr for two pixels
+    bool halved = false;  ///< uncompressed 4:2:2, where Y Y Cb Cr stand for two pixels
     ColourModel model = ColourModel::monochrome2;
     std::string photometric;
-    std::vector<std::uint8_t> paletteLuma;  ///< luma of each entry
-    std::int64_t paletteFirst = 0;          ///< pixel value of the first entry
+    std::vector<std::uint8_t> paletteLuma;  ///< luma of each palette entry
+    std::int64_t paletteFirst = 0;          ///< pixel value that stands for the first entry
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
-    /// Bytes of one frame as DCMTK or the file hold it (4:2:2 included).
+    /// Bytes of one frame as DCMTK or the file hold it; 4:2:2 is taken into account.
     [[nodiscard]] std::int64_t storedFrameBytes() const { return pixels() * bytesPerSample() * (halved ? 2 : samples); }
+    /// The type that grey values of these pixels have.
     [[nodiscard]] StoredType greyType() const;
+    /// The largest grey value that the stored bits can hold.
     [[nodiscard]] double whiteLevel() const;
 };
 
-/// Reads the description; `problem` holds a failure's element and text.
+/// What is wrong with a description of pixels.
 struct PixelFormatProblem {
-    std::string element;
-    std::string text;
+    std::string element;  ///< tag and name of the attribute
+    std::string text;     ///< what is wrong with it, as in Failure::problem
 };
+/// Reads the description of the pixels in a data set into `format`; gives what is wrong, or no value.
 [[nodiscard]] std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format);
 
 /// One decoded frame.
@@ -56,7 +59,7 @@ struct DecodedFrame {
     bool lumaFirst = false;     ///< the first sample is luma, whatever the data set says
 };
 
-/// Grey values of the frame into `out`.
+/// Writes the grey values of `frame`, of type format.greyType(), into `out`, which holds format.pixels() of them.
 void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out);
 
 }  // namespace echolucent

@@ -53,7 +53,7 @@ Coding codingOf(E_TransferSyntax syntax) {
 void registerDecoders() {
     static std::once_flag once;
     std::call_once(once, [] {
-        // No colour conversion: the first sample of YBR is the luma we want.
+        // Colours are not converted: the first sample of YBR is the luma that is wanted.
         DJDecoderRegistration::registerCodecs(EDC_never, EUC_default, EPC_colorByPixel);
         DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel);
     });
@@ -115,7 +115,7 @@ Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
     const auto needed = checkedProduct(format.storedFrameBytes(), format.frames);
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
-    // DICOM counts in 32 bits: more cannot be there.
+    // DICOM counts in 32 bits: no file can hold more.
     if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
         return wrong(
             fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns, format.rows,

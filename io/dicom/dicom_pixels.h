@@ -15,10 +15,11 @@ class DcmDataset;
 
 namespace echolucent {
 
-/// Frames of one data set, which must outlive this.
+/// The frames of one data set, which must outlive this object.
 class DicomFrames {
 public:
-    /// Checks everything the data set says about its pixels against what is there, before memory is taken for them.
+    /// Checks everything that the data set says about its pixels against what is there, before memory is taken for
+    /// them. Fails (unreadable, naming `path` and the tag) where both disagree or cannot be read.
     [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan);
     DicomFrames(DicomFrames&&) noexcept;
     ~DicomFrames();
@@ -28,10 +29,10 @@ public:
     [[nodiscard]] std::int64_t frames() const;
     [[nodiscard]] StoredType type() const;          ///< of the grey values: uint8, int8, uint16 or int16
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
-    [[nodiscard]] double whiteLevel() const;        ///< largest value the bits can hold
+    [[nodiscard]] double whiteLevel() const;        ///< the largest value that the stored bits can hold
     [[nodiscard]] std::string whiteLevelSource() const;
     [[nodiscard]] bool lossyCompressed() const;
-    /// Transfer syntax, photometric interpretation, lossy compression.
+    /// What the import report says of the pixels: transfer syntax, photometric interpretation, lossy compression.
     [[nodiscard]] std::vector<ImportFact> facts() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
 

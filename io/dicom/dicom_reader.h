@@ -11,7 +11,8 @@ namespace echolucent {
 /// Whether the beginning of a file looks like DICOM, with or without preamble and meta header.
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
 
-/// Reads a DICOM file or the largest series of a folder. No type of the DICOM library crosses this line.
+/// Reads the DICOM file at `path`, or the series with most slices in the folder at `path`. No type of the DICOM library
+/// crosses this line. `progress` is polled for cancel between files, elements and frames.
 [[nodiscard]] Result<Study> readDicom(const std::string& path, const ReadOptions& options, const Progress& progress);
 
 }  // namespace echolucent

@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// Decodes one frame into planes, sample after sample, each value in little-endian order. Returns an empty string, or
+/// Decodes one frame into planes, sample after sample, each value in little-endian order. The text is empty, or says
 /// what is wrong with the data. out.size() must be pixels * samples * bytesPerSample.
 [[nodiscard]] std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples,
                                     int bytesPerSample, std::span<std::uint8_t> out);

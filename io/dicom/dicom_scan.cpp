@@ -32,7 +32,7 @@ public:
     explicit ByteStream(const InputFile& file) : m_file(&file) {}
 
     [[nodiscard]] std::uint64_t position() const { return m_position; }
-    /// Everything from here on is a raw deflate stream.
+    /// Takes everything from here on as a raw deflate stream.
     void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
 
     bool read(std::uint8_t* bytes, std::size_t count) {
@@ -134,7 +134,7 @@ private:
     std::vector<Level> m_levels;
     int m_sequences = 0;
     bool m_bigEndian = false;
-    std::optional<std::uint32_t> m_pendingTag;  // read ahead
+    std::optional<std::uint32_t> m_pendingTag;  // a tag that was read ahead
 };
 
 std::optional<std::uint32_t> Walk::read16() {
@@ -217,7 +217,7 @@ void Walk::pop() {
     m_levels.pop_back();
 }
 
-/// Leaves what cannot be understood at the nearest end that is known; false where none is.
+/// Leaves what cannot be understood at the nearest end that is known; false where no end is known.
 bool Walk::recover() {
     m_pendingTag.reset();
     while (m_levels.size() > 1) {

@@ -11,12 +11,12 @@ namespace echolucent {
 
 /// What the walk has seen.
 struct DicomScan {
-    std::string transferSyntax;  ///< UID from the meta header; empty: none
-    std::string sopClass;        ///< media storage SOP class from the meta header; may be empty
+    std::string transferSyntax;  ///< UID from the meta header; empty where it has none
+    std::string sopClass;        ///< media storage SOP class from the meta header; empty where it has none
     std::uint64_t fileSize = 0;
-    bool hasPixelData = false;             ///< (7FE0,0010) at top level
-    std::uint64_t pixelBytesDeclared = 0;  ///< its length as written; 0 where it is encapsulated
-    std::uint64_t pixelBytesHeld = 0;      ///< how many of them the file holds
+    bool hasPixelData = false;             ///< whether (7FE0,0010) stands at top level
+    std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
+    std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
 };
 
 /// Sequences may lie this deep in each other; the standard's own objects need fewer than ten. DCMTK recurses into every

@@ -25,7 +25,7 @@ constexpr const char* positionName = "(0020,0032) Image Position";
 /// What the header of one file in the folder says.
 struct FileHeader {
     std::string path;
-    std::string series;  // series, size: files that differ in it do not belong together
+    std::string series;  // series and size: files that differ in it do not belong together
     std::int64_t frames = 1;
     std::int64_t instance = 0;
     std::optional<FramePlacement> placement;

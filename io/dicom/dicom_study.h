@@ -9,17 +9,17 @@ class DcmItem;
 
 namespace echolucent {
 
-/// One file with several frames.
+/// Reads one file with several frames as a volume, or as the phases of one.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 
-/// The series with most slices in a folder and the folders in it.
+/// Reads the series with most slices in the folder at `path` and the folders in it.
 [[nodiscard]] Result<Study> readSeriesFolder(const std::string& path, const ReadOptions& options,
                                              const Progress& progress);
 
-/// Maker and model of the scanner, modality: never anything about the patient.
+/// Modality, maker and model of the scanner for the import report; never anything about the patient.
 [[nodiscard]] std::vector<ImportFact> equipmentFacts(DcmItem& dataset);
 
-/// "Add --frames-as-slices ...": the refusal of pictures that may be taken as slices all the same.
+/// The refusal of pictures that are no volume (`problem` says why), with the remedy --frames-as-slices.
 [[nodiscard]] tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem);
 
 }  // namespace echolucent

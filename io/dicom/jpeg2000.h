@@ -15,8 +15,8 @@ struct Jpeg2000Frame {
     std::uint32_t samples = 1;
 };
 
-/// Decodes a codestream or .jp2 into planes of 32-bit values, sample after sample. Returns an empty string, or what is
-/// wrong. `colourIsYbr`: whether the first plane is luma already.
+/// Decodes a codestream or .jp2 into planes of 32-bit values, sample after sample. The text is empty, or says what is
+/// wrong. `colourIsYbr` is set to whether the first plane is luma already.
 [[nodiscard]] std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
                                          std::vector<std::int32_t>& values, bool& colourIsYbr);
 

@@ -83,7 +83,7 @@ private:
         const auto found = m_values.find(key);
         return found == m_values.end() ? nullptr : &found->second;
     }
-    /// The first of several names for the same thing that the header holds; empty where it holds none.
+    /// The first of several keys for the same thing that the header holds; empty where it holds none of them.
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const {
         for (const char* key : keys)
             if (find(key) != nullptr) return key;

@@ -58,7 +58,7 @@ private:
     NrrdFields m_fields;
     std::vector<std::int64_t> m_sizes;
     std::vector<std::string> m_kinds;
-    std::vector<NrrdVector> m_directions;  // empty, or one for each axis
+    std::vector<NrrdVector> m_directions;  // one for each axis of the file; empty where the header has none
     std::vector<AxisRole> m_roles;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
@@ -297,7 +297,7 @@ Result<void> NrrdHeader::readPhaseTime() {
     const double step = (*spacings)[*m_timeAxis];
     const auto units = find("units") != nullptr ? nrrdQuotedWords(*find("units")) : std::vector<std::string>{};
     const auto seconds = *m_timeAxis < units.size() ? secondsOfUnit(units[*m_timeAxis]) : std::nullopt;
-    // Without a unit, 1 is what programs write that know no time.
+    // Where there is no unit, 1 is what programs write that know no time.
     if (!seconds && step == 1.0) return {};
     m_stored.phaseSeconds = step * seconds.value_or(1.0);
     m_stored.phaseSource = seconds ? "spacings, units" : "spacings, assumed to be seconds";

@@ -8,7 +8,8 @@ namespace echolucent {
 /// Whether a file begins as NRRD files do.
 [[nodiscard]] bool looksLikeNrrd(std::string_view beginning);
 
-/// Reads and checks the header; no voxel is read. framesAsSlices: accept two space axes and a time axis as a volume.
+/// Reads and checks the header; no voxel is read. Where `framesAsSlices` is set, two space axes
+/// and a time axis are accepted as a volume.
 [[nodiscard]] Result<StoredVolume> readNrrdHeader(const std::string& path, bool framesAsSlices);
 
 }  // namespace echolucent

@@ -16,25 +16,29 @@ namespace echolucent {
 struct NrrdFields {
     std::map<std::string, std::string> fields;
     std::map<std::string, std::string> keys;
-    std::size_t headerBytes = 0;  ///< up to and with the empty line that ends the header
+    std::size_t headerBytes = 0;  ///< length of the header, with the empty line that ends it
     bool ended = false;           ///< whether that empty line was there
 };
 
+/// Reads the header of the file at `path`. Fails (unreadable) where the file is no NRRD file or a line breaks the
+/// grammar.
 [[nodiscard]] Result<NrrdFields> readNrrdFields(const std::string& path);
 
-/// The type behind any of NRRD's names for it ("uchar", "unsigned char", "uint8", ...); none where it is not scalar.
+/// The type behind any of NRRD's names for it, such as "uchar", "unsigned char" and "uint8"; no value where `text`
+/// names no scalar type.
 [[nodiscard]] std::optional<StoredType> nrrdType(const std::string& text);
 
-/// "none" or a vector of two to four numbers, one for each axis; none where the text does not follow that grammar.
+/// A vector of two to four numbers; no value where the file says "none".
 using NrrdVector = std::optional<std::vector<double>>;
+/// The vectors in `text`, one for each axis; no value where the text does not follow NRRD's grammar.
 [[nodiscard]] std::optional<std::vector<NrrdVector>> nrrdVectors(const std::string& text);
 
-/// Words in double quotes, as in: units: "mm" "mm" "mm" "s".
+/// The words in double quotes, as NRRD's units have them: "mm" "mm" "mm" "s".
 [[nodiscard]] std::vector<std::string> nrrdQuotedWords(const std::string& text);
 
-/// How many mm one unit of that name is; none where the name is not known. No name means mm.
+/// How many mm one unit of that name is; no value where the name is not known. An empty name means mm.
 [[nodiscard]] std::optional<double> mmOfUnit(const std::string& unit);
-/// How many seconds one unit of that name is; none where the name is not known.
+/// How many seconds one unit of that name is; no value where the name is not known.
 [[nodiscard]] std::optional<double> secondsOfUnit(const std::string& unit);
 
 }  // namespace echolucent

@@ -9,14 +9,16 @@
 
 namespace echolucent {
 
+/// Inflates a raw deflate stream (no zlib or gzip header), as deflated DICOM files hold it.
 class RawInflater {
 public:
+    /// The stream begins at byte `offset` of `file`, which must outlive this object.
     RawInflater(const InputFile& file, std::uint64_t offset);
     ~RawInflater();
     RawInflater(const RawInflater&) = delete;
     RawInflater& operator=(const RawInflater&) = delete;
 
-    /// Fills `bytes` as far as the stream goes; returns how many there were. Damaged data end the stream.
+    /// Fills `bytes` as far as the stream goes and returns how many bytes that were. Damaged data end the stream.
     std::size_t read(std::span<std::uint8_t> bytes);
 
 private:

@@ -8,7 +8,8 @@ namespace echolucent {
 /// Where the layout of the raw file at `path` is kept: FILE.echolucent.json beside it.
 [[nodiscard]] std::string rawLayoutPath(const std::string& path);
 
-/// Checks a layout; no voxel is read. `source` says where it came from: "--raw-size" or the side-car's name.
+/// Checks the `layout` of the raw file at `path`; no voxel is read. `source` says where the layout came from: it is
+/// "--raw-size" or the name of the file that holds it. Fails (unreadable) where the layout makes no sense.
 [[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLayout& layout,
                                                           const std::string& source);
 

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Of JPEG: at 95 speckle shows no blocks.
+/// The quality of JPEG at which speckle shows no blocks.
 constexpr double quality = 95;
 
 struct Encoder {

@@ -20,7 +20,7 @@ tl::unexpected<Failure> cannotWrite(const std::string& path, int problem) {
                 "Choose another folder or name.");
 }
 
-/// Writes and closes. 0, or what went wrong (errno).
+/// Writes `bytes` and closes the descriptor. Gives 0, or the errno of what went wrong.
 int writeAndClose(int descriptor, std::string_view bytes, bool regular) {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(descriptor, "wb"), &std::fclose);
     errno = 0;
@@ -29,14 +29,14 @@ int writeAndClose(int descriptor, std::string_view bytes, bool regular) {
     return written ? 0 : (errno != 0 ? errno : EIO);
 }
 
-/// What a new file may be read and written by, as the person's umask has it.
+/// The permissions of a new file, as the person's umask has them.
 mode_t modeOfNewFiles() {
     const mode_t mask = umask(0);
     umask(mask);
     return 0666 & ~mask;
 }
 
-/// A device, a pipe: nothing to replace, the bytes go into it.
+/// Writes the bytes into a device or a pipe, which cannot be replaced.
 Result<void> writeInto(const std::string& path, std::string_view bytes) {
     const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return cannotWrite(path, errno);
@@ -56,7 +56,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
     const bool exists = stat(path.c_str(), &present) == 0;
     if (exists && S_ISDIR(present.st_mode)) return cannotWrite(path, EISDIR);
     if (exists && !S_ISREG(present.st_mode)) return writeInto(path, bytes);
-    // A link stays a link: what it points to is replaced.
+    // The file that a link points to is replaced, so that a link stays a link.
     std::error_code unresolved;
     const auto resolved = std::filesystem::canonical(path, unresolved);
     const std::string target = unresolved ? path : resolved.string();

@@ -8,11 +8,12 @@
 
 namespace echolucent {
 
-/// Writes bytes to a temporary file beside `path` and renames it; a file that is there keeps its permissions, a link
-/// stays a link, a device or a pipe is written into. "-" writes to standard output.
+/// Writes `bytes` to a temporary file beside `path` and renames it to `path`. A file that is there keeps its
+/// permissions, a link stays a link, a device or a pipe is written into. The path "-" means standard output. Fails
+/// (unwritable) where that cannot be done; what was at `path` is then as it was.
 [[nodiscard]] Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
-/// Reads a whole file of at most `limit` bytes.
+/// Reads the whole file at `path`. Fails (unreadable) where it is no regular file or holds more than `limit` bytes.
 [[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::size_t limit);
 
 }  // namespace echolucent

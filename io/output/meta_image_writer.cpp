@@ -67,7 +67,7 @@ std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases)
     return compressor.finish();
 }
 
-/// Rows are the directions of the grid axes; a time axis stands alone.
+/// The transform matrix as text: its rows are the directions of the grid axes; a time axis stands alone.
 std::string matrixText(const Mat3& direction, int dimensions) {
     std::string text;
     for (int axis = 0; axis < dimensions; ++axis)

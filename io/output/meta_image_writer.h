@@ -10,8 +10,9 @@
 
 namespace echolucent {
 
-/// Writes one volume, or the phases of a 4D one (same size and type), as a compressed .mha, atomically (a temporary
-/// file beside it, then renamed). The white level is kept in the key WhiteLevel, which readStudy() honours.
+/// Writes one volume, or the phases of a 4D one, to `path` as a compressed .mha, whole or not at all. The white level
+/// is kept in the key WhiteLevel, which readStudy() honours. Throws std::invalid_argument where there is no phase or
+/// where the phases differ in size or type; fails (unwritable) where the file cannot be written.
 [[nodiscard]] Result<void> writeMetaImage(const std::string& path,
                                           const std::vector<std::shared_ptr<const Volume>>& phases);
 

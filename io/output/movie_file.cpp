@@ -15,10 +15,11 @@ namespace {
 
 constexpr int largestEdge = 16384;
 constexpr double highestFrameRate = 1000;
-/// AVI counts in 32 bits.
+/// The most bytes a movie may have, because AVI counts in 32 bits.
 constexpr std::size_t largestMovie = 2'000'000'000;
 
-/// The module's functions; null where it is not there. Never unloaded: OpenCV's threads may outlive the movie.
+/// The module's functions; null where it is not there. The module is never unloaded, because OpenCV's threads may
+/// outlive the movie.
 struct Encoder {
     decltype(&echolucentOpenMovie) open = nullptr;
     decltype(&echolucentAddPicture) add = nullptr;
@@ -56,7 +57,7 @@ tl::unexpected<Failure> cannotWrite(const std::string& path, const std::string& 
     return fail(FailureKind::unwritable, path, "", problem);
 }
 
-/// Told before minutes of rendering, not after.
+/// Fails where `path` cannot be written, so that this is said before minutes of rendering.
 Result<void> checkFolder(const std::string& path) {
     if (path == "-") return {};
     std::error_code error;

@@ -12,20 +12,23 @@
 
 namespace echolucent {
 
-/// A movie being written. Nothing is at its path before finish(), and nothing is left where that is not reached.
+/// A movie being written. Nothing is at its path before finish(), and nothing is left where finish() is not reached.
 class MovieFile {
 public:
-    /// width, height: 1 to 16384 pixels; framesPerSecond: above 0, at most 1000 (std::invalid_argument beyond). Fails
-    /// (unwritable) where the folder of `path` cannot be written into or the module is missing.
+    /// Begins a movie of `width` x `height` pixels (1 to 16384 each) at `framesPerSecond` (above 0, at most 1000);
+    /// throws std::invalid_argument where one of them lies outside. Fails (unwritable) where the folder of `path`
+    /// cannot be written into or the module is missing.
     [[nodiscard]] static Result<MovieFile> begin(const std::string& path, int width, int height,
                                                  double framesPerSecond);
     MovieFile(MovieFile&&) noexcept;
     MovieFile& operator=(MovieFile&&) noexcept;
     ~MovieFile();
 
-    /// 8-bit RGB, rows from the top, width * height * 3 bytes.
+    /// Adds a picture: 8-bit red, green, blue, rows from the top, width * height * 3 bytes (std::invalid_argument where
+    /// `rgb` has another size). Fails (unwritable) where the picture cannot be encoded.
     [[nodiscard]] Result<void> add(std::span<const std::uint8_t> rgb);
-    /// Reads the movie back to see that it is whole, and puts it in its place as writeFileAtomically() does.
+    /// Reads the movie back to see that it is whole, and puts it in its place as writeFileAtomically() does. Fails
+    /// (unwritable) where the movie has no pictures, is longer than 2 GB or cannot be written.
     [[nodiscard]] Result<void> finish();
 
 private:

@@ -9,11 +9,11 @@
 
 namespace echolucent {
 
-/// 8-bit RGB, rows from the top, as the bytes of a PNG file. rgb holds width * height * 3 bytes (else
-/// std::invalid_argument).
+/// The bytes of a PNG file that holds `rgb`: 8-bit red, green, blue, rows from the top, width * height * 3 bytes.
+/// Throws std::invalid_argument where `rgb` has another size.
 [[nodiscard]] std::string pngBytes(int width, int height, std::span<const std::uint8_t> rgb);
 
-/// Writes 8-bit RGB, rows from the top, atomically. rgb holds width * height * 3 bytes.
+/// Writes the PNG file of pngBytes() to `path`, whole or not at all. Fails (unwritable) where that cannot be done.
 [[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace echolucent
