@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "widgets/panels/chosen_reading.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent {
 
@@ -51,7 +51,7 @@ QString surfaceSentence(const AdaptiveOtf& otf) {
     if (!otf.message.empty()) return QString::fromStdString(otf.message);
     const Interface mean = meanInterface(otf);
     const QString effect =
-        otf.config.form == CurveForm::ramp
+        std::holds_alternative<RampRule>(otf.config.curve)
             ? tr("In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
             : tr("In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
                  "opaque.");
@@ -75,10 +75,10 @@ QString readingSentence(const AdaptiveOtfConfig& config) {
 /// What tells surfaces, and what becomes of them.
 QString methodSentences(const AdaptiveOtf& otf) {
     const AdaptiveOtfConfig& config = otf.config;
-    const bool ramp = config.form == CurveForm::ramp;
+    const bool ramp = std::holds_alternative<RampRule>(config.curve);
     QStringList sentences{readingSentence(config)};
     sentences
-        << (config.interfaceFunction == InterfaceFunction::ratio
+        << (std::holds_alternative<RatioRule>(config.detection)
                 ? tr("Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
                 : tr("Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
     sentences

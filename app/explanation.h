@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "io/study.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 #include "widgets/otf_editor/otf_editor.h"

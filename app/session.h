@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/study.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/near_cut.h"
 #include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"

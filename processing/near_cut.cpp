@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "processing/tube_core/ratio_detection.h"
+#include "processing/tube_core/rules/ratio_rule.h"
 
 namespace echolucent {
 
@@ -17,9 +17,8 @@ struct FluidStretch {
 
 /// The stretches of at least leastFluid cells whose means stay below the level, with a surface behind them. One that
 /// begins where its tube does begins at the very front: nothing stands before it.
-void addStretches(const TubeCore& tube, double fluidIntensity, double leastContrast, double firstMm, double unit,
-                  std::vector<FluidStretch>& stretches) {
-    const RatioRule rule;
+void addStretches(const TubeCore& tube, const RatioRule& rule, double fluidIntensity, double leastContrast,
+                  double firstMm, double unit, std::vector<FluidStretch>& stretches) {
     const int last = static_cast<int>(tube.cellMeans.size()) - 1;
     const auto isFluid = [&](int cell) { return tube.cellMeans[static_cast<std::size_t>(cell)] < fluidIntensity; };
     for (int cell = tube.firstCell; cell <= last; ++cell) {
@@ -28,9 +27,9 @@ void addStretches(const TubeCore& tube, double fluidIntensity, double leastContr
         while (cell <= last && isFluid(cell)) ++cell;
         if (cell > last || cell - begin < rule.leastFluid) continue;
         const auto nearby = std::span(tube.interfaceFunction)
-                                .subspan(static_cast<std::size_t>(std::max(begin, cell - rule.behind)))
-                                .first(static_cast<std::size_t>(std::min(last, cell + rule.behind) -
-                                                                std::max(begin, cell - rule.behind) + 1));
+                                .subspan(static_cast<std::size_t>(std::max(begin, cell - rule.slabsBehind)))
+                                .first(static_cast<std::size_t>(std::min(last, cell + rule.slabsBehind) -
+                                                                std::max(begin, cell - rule.slabsBehind) + 1));
         if (*std::max_element(nearby.begin(), nearby.end()) < leastContrast) continue;
         stretches.push_back({begin == tube.firstCell ? 0.0 : firstMm + begin * unit, firstMm + cell * unit});
     }
@@ -39,12 +38,15 @@ void addStretches(const TubeCore& tube, double fluidIntensity, double leastContr
 std::vector<FluidStretch> fluidStretches(const AdaptiveOtf& otf, const VolumeGeometry& geometry) {
     const ViewFrame frame = frameOf(otf.view);
     const double front = nearPlaneDepthMm(otf.view, geometry);
+    // Lengths are the ratio rule's, also where surfaces were detected by variance.
+    const auto* chosen = std::get_if<RatioRule>(&otf.config.detection);
+    const RatioRule rule = chosen != nullptr ? *chosen : RatioRule{};
     std::vector<FluidStretch> stretches;
     for (const TubeCore& tube : otf.tubes) {
         if (!(tube.d > 0.0)) continue;
         const double fluid = otf.fluidIntensity.value_or((*tube.lowIntensity + *tube.highIntensity) / 2.0);
         const double first = frame.forward.dot(geometry.gridMmFromVoxel(tube.firstSampleVoxel)) - front;
-        addStretches(tube, fluid, otf.leastContrast.value_or(0.0), first, geometry.unit(), stretches);
+        addStretches(tube, rule, fluid, otf.leastContrast.value_or(0.0), first, geometry.unit(), stretches);
     }
     return stretches;
 }
@@ -90,7 +92,7 @@ std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View
     const auto stretches = fluidStretches(*otf, volume.geometry());
     suggestion.nearCutMm = bestCut(stretches, depthAlongViewMm(uncut, volume.geometry()));
     // Where a cell of fluid begins the wall's ramp is not over yet: at its middle it is.
-    if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cellSize - 1) / 2.0 * volume.geometry().unit();
+    if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cells.size - 1) / 2.0 * volume.geometry().unit();
     suggestion.tubesInFluid = inFluid(stretches, suggestion.nearCutMm);
     if (suggestion.nearCutMm == 0.0)
         suggestion.message = "Nothing stands in front of the fluid: no near cut is needed.";

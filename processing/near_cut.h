@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/progress.h"
 #include "processing/viewpoint.h"
 #include "processing/volume/volume.h"

@@ -24,6 +24,13 @@ struct ParameterRange {
     friend bool operator==(const ParameterRange&, const ParameterRange&) = default;
 };
 
+/// Where a parameter applies: only while another parameter, a choice, has this name chosen. Both empty: always.
+struct ParameterScope {
+    std::string_view parameter;
+    std::string_view choice;
+    friend bool operator==(const ParameterScope&, const ParameterScope&) = default;
+};
+
 /// One parameter of `Values`, a struct of plain values. Its default is what `get` reads from Values{} (or from the
 /// alternative of Values that holds it).
 template <typename Values>
@@ -41,6 +48,12 @@ struct Parameter {
     /// Sets a value of the kind that `get` gives; false, and nothing is changed: it means nothing in these values, or
     /// the value is of another kind or the name of no choice. Does not look at the range.
     bool (*set)(Values&, const ParameterValue&);
+    /// What a control offers to the hand where the range is far wider; none: the range.
+    std::optional<ParameterRange> offered = {};
+    /// Both functions find the parameter only there. The parameter that it names stands before this one in its table.
+    ParameterScope scope = {};
+
+    [[nodiscard]] ParameterRange offeredRange() const { return offered.value_or(range); }
 };
 
 /// "--cell-size" of "cell_size".
@@ -86,6 +99,15 @@ template <typename Values>
     for (const Parameter<Values>& parameter : table)
         if (parameter.name == name) return &parameter;
     return nullptr;
+}
+
+/// The default: the value in Values{}, with the alternative chosen that holds the parameter.
+template <typename Values>
+[[nodiscard]] ParameterValue defaultOf(std::span<const Parameter<Values>> table, const Parameter<Values>& parameter) {
+    Values values;
+    if (!parameter.scope.parameter.empty())
+        parameterNamed(table, parameter.scope.parameter)->set(values, std::string(parameter.scope.choice));
+    return parameter.get(values).value();
 }
 
 }  // namespace echolucent

@@ -3,11 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/study.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/parameter.h"
 #include "processing/result.h"
 #include "processing/viewpoint.h"
 
@@ -22,6 +26,7 @@ using Action = std::function<Result<void>()>;
 /// Each adds one subcommand with its options, help and example, and sets `action` when it was chosen.
 void addInfoCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
+void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
@@ -57,34 +62,28 @@ struct ViewOptions {
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 
-/// The method's options: --reading, --initial, --tube-grid, --tube-spacing, --cell-size, --strength, --opacity-scale,
-/// ... The reading sets everything; an option overrides it where it stands on the command line.
+/// The method's options: --reading, --initial, --tube-grid, and one for each row of methodParameters(). The reading
+/// sets everything; an option overrides it where it stands on the command line.
 struct MethodOptions {
-    AdaptiveOtfConfig config;  ///< what the options were set to; get() says what holds
     std::string reading = "default";
     std::string initial = "parabolic";
     std::string tubeGrid;
     std::optional<double> opacityScale;
     /// The options must stay where they are from here to get().
     void addTo(CLI::App& command);
+    /// Fails (wrong usage) where a value is out of range, or where an option belongs to a detection or a form that is
+    /// not chosen.
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
 
 private:
-    /// Takes one field over from `given` where its option stands on the command line.
-    using Override = std::function<void(const AdaptiveOtfConfig& given, AdaptiveOtfConfig& chosen)>;
-    std::vector<Override> m_overrides;
+    void add(CLI::App& command, const Parameter<AdaptiveOtfConfig>& parameter);
+    [[nodiscard]] Result<void> override(AdaptiveOtfConfig& config) const;
+    std::map<std::string_view, ParameterValue> m_given;  ///< by the parameter's name: what the command line says
     const CLI::Option* m_initialOption = nullptr;
-    template <typename Value>
-    void addField(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field, const char* type,
-                  const char* help);
-    template <typename Value, typename Names>
-    void addChoice(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field, const Names& names,
-                   const char* help);
-    void addReading(CLI::App& command);
-    void addCurveAndGrid(CLI::App& command);
-    void addDetection(CLI::App& command);
-    void addScaleSpace(CLI::App& command);
 };
+
+/// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) where it is something else.
+[[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
 
 /// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,

@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/cli/otf_report.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent::cli {
 

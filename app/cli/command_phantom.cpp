@@ -6,6 +6,7 @@
 #include "app/cli/phantom_report.h"
 #include "io/output/atomic_file.h"
 #include "io/output/meta_image_writer.h"
+#include "processing/adaptive/method_parameters.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
@@ -20,7 +21,8 @@ struct PhantomOptions {
     bool frontWall = false;
     std::string seed = "1";
     ViewOptions view;
-    AdaptiveOtfConfig tubes;
+    TubeGrid tubes;
+    int cellSize = CellRule{}.size;
 };
 
 tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
@@ -101,26 +103,13 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
 Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
     for (const double value :
          {config.speckle, config.speckleSize, config.ramp, config.gainVariation, config.attenuation, config.shadow,
-          config.specular, config.logCompressDecibel, options.tubes.tubeSpacing})
+          config.specular, config.logCompressDecibel, options.tubes.spacing})
         if (!std::isfinite(value)) return wrong("", "every option's number must be finite");
     constexpr double largest = 4e9;
     double bytes = (config.bits == 8 ? 1.0 : 2.0) * options.phases;
     for (const std::int64_t count : config.size) bytes *= static_cast<double>(count);
     if (bytes > largest) return wrong("--size", "makes more than 4 GB", "Use fewer voxels or phases.");
     return {};
-}
-
-Result<AdaptiveOtfConfig> tubesFrom(const PhantomOptions& options) {
-    AdaptiveOtfConfig tubes = options.tubes;
-    if (options.tubeGrid.empty()) return tubes;
-    const auto grid = parseNumbers(options.tubeGrid, 2, "--tube-grid");
-    if (!grid) return tl::unexpected<Failure>(grid.error());
-    for (const double count : *grid)
-        if (!(count >= 1 && count <= 4096) || count != std::floor(count))
-            return wrong("--tube-grid", "must be two whole numbers from 1 to 4096", "Write it as 15x15.");
-    tubes.tubeColumns = static_cast<int>((*grid)[0]);
-    tubes.tubeRows = static_cast<int>((*grid)[1]);
-    return tubes;
 }
 
 Result<void> writePhantom(const PhantomOptions& options) {
@@ -132,7 +121,8 @@ Result<void> writePhantom(const PhantomOptions& options) {
         return wrong("--near", "must be 0 mm or more", "A near cut is suggested for a volume that is there already.");
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
-    const auto tubes = tubesFrom(options);
+    const Result<TubeGrid> tubes =
+        options.tubeGrid.empty() ? Result<TubeGrid>(options.tubes) : tubeGridFrom(options.tubeGrid, options.tubes);
     if (!tubes) return tl::unexpected<Failure>(tubes.error());
 
     std::vector<std::shared_ptr<const Volume>> volumes;
@@ -145,7 +135,7 @@ Result<void> writePhantom(const PhantomOptions& options) {
     }
     if (auto written = writeMetaImage(options.output, volumes); !written) return written;
     if (options.truth.empty()) return {};
-    return writeFileAtomically(options.truth, truthReport(phases, *view, *tubes));
+    return writeFileAtomically(options.truth, truthReport(phases, *view, *tubes, options.cellSize));
 }
 
 void addLook(CLI::App& command, PhantomOptions& options) {
@@ -176,17 +166,20 @@ void addLook(CLI::App& command, PhantomOptions& options) {
 }
 
 void addTruth(CLI::App& command, PhantomOptions& options) {
+    const auto within = [](std::string_view name) {
+        const ParameterRange range = parameterNamed(methodParameters(), name)->range;
+        return CLI::Range(range.least, range.largest);
+    };
     command.add_option("--truth", options.truth, "Also writes the true surfaces as JSON (docs/cli-phantom.md)")
         ->type_name("FILE");
     options.view.addTo(command);
     command.add_option("--tube-grid", options.tubeGrid, "Tube cores of the truth across and down the view [15x15]")
         ->type_name("NxM");
-    command.add_option("--tube-spacing", options.tubes.tubeSpacing, "Units between tube cores; 0: automatic")
-        ->check(CLI::Range(0.0, 1e6))
+    command.add_option("--tube-spacing", options.tubes.spacing, "Units between tube cores; 0: automatic")
+        ->check(within("tube_spacing"))
         ->capture_default_str();
-    command
-        .add_option("--cell-size", options.tubes.cellSize, "Width of a tube core, units, for the truth's corner rays")
-        ->check(CLI::Range(2, 32))
+    command.add_option("--cell-size", options.cellSize, "Width of a tube core, units, for the truth's corner rays")
+        ->check(within("cell_size"))
         ->capture_default_str();
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_words.h"
 #include "io/output/picture_file.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 

@@ -10,6 +10,7 @@
 #include "app/cli/sweep_report.h"
 #include "io/output/atomic_file.h"
 #include "io/output/movie_file.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent::cli {
 

@@ -62,6 +62,7 @@ int main(int count, char** arguments) {
     Action action;
     addInfoCommand(program, action);
     addOtfCommand(program, action);
+    addParametersCommand(program, action);
     addRenderCommand(program, action);
     addPhantomCommand(program, action);
     addBenchCommand(program, action);

@@ -1,144 +1,125 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/cli/command.h"
 #include "io/curve_file.h"
-#include "processing/method_names.h"
+#include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
-template <typename Value>
-void MethodOptions::addField(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field, const char* type,
-                             const char* help) {
-    const CLI::Option* added = command.add_option(option, config.*field, help)->type_name(type)->capture_default_str();
-    m_overrides.push_back([added, field](const AdaptiveOtfConfig& given, AdaptiveOtfConfig& chosen) {
-        if (added->count() > 0) chosen.*field = given.*field;
-    });
-}
-
 namespace {
 
+using Row = Parameter<AdaptiveOtfConfig>;
+
+/// Names of options that are shorter than the parameter's.
+constexpr std::array<std::pair<std::string_view, const char*>, 1> shortOptions{{{"sigma_per_kernel_size", "--sigma"}}};
+
 /// "mirror or circular"
-template <typename Names>
-std::string listed(const Names& names) {
+std::string listed(const std::vector<std::string_view>& names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (i > 0) list += i + 1 < names.size() ? ", " : " or ";
-        list += names[i].name;
+        list += names[i];
     }
     return list;
 }
 
+std::string mustBe(const ParameterRange& range) {
+    return "must be " + textOf(range.least) + " to " + textOf(range.largest);
+}
+
+std::string textOf(const ParameterValue& value) {
+    if (const auto number = numberOf(value)) return echolucent::textOf(*number);
+    return std::get<std::string>(value);
+}
+
+std::string helpOf(const Row& row) {
+    std::string help(row.meaning);
+    if (!row.choices.empty()) help += ": " + listed(row.choices);
+    if (!row.unit.empty()) help += fmt::format(", {}", row.unit);
+    if (!row.scope.parameter.empty())
+        help += fmt::format(" (with {} {})", optionOf(row.scope.parameter), row.scope.choice);
+    return help;
+}
+
 }  // namespace
 
-template <typename Value, typename Names>
-void MethodOptions::addChoice(CLI::App& command, const char* option, Value AdaptiveOtfConfig::*field,
-                              const Names& names, const char* help) {
-    const auto parse = [this, option, field, &names](const std::string& word) {
-        const auto value = valueIn(names, word);
-        if (!value) throw CLI::ValidationError(option, fmt::format("is \"{}\". Use {}", word, listed(names)));
-        config.*field = *value;
-    };
-    const CLI::Option* added =
-        command.add_option_function<std::string>(option, parse, fmt::format("{}: {}", help, listed(names)))
-            ->type_name("NAME")
-            ->default_str(std::string(nameIn(names, config.*field)));
-    m_overrides.push_back([added, field](const AdaptiveOtfConfig& given, AdaptiveOtfConfig& chosen) {
-        if (added->count() > 0) chosen.*field = given.*field;
-    });
-}
-
 void MethodOptions::addTo(CLI::App& command) {
-    addReading(command);
-    addCurveAndGrid(command);
-    addDetection(command);
-    addScaleSpace(command);
-}
-
-void MethodOptions::addReading(CLI::App& command) {
     command
         .add_option(
             "--reading", reading,
             "Reading of the paper, which sets all that follows but what is given: published, settled or default")
         ->type_name("NAME")
         ->capture_default_str();
-}
-
-void MethodOptions::addCurveAndGrid(CLI::App& command) {
     m_initialOption =
         command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear or manual:FILE")
             ->type_name("NAME")
             ->capture_default_str();
     command
-        .add_option("--opacity-scale", opacityScale,
-                    "a of the initial function: opacity at full intensity; slope for linear; factor for manual")
-        ->type_name("A");
-    addField(command, "--strength", &AdaptiveOtfConfig::strength, "STRENGTH",
-             "T * d_max: how far all tube cores together bend the curve");
-    addChoice(command, "--form", &AdaptiveOtfConfig::form, curveFormNames,
-              "What the tube cores make of the initial function");
-    addField(command, "--ramp-begin", &AdaptiveOtfConfig::rampBegin, "SHARE",
-             "Ramp: clear up to this share of the way from I_L to I_H");
-    addField(command, "--clear-spreads", &AdaptiveOtfConfig::clearSpreads, "SIGMAS",
-             "Ramp: ... and up to so many standard deviations of the fluid's voxels above I_L");
-    addField(command, "--ramp-end", &AdaptiveOtfConfig::rampEnd, "SHARE", "Ramp: full from this share on");
-    addField(command, "--ramp-opacity", &AdaptiveOtfConfig::rampOpacity, "A",
-             "Ramp: opacity where all tubes say surface");
-    addField(command, "--trusted-share", &AdaptiveOtfConfig::trustedShare, "SHARE",
-             "Ramp: share of weighted tube cores from which the initial function has no say");
-    command.add_option("--tube-grid", tubeGrid, "Tube cores across and down the view (default 15x15)")
+        .add_option("--tube-grid", tubeGrid, "Tube cores across and down the view, as --tube-columns and --tube-rows")
         ->type_name("NxM");
-    addField(command, "--tube-spacing", &AdaptiveOtfConfig::tubeSpacing, "UNITS",
-             "Units (smallest spacing) between tube cores; 0: automatic");
-    addField(command, "--cell-size", &AdaptiveOtfConfig::cellSize, "UNITS", "Edge of a cell, units, 2 to 32");
-    addField(command, "--cell-stride", &AdaptiveOtfConfig::cellStride, "UNITS", "Units between the cells looked at");
-    addChoice(command, "--sampling", &AdaptiveOtfConfig::sampling, tubeSamplingNames, "Samples that lie on no voxel");
-    addChoice(command, "--precision", &AdaptiveOtfConfig::precision, precisionNames,
-              "Arithmetic of samples, moments and interface function");
+    for (const Row& row : methodParameters()) add(command, row);
 }
 
-void MethodOptions::addDetection(CLI::App& command) {
-    addChoice(command, "--interface-function", &AdaptiveOtfConfig::interfaceFunction, interfaceFunctionNames,
-              "What tells tissue from fluid along a tube core");
-    addField(command, "--significance", &AdaptiveOtfConfig::significance, "SHARE",
-             "A maximum counts from this share of the largest value");
-    addField(command, "--floor-quantile", &AdaptiveOtfConfig::floorQuantile, "SHARE",
-             "Taken off the interface function before tracking; 0: nothing");
-    addField(command, "--tracking-range", &AdaptiveOtfConfig::trackingRangeSigmas, "SIGMAS",
-             "How far around a maximum the next scale looks; 0: from valley to valley");
-    addChoice(command, "--coarsest-maximum", &AdaptiveOtfConfig::coarsestMustHaveMaximum, coarsestMaximumNames,
-              "Which scale tracking may begin at, the coarsest only or any");
-    addChoice(command, "--prior-cells", &AdaptiveOtfConfig::priorCellsMayOverlap, priorCellNames,
-              "Cells prior to the surface cell");
-    addField(command, "--slope-half-step", &AdaptiveOtfConfig::slopeHalfStep, "UNITS",
-             "Slope: central difference over +- this many units");
-    addField(command, "--least-edge-to-noise", &AdaptiveOtfConfig::leastEdgeToNoise, "RATIO",
-             "Weaker surfaces weigh nothing; 0: no test");
-    addField(command, "--low-reach", &AdaptiveOtfConfig::lowReach, "UNITS",
-             "I_L: mean over so many of the last prior cells; 0: over all of them");
-    addField(command, "--high-reach", &AdaptiveOtfConfig::highReach, "UNITS",
-             "I_H: largest cell mean up to so many units behind the surface; 0: at the surface");
-    addField(command, "--false-alarm", &AdaptiveOtfConfig::falseAlarm, "SIGMAS",
-             "Ratio: least contrast, in standard deviations of the contrast where nothing is");
-    addField(command, "--rank-bins", &AdaptiveOtfConfig::rankBins, "N",
-             "Bins of the weights' histograms; 0: exact ranks");
+void MethodOptions::add(CLI::App& command, const Row& row) {
+    std::string option = optionOf(row.name);
+    for (const auto& [name, shorter] : shortOptions)
+        if (name == row.name) option += std::string(",") + shorter;
+    const ParameterValue standard = defaultOf(methodParameters(), row);
+    const auto taking = [this, &row](auto value) { m_given[row.name] = value; };
+    CLI::Option* added = nullptr;
+    if (!row.choices.empty())
+        added = command.add_option_function<std::string>(option, taking, helpOf(row))->type_name("NAME");
+    else if (row.name == "opacity_scale")  // belongs to the initial function that is named beside it
+        added = command.add_option(option, opacityScale, helpOf(row))->type_name("A");
+    else if (std::holds_alternative<std::int64_t>(standard))
+        added = command.add_option_function<std::int64_t>(option, taking, helpOf(row))->type_name("N");
+    else
+        added = command.add_option_function<double>(option, taking, helpOf(row))->type_name("NUMBER");
+    added->default_str(textOf(standard));
 }
 
-void MethodOptions::addScaleSpace(CLI::App& command) {
-    addField(command, "--coarsest-scale", &AdaptiveOtfConfig::coarsestScale, "N",
-             "Gaussian kernels of size 2^n from n = this ...");
-    addField(command, "--finest-scale", &AdaptiveOtfConfig::finestScale, "N", "... down to n = this");
-    addField(command, "--sigma", &AdaptiveOtfConfig::sigmaPerKernelSize, "SHARE",
-             "Standard deviation of a kernel, in kernel sizes");
-    addField(command, "--kernel-cut", &AdaptiveOtfConfig::kernelCut, "SIGMAS",
-             "Kernels end at this many standard deviations");
-    addChoice(command, "--kernel-end", &AdaptiveOtfConfig::kernelEndsAtZero, kernelEndNames,
-              "Kernels lowered to end at zero, or cut");
-    addChoice(command, "--border", &AdaptiveOtfConfig::border, tubeBorderNames,
-              "Beyond a tube core's ends: mirrored in front and zero behind, or the other end");
-    addChoice(command, "--smoothing-route", &AdaptiveOtfConfig::smoothing, smoothingRouteNames,
-              "How the interface function is smoothed");
+Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
+    // In the table's order: a choice stands before what belongs to it.
+    for (const Row& row : methodParameters()) {
+        const auto given = m_given.find(row.name);
+        if (given == m_given.end()) continue;
+        const std::string option = optionOf(row.name);
+        const auto wrong = [&](const std::string& problem, const std::string& remedy = {}) {
+            return fail(FailureKind::wrongUsage, "", option, problem, remedy);
+        };
+        const ParameterValue& value = given->second;
+        if (!row.choices.empty() &&
+            std::find(row.choices.begin(), row.choices.end(), std::get<std::string>(value)) == row.choices.end())
+            return wrong("is \"" + std::get<std::string>(value) + "\"", "Use " + listed(row.choices) + ".");
+        if (const auto number = numberOf(value); number && !inRange(*number, row.range))
+            return wrong(mustBe(row.range));
+        if (row.set(config, value)) continue;
+        const auto chosen = parameterNamed(methodParameters(), row.scope.parameter)->get(config);
+        const std::string owner = optionOf(row.scope.parameter);
+        return wrong(fmt::format("belongs to {} {}, and {} is chosen", owner, row.scope.choice, textOf(*chosen)),
+                     fmt::format("Give {} {} too, or leave it out.", owner, row.scope.choice));
+    }
+    return {};
+}
+
+Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid) {
+    const auto numbers = parseNumbers(text, 2, "--tube-grid");
+    if (!numbers) return tl::unexpected<Failure>(numbers.error());
+    const ParameterRange range = parameterNamed(methodParameters(), "tube_columns")->range;
+    for (const double count : *numbers)
+        if (!inRange(count, range) || count != std::floor(count))
+            return fail(FailureKind::wrongUsage, "", "--tube-grid",
+                        fmt::format("must be two whole numbers from {} to {}", range.least, range.largest),
+                        "Write it as 15x15.");
+    grid.columns = static_cast<int>((*numbers)[0]);
+    grid.rows = static_cast<int>((*numbers)[1]);
+    return grid;
 }
 
 Result<AdaptiveOtfConfig> MethodOptions::get() const {
@@ -147,16 +128,11 @@ Result<AdaptiveOtfConfig> MethodOptions::get() const {
         return fail(FailureKind::wrongUsage, "", "--reading", "is \"" + reading + "\"",
                     "Use published, settled or default.");
     AdaptiveOtfConfig chosen = configOf(*base);
-    for (const Override& override : m_overrides) override(config, chosen);
+    if (auto overridden = override(chosen); !overridden) return tl::unexpected<Failure>(overridden.error());
     if (!tubeGrid.empty()) {
-        const auto grid = parseNumbers(tubeGrid, 2, "--tube-grid");
+        const auto grid = tubeGridFrom(tubeGrid, chosen.grid);
         if (!grid) return tl::unexpected<Failure>(grid.error());
-        for (const double count : *grid)
-            if (!(count >= 1 && count <= 4096) || count != std::floor(count))
-                return fail(FailureKind::wrongUsage, "", "--tube-grid", "must be two whole numbers from 1 to 4096",
-                            "Write it as 15x15.");
-        chosen.tubeColumns = static_cast<int>((*grid)[0]);
-        chosen.tubeRows = static_cast<int>((*grid)[1]);
+        chosen.grid = *grid;
     }
     if (m_initialOption->count() > 0 || opacityScale) {
         const auto curve = curveFromName(initial, opacityScale);
@@ -185,8 +161,9 @@ std::string curveFileOf(const std::string& name) {
 }
 
 Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale) {
-    if (opacityScale && !(*opacityScale >= 0.0 && *opacityScale <= 1e6))
-        return fail(FailureKind::wrongUsage, "", "--opacity-scale", "must be 0 to 1000000");
+    const ParameterRange range = parameterNamed(methodParameters(), "opacity_scale")->range;
+    if (opacityScale && !inRange(*opacityScale, range))
+        return fail(FailureKind::wrongUsage, "", "--opacity-scale", mustBe(range));
     const double scale = opacityScale.value_or(defaultOpacityScale);
     if (name == "parabolic") return OpacityCurve(PowerCurve{2, scale});
     if (name == "quartic") return OpacityCurve(PowerCurve{4, scale});

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "processing/method_names.h"
+#include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
@@ -59,51 +60,28 @@ Json readingName(const AdaptiveOtfConfig& config) {
     return reading ? Json(echolucent::nameOf(*reading)) : Json(nullptr);
 }
 
-/// By the names of the command line's options.
+Json valueOf(const ParameterValue& value) {
+    return std::visit([](const auto& one) { return Json(one); }, value);
+}
+
+/// By the names of the command line's options; what does not apply is left out.
 Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const AdaptiveOtfConfig& config = otf.config;
-    return {{"reading", readingName(config)},
-            {"initial", initialName},
-            {"initial_function", initialFunction(config.initial)},
-            {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
-            {"form", nameIn(curveFormNames, config.form)},
-            {"tube_grid", Json::array({config.tubeColumns, config.tubeRows})},
-            {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
-            {"unit_mm", otf.tubeLengthUnit},
-            {"cell_size", config.cellSize},
-            {"cell_stride", config.cellStride},
-            {"sampling", nameIn(tubeSamplingNames, config.sampling)},
-            {"precision", nameIn(precisionNames, config.precision)},
-            {"interface_function", nameIn(interfaceFunctionNames, config.interfaceFunction)},
-            {"coarsest_scale", config.coarsestScale},
-            {"finest_scale", config.finestScale},
-            {"sigma_per_kernel_size", config.sigmaPerKernelSize},
-            {"kernel_cut", config.kernelCut},
-            {"kernel_end", nameIn(kernelEndNames, config.kernelEndsAtZero)},
-            {"border", nameIn(tubeBorderNames, config.border)},
-            {"smoothing_route", nameIn(smoothingRouteNames, config.smoothing)},
-            {"significance", config.significance},
-            {"floor_quantile", config.floorQuantile},
-            {"tracking_range", config.trackingRangeSigmas},
-            {"coarsest_maximum", nameIn(coarsestMaximumNames, config.coarsestMustHaveMaximum)},
-            {"prior_cells", nameIn(priorCellNames, config.priorCellsMayOverlap)},
-            {"least_edge_to_noise", config.leastEdgeToNoise},
-            {"slope_half_step", config.slopeHalfStep},
-            {"low_reach", config.lowReach},
-            {"high_reach", config.highReach},
-            {"false_alarm", config.falseAlarm},
-            {"rank_bins", config.rankBins},
-            {"ramp_begin", config.rampBegin},
-            {"clear_spreads", config.clearSpreads},
-            {"ramp_end", config.rampEnd},
-            {"ramp_opacity", config.rampOpacity},
-            {"trusted_share", config.trustedShare},
-            {"strength", config.strength},
-            {"d_max", otf.dMax},
-            {"tubes_meeting_volume", otf.tubesMeetingVolume},
-            {"least_contrast", maybe(otf.leastContrast)},
-            {"fluid_intensity", maybe(otf.fluidIntensity)},
-            {"trust", otf.trust}};
+    Json all{{"reading", readingName(config)},
+             {"initial", initialName},
+             {"initial_function", initialFunction(config.initial)},
+             {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
+             {"tube_grid", Json::array({config.grid.columns, config.grid.rows})},
+             {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
+             {"unit_mm", otf.tubeLengthUnit}};
+    for (const Parameter<AdaptiveOtfConfig>& row : methodParameters())
+        if (const auto value = row.get(config)) all[std::string(row.name)] = valueOf(*value);
+    all["d_max"] = otf.dMax;
+    all["tubes_meeting_volume"] = otf.tubesMeetingVolume;
+    all["least_contrast"] = maybe(otf.leastContrast);
+    all["fluid_intensity"] = maybe(otf.fluidIntensity);
+    all["trust"] = otf.trust;
+    return all;
 }
 
 Json tubeObject(const TubeCore& tube) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {

@@ -78,19 +78,19 @@ Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const V
     return tube;
 }
 
-Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const Viewpoint& view,
-               const AdaptiveOtfConfig& tubes) {
+Json tubesJson(const PhantomTruth& truth, const PhantomConfig& config, const Viewpoint& view, const TubeGrid& tubes,
+               int cellSize) {
     const VolumeGeometry geometry = geometryOf(config);
     Json all = Json::array();
-    for (const TubeAxis& axis : tubeAxes(geometry, view, tubes))
-        all.push_back(tubeJson(truth, geometry, view, axis, tubes.cellSize));
+    for (const TubeAxis& axis : tubeAxes(geometry, view, tubes, cellSize))
+        all.push_back(tubeJson(truth, geometry, view, axis, cellSize));
     return all;
 }
 
 }  // namespace
 
-std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view,
-                        const AdaptiveOtfConfig& tubes) {
+std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view, const TubeGrid& tubes,
+                        int cellSize) {
     const PhantomConfig& first = phases.front();
     Json report;
     report["config"] = configJson(first);
@@ -99,15 +99,13 @@ std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoin
                       {"elevation_degrees", view.elevationDegrees},
                       {"near_mm", view.nearCutMm},
                       {"direction_mm", triple(frameOf(view).forward)}};
-    const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes);
-    report["tube_grid"] = {{"columns", tubes.tubeColumns},
-                           {"rows", tubes.tubeRows},
-                           {"spacing_units", spacing},
-                           {"cell_size_units", tubes.cellSize}};
+    const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes, cellSize);
+    report["tube_grid"] = {
+        {"columns", tubes.columns}, {"rows", tubes.rows}, {"spacing_units", spacing}, {"cell_size_units", cellSize}};
     const auto add = [&](Json& to, const PhantomConfig& config) {
         const PhantomTruth truth(config);
         to["primitives"] = primitivesJson(truth);
-        to["tubes"] = tubesJson(truth, config, view, tubes);
+        to["tubes"] = tubesJson(truth, config, view, tubes, cellSize);
     };
     add(report, first);
     if (phases.size() > 1)

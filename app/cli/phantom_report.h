@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
+#include "processing/tube_core/tube_grid.h"
 #include "processing/viewpoint.h"
 
 namespace echolucent::cli {
 
 /// One JSON object, numbers round-trip, ends with a newline. `phases`: the config of each phase written, at least one.
-/// Of `tubes` only grid, spacing and cell size matter.
+/// cellSize: width of a tube core, units.
 [[nodiscard]] std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view,
-                                      const AdaptiveOtfConfig& tubes);
+                                      const TubeGrid& tubes, int cellSize);
 
 }  // namespace echolucent::cli

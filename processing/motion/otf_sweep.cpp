@@ -1,4 +1,5 @@
 #include "processing/motion/otf_sweep.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_smoothing.h"
 
 namespace echolucent {

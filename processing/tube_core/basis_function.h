@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/opacity_curve.h"
+#include "processing/tube_core/tube_core.h"
 
 namespace echolucent {
 
@@ -17,6 +18,10 @@ public:
 private:
     double m_sum = 0.0, m_lost = 0.0;
 };
+
+/// g_t(x) of Petersch 2005, eq. 5, with its erratum, in the scaled form: u = ((x - low) + (x - high)) / (high - low),
+/// g = u exp((1 - u^2) / 2). -1 at low, +1 at high. Needs high > low.
+[[nodiscard]] double basisFunction(double intensity, double low, double high);
 
 /// ln initial(x) + sum over tubes of ln(1 + d) g(x) at `count` (>= 2) equidistant intensities 0 ... 1, before any
 /// clamp; -infinity where the initial function is 0. Tubes without a weight are left out. Compensated, and summed in

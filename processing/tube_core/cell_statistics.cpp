@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace echolucent {
 
@@ -84,7 +85,6 @@ void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStati
         addSlabs(slabs.sums.data(), first, count, cellSize, sums);
         for (std::size_t i = 0; i < count; ++i)
             cells.means[first + i] = static_cast<double>(sums[i]) / (std::max(counts[i], 1) * whiteLevel);
-        if (slabs.sumsOfSquares.empty()) return;
         addSlabs(slabs.sumsOfSquares.data(), first, count, cellSize, squares);
         for (std::size_t i = 0; i < count; ++i) {
             const double scale = std::max(counts[i], 1) * whiteLevel;
@@ -116,7 +116,6 @@ void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStat
             sums[i] /= counts[i];
             cells.means[first + i] = sums[i] / whiteLevel;
         }
-        if (slabs.squaredDeviations.empty()) return;
         addSlabs(slabs.squaredDeviations.data(), first, cellCount, cellSize, deviations);
         for (std::size_t k = first; k < first + size; ++k)
             for (std::size_t i = 0; i < cellCount; ++i) {
@@ -161,6 +160,17 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
         cells.variances[i] = deviations / count;
         cells.complete[i] = 1;
     }
+}
+
+void cellsFrom(const TubeSlabs& tube, int cellSize, CellStatistics& cells) {
+    std::visit(
+        [&](const auto& slabs) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(slabs)>, std::vector<SlabMoments>>)
+                cellsFrom(std::span<const SlabMoments>(slabs), cellSize, cells);
+            else
+                cellsFrom(slabs, cellSize, tube.whiteLevel, cells);
+        },
+        tube.slabs);
 }
 
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells) {

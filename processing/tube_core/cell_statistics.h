@@ -18,7 +18,7 @@ inline constexpr int largestCellSize = 32;
 struct CellStatistics {
     std::vector<double> means;           ///< normalised intensity
     std::vector<double> variances;       ///< of normalised intensity, over the cell (divided by n): the interface
-                                         ///< indicating function; all 0 where the slabs hold none
+                                         ///< indicating function; empty where only means were asked for
     std::vector<std::uint8_t> complete;  ///< 1: at least half of the samples are data; 0: the values are held from the
                                          ///< cell before
     int firstCell = 0;                   ///< the first slab of which at least half is data
@@ -38,6 +38,9 @@ void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStati
 /// Cells from single-precision moments; whiteLevel: times slabScale(), as they are. Where all slabs are equal, so are
 /// the cells, to the last bit.
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
+
+/// Cells of whatever slabs the tube has.
+void cellsFrom(const TubeSlabs& tube, int cellSize, CellStatistics& cells);
 
 /// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);

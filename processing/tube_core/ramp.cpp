@@ -7,30 +7,16 @@
 
 namespace echolucent {
 
-void readNeighbourhood(const CellStatistics& cells, const AdaptiveOtfConfig& config, TubeCore& tube) {
-    const auto meanOf = [&](int cell) { return cells.means[static_cast<std::size_t>(cell)]; };
-    if (config.lowReach > 0) {
-        const int last = tube.surfaceCell - config.cellSize;
-        const int first = std::max(cells.firstCell, last - config.lowReach + 1);
-        double sum = 0.0;
-        for (int cell = first; cell <= last; ++cell) sum += meanOf(cell);
-        if (last >= first) tube.lowIntensity = sum / (last - first + 1);
-    }
-    const int reach = std::min(cells.lastCell, tube.surfaceCell + config.highReach);
-    for (int cell = tube.surfaceCell; cell <= reach; ++cell)
-        tube.highIntensity = std::max(*tube.highIntensity, meanOf(cell));
-}
-
 namespace {
 
 /// A ramp prepared for many intensities.
 struct Ramp {
     double from, perIntensity, weight;
 
-    Ramp(const TubeCore& tube, const AdaptiveOtfConfig& config) : weight(tube.d) {
+    Ramp(const TubeCore& tube, const RampRule& rule) : weight(tube.d) {
         const double rise = *tube.highIntensity - *tube.lowIntensity;
-        const double clear = std::max(config.rampBegin * rise, config.clearSpreads * tube.fluidSpread.value_or(0.0));
-        const double full = std::max(config.rampEnd * rise, clear + leastRampWidth * rise);
+        const double clear = std::max(rule.begin * rise, rule.clearSpreads * tube.fluidSpread.value_or(0.0));
+        const double full = std::max(rule.end * rise, clear + leastRampWidth * rise);
         from = *tube.lowIntensity + clear;
         // A rise of next to nothing would vanish in the product, and 0 / 0 is no number.
         perIntensity = 1.0 / std::max(full - clear, std::numeric_limits<double>::min());
@@ -45,14 +31,12 @@ struct Ramp {
 
 }  // namespace
 
-double rampAt(double intensity, const TubeCore& tube, const AdaptiveOtfConfig& config) {
-    return Ramp(tube, config).at(intensity);
-}
+double rampAt(double intensity, const TubeCore& tube, const RampRule& rule) { return Ramp(tube, rule).at(intensity); }
 
-std::vector<double> meanRamp(std::span<const TubeCore> tubes, const AdaptiveOtfConfig& config, int count) {
+std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& rule, int count) {
     std::vector<Ramp> ramps;
     for (const TubeCore& tube : tubes)
-        if (tube.d > 0.0) ramps.emplace_back(tube, config);
+        if (tube.d > 0.0) ramps.emplace_back(tube, rule);
     if (ramps.empty()) return {};
     // Summed in an order of their own: the same bits whatever the order of the tubes.
     std::sort(ramps.begin(), ramps.end());

@@ -18,8 +18,8 @@ namespace {
 /// Tubes that one task takes at least.
 constexpr std::size_t tubesPerTask = 64;
 
-/// Half of `behind`, rounded up: what must at least lie behind a boundary.
-int leastBehind(const RatioRule& rule) { return (rule.behind + 1) / 2; }
+/// Half of slabsBehind, rounded up: what must at least lie behind a boundary.
+int leastBehind(const RatioRule& rule) { return (rule.slabsBehind + 1) / 2; }
 
 double meanOf(std::span<const float> values) {
     double sum = 0.0;
@@ -72,16 +72,16 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::s
     const int first = rule.leastFluid, last = size - leastBehind(rule);
     if (contrasts.empty()) return;
     // Boundaries with all slabs on both sides; the few with less, at the ends, one by one.
-    const int firstWhole = std::max(first, rule.before), lastWhole = std::min(last, size - rule.behind);
+    const int firstWhole = std::max(first, rule.slabsBefore), lastWhole = std::min(last, size - rule.slabsBehind);
     const auto at = [first](int boundary) { return static_cast<std::size_t>(boundary - first); };
     if (firstWhole <= lastWhole)
-        differencesOfMeans(scaled.subspan(static_cast<std::size_t>(firstWhole - rule.before)), rule.before, rule.behind,
-                           contrasts.subspan(at(firstWhole), at(lastWhole) - at(firstWhole) + 1));
+        differencesOfMeans(scaled.subspan(static_cast<std::size_t>(firstWhole - rule.slabsBefore)), rule.slabsBefore,
+                           rule.slabsBehind, contrasts.subspan(at(firstWhole), at(lastWhole) - at(firstWhole) + 1));
     for (int boundary = first; boundary <= last; ++boundary) {
         if (boundary == firstWhole && firstWhole <= lastWhole) boundary = lastWhole + 1;
         if (boundary > last) break;
-        contrasts[at(boundary)] = static_cast<float>(meanOf(slabs(scaled, boundary, boundary + rule.behind)) -
-                                                     meanOf(slabs(scaled, boundary - rule.before, boundary)));
+        contrasts[at(boundary)] = static_cast<float>(meanOf(slabs(scaled, boundary, boundary + rule.slabsBehind)) -
+                                                     meanOf(slabs(scaled, boundary - rule.slabsBefore, boundary)));
     }
 }
 
@@ -95,7 +95,7 @@ struct Strongest {
 };
 
 Strongest strongestAt(std::span<const float> scaled, int boundary, float contrast, const RatioRule& rule) {
-    const double before = meanOf(slabs(scaled, boundary - rule.before, boundary));
+    const double before = meanOf(slabs(scaled, boundary - rule.slabsBefore, boundary));
     return {boundary, contrast, before + contrast / 2.0};
 }
 
@@ -176,13 +176,14 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rul
         strongest[t] = strongestAt(scaled, static_cast<int>(most) + rule.leastFluid, contrasts[most], rule);
     }
     const auto inSpreads = [&, spread = counts.spread()](double times) {
-        return std::clamp(times * spread, rule.leastContrast, std::max(rule.leastContrast, rule.sureContrast));
+        return std::clamp(times * spread, rule.contrastFloor, std::max(rule.contrastFloor, rule.contrastCeiling));
     };
     thresholds.contrast = inSpreads(rule.falseAlarm);
-    const auto certain = std::count_if(strongest.begin(), strongest.end(),
-                                       [contrast = inSpreads(rule.certainty)](const Strongest& boundary) {
-                                           return boundary.boundary >= 0 && boundary.contrast > contrast;
-                                       });
+    const auto certain =
+        std::count_if(strongest.begin(), strongest.end(),
+                      [contrast = std::max(inSpreads(rule.certainty), thresholds.contrast)](const Strongest& boundary) {
+                          return boundary.boundary >= 0 && boundary.contrast > contrast;
+                      });
     if (certain < 1 || static_cast<double>(certain) < rule.certainShare * static_cast<double>(tubesWithProfile))
         return thresholds;
 
@@ -205,15 +206,15 @@ namespace {
 /// Where the running mean of `cellSize` slabs first rises through the half between the levels on both sides of a
 /// boundary, nearest to it: the middle of the ramp, in intensity.
 int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
-    const double low = meanOf(slabs(means, boundary - rule.before, boundary - rule.ramp));
-    const double high = meanOf(slabs(means, boundary + rule.ramp, boundary + rule.ramp + rule.behind));
+    const double low = meanOf(slabs(means, boundary - rule.slabsBefore, boundary - rule.rampSlabs));
+    const double high = meanOf(slabs(means, boundary + rule.rampSlabs, boundary + rule.rampSlabs + rule.slabsBehind));
     const double half = (low + high) / 2.0;
     const int centred = boundary - cellSize / 2;
     const int lastCell = static_cast<int>(means.size()) - cellSize;
     const auto cellMean = [&](int cell) { return meanOf(slabs(means, cell, cell + cellSize)); };
     int best = std::clamp(centred, 0, lastCell);
     double nearest = std::numeric_limits<double>::infinity();
-    for (int cell = std::max(0, boundary - rule.leastFluid); cell < std::min(lastCell, boundary + rule.behind);
+    for (int cell = std::max(0, boundary - rule.leastFluid); cell < std::min(lastCell, boundary + rule.slabsBehind);
          ++cell) {
         const double here = cellMean(cell), next = cellMean(cell + 1);
         if (!(here < half && next >= half)) continue;
@@ -248,17 +249,17 @@ std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, std
     const auto counts = [&](std::size_t i) {
         if (contrasts[i] <= thresholds.contrast) return false;
         const int boundary = boundaryOf(i);
-        return meanOf(slabs(scaled, boundary - rule.before, boundary)) < thresholds.fluidLevel;
+        return meanOf(slabs(scaled, boundary - rule.slabsBefore, boundary)) < thresholds.fluidLevel;
     };
     const auto reachesTissue = [&](std::size_t i) {
         const int boundary = boundaryOf(i);
-        if (meanOf(slabs(scaled, boundary, boundary + rule.behind)) <= thresholds.fluidLevel) return false;
-        const double rise = meanOf(slabs(means, boundary, boundary + rule.behind)) -
-                            meanOf(slabs(means, boundary - rule.before, boundary));
+        if (meanOf(slabs(scaled, boundary, boundary + rule.slabsBehind)) <= thresholds.fluidLevel) return false;
+        const double rise = meanOf(slabs(means, boundary, boundary + rule.slabsBehind)) -
+                            meanOf(slabs(means, boundary - rule.slabsBefore, boundary));
         return rise >= thresholds.step;
     };
     const auto leavesFluid = [&](std::size_t i) {
-        const auto before = slabs(scaled, boundaryOf(i) - rule.before, boundaryOf(i));
+        const auto before = slabs(scaled, boundaryOf(i) - rule.slabsBefore, boundaryOf(i));
         return std::count_if(before.begin(), before.end(), [&](float slab) { return slab < thresholds.fluidLevel; }) >=
                rule.leastDark;
     };

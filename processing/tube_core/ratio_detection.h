@@ -11,31 +11,11 @@
 #include <span>
 #include <vector>
 
+#include "processing/tube_core/rules/ratio_rule.h"
 #include "processing/tube_core/slabs/tube_profiles.h"
 #include "processing/tube_core/speckle_scale.h"
 
 namespace echolucent {
-
-/// Lengths in units along the tube core. Contrasts in standard deviations of the voxels of a slab (SpeckleScale).
-struct RatioRule {
-    int before = 10;           ///< slabs averaged before a boundary; at least leastFluid where the tube begins later
-    int behind = 6;            ///< slabs averaged behind it; at least half of them where the tube ends
-    int ramp = 3;              ///< slabs on each side of a boundary that may lie on its ramp
-    int leastFluid = 8;        ///< slabs of fluid that must lie before a surface
-    double falseAlarm = 3.25;  ///< the least contrast of a surface, in standard deviations of the contrast where there
-                               ///< is no boundary; >= 0. 0: leastContrast alone
-    double certainty = 5.0;    ///< a view holds surfaces at all only if ...
-    double certainShare = 0.01;  ///< ... this share of its tube cores, at least one, has a contrast of so many of these
-                                 ///< standard deviations: among thousands of boundaries some are strong by accident
-    double leastContrast = 0.5;  ///< ... but never less than this
-    double leastStep = 0.15;     ///< a surface rises by this share of the view's bright mean: slow changes of gain and
-                                 ///< steps of a grey level are none, however little noise there is
-    int leastDark = 6;           ///< of the slabs before a surface, so many are darker than the fluid level: a gap
-                                 ///< thinner than leastFluid, less its ramps, is no fluid
-    double leastRatio = 2.1;    ///< where echo is not compressed, tissue is typically so many times as bright as fluid;
-                                ///< a view whose boundaries are weaker holds none: bright tissue behind darker tissue
-    double sureContrast = 4.0;  ///< ... nor more: what stands out so far is never speckle
-};
 
 /// What the tubes of a view have in common: how strong a contrast is no accident, and where fluid ends.
 struct RatioThresholds {
@@ -47,8 +27,8 @@ struct RatioThresholds {
 };
 
 /// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
-/// Element i belongs to the boundary between slabs i + leastFluid - 1 and i + leastFluid; shorter than half of `behind`
-/// past it: none. `scaled`: the profile on the scale.
+/// Element i belongs to the boundary between slabs i + leastFluid - 1 and i + leastFluid; there is none with fewer than
+/// half of slabsBehind past it. `scaled`: the profile on the scale.
 void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::span<float> contrasts);
 /// How many boundaries with a contrast a profile of so many slabs has.
 [[nodiscard]] std::size_t contrastCount(std::size_t slabs, const RatioRule& rule);

@@ -31,14 +31,11 @@ GaussianKernel::GaussianKernel(double sigma, double cut, bool endsAtZero) {
     for (double& weight : m_weights) weight /= sum;
 }
 
-ScaleSpace::ScaleSpace(const AdaptiveOtfConfig& config) : m_border(config.border), m_route(config.smoothing) {
-    for (int n = config.coarsestScale; n >= config.finestScale; --n) {
-        const double sigma = config.sigmaPerKernelSize * std::ldexp(1.0, n) / config.cellStride;
+ScaleSpace::ScaleSpace(const VarianceRule& rule) : m_border(rule.border), m_route(rule.smoothing) {
+    for (int n = rule.coarsestScale; n >= rule.finestScale; --n) {
+        const double sigma = rule.sigmaPerKernelSize * std::ldexp(1.0, n);
         m_sigmas.push_back(sigma);
-        if (m_route == SmoothingRoute::recursive)
-            m_recursive.emplace_back(sigma);
-        else
-            m_kernels.emplace_back(sigma, config.kernelCut, config.kernelEndsAtZero);
+        m_kernels.emplace_back(sigma, rule.kernelCut, rule.kernelEndsAtZero);
     }
 }
 
@@ -49,8 +46,11 @@ std::size_t ScaleSpace::largestRadius() const {
 void ScaleSmoother::begin(std::span<const double> function) {
     m_function = function;
     const std::size_t count = function.size(), radius = m_space.largestRadius();
-    if (m_space.route() == SmoothingRoute::direct) continueFunction(radius, radius + wholeBlocks(count) + radius);
-    if (m_space.route() != SmoothingRoute::fourier || count == 0) return;
+    if (m_space.route() == SmoothingRoute::direct) {
+        continueFunction(radius, radius + wholeBlocks(count) + radius);
+        return;
+    }
+    if (count == 0) return;
     std::size_t length = count;
     if (m_space.border() == TubeBorder::mirrorThenZero) {
         // Zeros as wide as a kernel, so that what wraps around meets zeros.
@@ -67,9 +67,7 @@ void ScaleSmoother::begin(std::span<const double> function) {
 }
 
 void ScaleSmoother::smooth(std::size_t level, std::vector<double>& result) {
-    if (m_space.route() == SmoothingRoute::recursive) {
-        m_space.recursive(level).smooth(m_function, m_space.border(), result);
-    } else if (m_function.empty()) {
+    if (m_function.empty()) {
         result.clear();
     } else if (m_space.route() == SmoothingRoute::fourier) {
         multiplySpectra(level, result);

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
-#include "processing/tube_core/recursive_gaussian.h"
+#include "processing/tube_core/rules/variance_rule.h"
 
 namespace echolucent {
 
@@ -25,20 +24,16 @@ private:
     std::vector<double> m_weights;
 };
 
-/// The scales of a config, coarsest first, and how a function is continued and convolved there. Lengths in samples of
-/// the function: the config's units divided by its cellStride, so that sigma means the same length along the tube
-/// whatever the stride. The recursive route's Gaussians are neither cut nor lowered (kernelCut and kernelEndsAtZero do
-/// not apply).
+/// The scales of a rule, coarsest first, and how a function is continued and convolved there. Lengths are in samples of
+/// the function, which are units along the tube core.
 class ScaleSpace {
 public:
-    explicit ScaleSpace(const AdaptiveOtfConfig& config);
+    explicit ScaleSpace(const VarianceRule& rule);
     [[nodiscard]] std::size_t levels() const { return m_sigmas.size(); }
     /// In samples.
     [[nodiscard]] double sigma(std::size_t level) const { return m_sigmas[level]; }
-    /// Not there on the recursive route.
     [[nodiscard]] const GaussianKernel& kernel(std::size_t level) const { return m_kernels[level]; }
-    [[nodiscard]] const RecursiveGaussian& recursive(std::size_t level) const { return m_recursive[level]; }
-    /// Of the coarsest kernel; 0 on the recursive route.
+    /// Of the coarsest kernel.
     [[nodiscard]] std::size_t largestRadius() const;
     [[nodiscard]] TubeBorder border() const { return m_border; }
     [[nodiscard]] SmoothingRoute route() const { return m_route; }
@@ -48,7 +43,6 @@ private:
     SmoothingRoute m_route;
     std::vector<double> m_sigmas;
     std::vector<GaussianKernel> m_kernels;
-    std::vector<RecursiveGaussian> m_recursive;
 };
 
 /// Smooths one function after the other; one per thread.
@@ -56,8 +50,7 @@ private:
 /// Borders: mirrorThenZero is mirrored in front of the first sample (f(-1 - i) = f(i), once), zero before the mirror
 /// image and behind the last sample; circular is the function again on both sides. Routes: direct sums products and
 /// gives equal surroundings equal bits, so that a constant stays the same to the last bit as far as the zero is out of
-/// reach; fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular) and equals it to rounding;
-/// recursive: see RecursiveGaussian.
+/// reach; fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular) and equals it to rounding.
 class ScaleSmoother {
 public:
     explicit ScaleSmoother(const ScaleSpace& space) : m_space(space) {}

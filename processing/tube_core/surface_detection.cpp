@@ -61,14 +61,6 @@ void takeOffFloor(std::span<const double> function, double quantile, std::vector
                    [floor](double value) { return std::max(0.0, value - floor); });
 }
 
-TrackingRule trackingRuleOf(const AdaptiveOtfConfig& config) {
-    return {.significance = config.significance,
-            .floorQuantile = config.floorQuantile,
-            .coarsestMustHaveMaximum = config.coarsestMustHaveMaximum,
-            .rangeSigmas = config.trackingRangeSigmas,
-            .stride = config.cellStride};
-}
-
 namespace {
 
 IndexRange around(int position, double halfWidth) {
@@ -76,20 +68,14 @@ IndexRange around(int position, double halfWidth) {
     return {position - half, position + half};
 }
 
-void takeEvery(int stride, std::span<const double> function, std::vector<double>& result) {
-    result.clear();
-    for (std::size_t i = 0; i < function.size(); i += static_cast<std::size_t>(stride)) result.push_back(function[i]);
-}
-
 }  // namespace
 
 std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
-                              const TrackingRule& rule, DetectionScratch& scratch) {
-    takeEvery(rule.stride, interfaceFunction, scratch.lookedAt);
+                              const VarianceRule& rule, DetectionScratch& scratch) {
     const std::size_t levels = smoother.space().levels();
-    IndexRange range{0, static_cast<int>(scratch.lookedAt.size()) - 1};
-    if (levels == 0 || !firstSignificantMaximum(scratch.lookedAt, range, 0.0)) return {};
-    takeOffFloor(scratch.lookedAt, rule.floorQuantile, scratch.aboveFloor);
+    IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
+    if (levels == 0 || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
+    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
     smoother.begin(scratch.aboveFloor);
     std::vector<int> tracked;
     for (std::size_t level = 0; level <= levels; ++level) {
@@ -104,10 +90,10 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSm
         }
         tracked.push_back(maximum ? *maximum : tracked.back());
         if (!maximum || unsmoothed) continue;
-        range = rule.rangeSigmas > 0.0 ? around(*maximum, rule.rangeSigmas * smoother.space().sigma(level))
-                                       : valleyToValley(function, *maximum);
+        range = rule.trackingRangeSigmas > 0.0
+                    ? around(*maximum, rule.trackingRangeSigmas * smoother.space().sigma(level))
+                    : valleyToValley(function, *maximum);
     }
-    for (int& cell : tracked) cell *= rule.stride;
     return tracked;
 }
 

@@ -29,30 +29,18 @@ struct IndexRange {
 /// holds nothing back, and the zero behind the far end is a fall. A quantile of 0 takes nothing off.
 void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result);
 
-/// Which maximum is tracked.
-struct TrackingRule {
-    double significance = 0.4;             ///< see firstSignificantMaximum()
-    double floorQuantile = 0.1;            ///< see takeOffFloor()
-    bool coarsestMustHaveMaximum = false;  ///< true: no significant maximum at the coarsest scale, no surface
-    double rangeSigmas = 0.0;  ///< the next scale looks this many of this scale's sigmas around its maximum, because
-                               ///< so far its place is known; 0: from valley to valley around it
-    int stride = 1;            ///< cells between those that are looked at, >= 1: the first, and so on
-};
-[[nodiscard]] TrackingRule trackingRuleOf(const AdaptiveOtfConfig& config);
-
 /// Scratch of trackSurface(), reused between tubes.
 struct DetectionScratch {
-    std::vector<double> lookedAt, aboveFloor, smoothed;
+    std::vector<double> aboveFloor, smoothed;
 };
 
-/// Where the maximum was at each scale, coarsest first, the unsmoothed function last; indices into the function, also
-/// where only every stride-th of its values is looked at (the smoother's scales count those). Unless the coarsest must
-/// have one, it begins at the coarsest scale that has a significant maximum: a peak nearer to the front than sigma and
-/// its mirror image are one hill at the border, and a short tube has no room for the coarsest kernels. A later scale
-/// without a maximum in the range keeps position and range. Empty: there is no surface, because no scale has a
-/// maximum, or the function itself has none (a constant, a ramp, a step: there a coarse maximum is only the border's or
-/// rounding's, and the original scale has no place for it).
+/// Where the maximum was at each scale, coarsest first, the unsmoothed function last; indices into the function. Unless
+/// the coarsest must have one, it begins at the coarsest scale that has a significant maximum: a peak nearer to the
+/// front than sigma and its mirror image are one hill at the border, and a short tube has no room for the coarsest
+/// kernels. A later scale without a maximum in the range keeps position and range. Empty: there is no surface, because
+/// no scale has a maximum, or the function itself has none (a constant, a ramp, a step: there a coarse maximum is only
+/// the border's or rounding's, and the original scale has no place for it).
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
-                                            const TrackingRule& rule, DetectionScratch& scratch);
+                                            const VarianceRule& rule, DetectionScratch& scratch);
 
 }  // namespace echolucent

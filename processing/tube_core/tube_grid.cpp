@@ -49,17 +49,17 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, 
 
 }  // namespace
 
-std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view,
-                                       const AdaptiveOtfConfig& config) {
-    if (config.tubeSpacing > 0.0) return {config.tubeSpacing, config.tubeSpacing};
+std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view, const TubeGrid& grid,
+                                       int cellSize) {
+    if (grid.spacing > 0.0) return {grid.spacing, grid.spacing};
     const ViewFrame unturned = frameOf(Viewpoint{.beamAxis = view.beamAxis});
     const Vec3 boxUnits = (geometry.boxMaxMm() - geometry.boxMinMm()) * (1.0 / geometry.unit());
     const auto shared = [&](const Vec3& lateral, int count) {
         const double extent = std::abs(lateral[0]) * boxUnits[0] + std::abs(lateral[1]) * boxUnits[1] +
                               std::abs(lateral[2]) * boxUnits[2];
-        return std::max(static_cast<double>(config.cellSize), std::floor(extent / count + rounding));
+        return std::max(static_cast<double>(cellSize), std::floor(extent / count + rounding));
     };
-    return {shared(unturned.right, config.tubeColumns), shared(unturned.down, config.tubeRows)};
+    return {shared(unturned.right, grid.columns), shared(unturned.down, grid.rows)};
 }
 
 bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view) {
@@ -70,24 +70,25 @@ bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view) {
     return isGridAxis(frame.right) && isGridAxis(frame.down) && isGridAxis(frame.forward);
 }
 
-std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
+std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view, const TubeGrid& grid,
+                               int cellSize) {
     const ViewFrame frame = frameOf(view);
-    const auto [acrossUnits, downUnits] = tubeSpacingUnits(geometry, view, config);
+    const auto [acrossUnits, downUnits] = tubeSpacingUnits(geometry, view, grid, cellSize);
     const double unit = geometry.unit();
     const double nearDepth = nearPlaneDepthMm(view, geometry);
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
 
     std::vector<TubeAxis> axes;
-    axes.reserve(static_cast<std::size_t>(config.tubeColumns) * static_cast<std::size_t>(config.tubeRows));
-    for (int row = 0; row < config.tubeRows; ++row)
-        for (int column = 0; column < config.tubeColumns; ++column) {
+    axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
             TubeAxis axis{column, row, {}, frame.forward, {}, {}};
-            const double across = (column - (config.tubeColumns - 1) / 2.0) * acrossUnits * unit;
-            const double down = (row - (config.tubeRows - 1) / 2.0) * downUnits * unit;
+            const double across = (column - (grid.columns - 1) / 2.0) * acrossUnits * unit;
+            const double down = (row - (grid.rows - 1) / 2.0) * downUnits * unit;
             axis.pointMm = geometry.centreMm() + frame.right * across + frame.down * down;
             if (onVoxels)
                 axis.pointMm = geometry.gridMmFromVoxel(
-                    onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, config.cellSize));
+                    onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, cellSize));
             if (const auto chord = chordOf(geometry, axis.pointMm, axis.directionMm, nearDepth)) {
                 axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
                 axis.lengthUnits = (chord->end - chord->begin) / unit;

@@ -5,12 +5,20 @@
 #include <optional>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
 #include "processing/viewpoint.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
+
+/// How many tube cores there are and how far apart. The ranges stand in methodParameters().
+struct TubeGrid {
+    int columns = 15;      ///< tube cores across the view's right axis (Petersch 2005, 6.1)
+    int rows = 15;         ///< tube cores across the view's down axis
+    double spacing = 0.0;  ///< units (the volume's smallest spacing) between tube cores; 0: as far as the grid covers
+                           ///< the volume (13 in the paper's 199x197x199)
+    friend bool operator==(const TubeGrid&, const TubeGrid&) = default;
+};
 
 /// The axis of one tube core.
 struct TubeAxis {
@@ -23,20 +31,20 @@ struct TubeAxis {
     std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; none with entryVoxel
 };
 
-/// Units between tube cores along the view's right and down axes: config.tubeSpacing, or where that is 0 the extent of
+/// Units between tube cores along the view's right and down axes: grid.spacing, or where that is 0 the extent of
 /// the volume's box across the unturned view of that beam axis, shared among the tube cores, whole units, at least a
 /// cell. It does not change while the view turns.
 [[nodiscard]] std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view,
-                                                     const AdaptiveOtfConfig& config);
+                                                     const TubeGrid& grid, int cellSize);
 
 /// Whether the tubes' samples can lie on voxel centres, so that nothing is interpolated: the view's axes are grid axes
 /// and the spacing is the same along all three (to a millionth).
 [[nodiscard]] bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view);
 
-/// The axes, row-major (index = row * tubeColumns + column). They pass through the volume's centre +
+/// The axes, row-major (index = row * columns + column). They pass through the volume's centre +
 /// (column - (columns - 1) / 2) * spacing * right + (row - (rows - 1) / 2) * spacing * down; where tubesLieOnVoxels()
 /// they are moved, by less than a voxel, so that the samples of a cell are voxels.
 [[nodiscard]] std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view,
-                                             const AdaptiveOtfConfig& config);
+                                             const TubeGrid& grid, int cellSize);
 
 }  // namespace echolucent

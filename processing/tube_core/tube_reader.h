@@ -1,44 +1,41 @@
-// Reading rows of tube cores by the route that config and volume ask for.
+// Reading rows of tube cores by the route that rule and volume ask for.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/rules/cell_rule.h"
 #include "processing/tube_core/slabs/tube_profiles.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/slabs/tube_slabs.h"
 
 namespace echolucent {
 
-/// Where tubes lie on voxels of integers: exact sums. Else in single precision, many slabs at a time; in double, sample
-/// by sample, where Precision::double64 asks for it or the volume is beyond what meanSlabs() takes. Keeps the last row;
-/// one per thread.
+/// Reads exact sums where tubes lie on voxels of integers; else in single precision, many slabs at a time; in double,
+/// sample by sample, where Precision::double64 asks for it or the volume is beyond what meanSlabs() takes. Keeps the
+/// last row; one reader per thread.
 class TubeReader {
 public:
-    TubeReader(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, bool withVariance);
+    /// The volume must outlive the reader.
+    TubeReader(const Volume& volume, const CellRule& rule);
 
-    [[nodiscard]] bool onVoxels() const { return m_onVoxels; }
-    /// The samples along an axis, as read() wants them.
-    [[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis) const;
-    /// Reads the tubes of one row of the grid.
+    /// Reads the tubes of one row of the grid, as samplesOf() gives them.
     void read(std::span<const TubeSamples> tubes);
-    /// The cells of tube t of the row.
-    void cells(std::size_t t, CellStatistics& cells) const;
-    /// The profile of tube t of the row, into the profile of `tube`.
-    void profile(std::size_t t, TubeProfiles& profiles, std::size_t tube) const;
+    /// Hands over the slabs of the tube at this place of the row; once for each.
+    [[nodiscard]] TubeSlabs slabsAt(std::size_t place);
+    /// Writes the profile of the tube at this place of the row into that of `tube`.
+    void profile(std::size_t place, TubeProfiles& profiles, std::size_t tube) const;
 
 private:
     enum class Route { exactSums, singlePrecision, doublePrecision };
+    [[nodiscard]] double whiteLevel() const;
 
     const Volume& m_volume;
-    const Viewpoint& m_view;
-    const AdaptiveOtfConfig& m_config;
-    bool m_withVariance;
-    bool m_onVoxels;
+    CellRule m_rule;
     std::optional<std::uint32_t> m_storedLimit;
-    Route m_route;
+    Route m_interpolating;  ///< the route of tubes that do not lie on voxels
+    Route m_route;          ///< of the last row
     std::vector<SlabSums> m_sums;
     std::vector<SlabMeans> m_means;
     std::vector<std::vector<SlabMoments>> m_moments;

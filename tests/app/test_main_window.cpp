@@ -20,6 +20,7 @@
 #include "app/main_window.h"
 #include "io/curve_file.h"
 #include "io/output/meta_image_writer.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "tests/app/picture_measures.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QSlider>
 
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_sweep.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
@@ -162,7 +163,7 @@ private slots:
         strength->setFocus();
         QTest::keyClick(strength, Qt::Key_Right);  // and not one degree on
         m_fixture.waitUntilIdle();
-        QCOMPARE(window().session().otf()->config.strength, AdaptiveOtfConfig{}.strength + 0.25);
+        QCOMPARE(window().session().otf()->config.curve, CurveRule(ProductRule{ProductRule{}.strength + 0.25}));
         QVERIFY(window().otfEditor().state().adaptive == window().session().otf()->curve);
         QCOMPARE(filledRows(MotionOtf::leastFlicker), 1);
     }

@@ -8,6 +8,7 @@
 
 #include "app/session.h"
 #include "io/output/meta_image_writer.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 using namespace echolucent;
 

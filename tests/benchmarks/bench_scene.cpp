@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "io/study.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent::bench {
 

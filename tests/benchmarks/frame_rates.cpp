@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"

@@ -13,6 +13,7 @@
 #include "app/measuring/pages/plot_axis.h"
 #include "app/measuring/pages/series_style.h"
 #include "app/measuring/study.h"
+#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent::cli {
 namespace {

@@ -47,35 +47,51 @@ TEST(OtfReading, IsOverriddenOnlyByWhatStandsOnTheCommandLine) {
     EXPECT_EQ(got["tube_grid"], (json{9, 8}));
 }
 
+TEST(OtfReading, WhatDoesNotApplyIsLeftOutOfTheReport) {
+    const json standard = parametersOf("--tube-grid 3x3"), settled = parametersOf("--tube-grid 3x3 --reading settled");
+    for (const char* key : {"significance", "coarsest_scale", "border", "strength", "least_edge_to_noise"}) {
+        EXPECT_FALSE(standard.contains(key)) << key;
+        EXPECT_TRUE(settled.contains(key)) << key;
+    }
+    for (const char* key : {"false_alarm", "least_step", "ramp_begin", "trusted_share"}) {
+        EXPECT_TRUE(standard.contains(key)) << key;
+        EXPECT_FALSE(settled.contains(key)) << key;
+    }
+    for (const char* key : {"cell_size", "low_reach", "rank_bins", "tube_grid", "d_max", "opacity_scale"})
+        EXPECT_TRUE(standard.contains(key) && settled.contains(key)) << key;
+}
+
 TEST(OtfReading, EveryOptionIsTakenUp) {
     struct Row {
         std::string option, word, key;
         json value;
     };
-    for (const Row& row : {Row{"--interface-function", "variance", "interface_function", "variance"},
-                           Row{"--interface-function", "ratio", "interface_function", "ratio"},
-                           Row{"--form", "product", "form", "product"},
-                           Row{"--form", "ramp", "form", "ramp"},
-                           Row{"--border", "circular", "border", "circular"},
-                           Row{"--border", "mirror", "border", "mirror"},
-                           Row{"--smoothing-route", "direct", "smoothing_route", "direct"},
-                           Row{"--smoothing-route", "fourier", "smoothing_route", "fourier"},
-                           Row{"--smoothing-route", "recursive", "smoothing_route", "recursive"},
-                           Row{"--kernel-end", "cut", "kernel_end", "cut"},
-                           Row{"--coarsest-maximum", "needed", "coarsest_maximum", "needed"},
-                           Row{"--tracking-range", "2.5", "tracking_range", 2.5},
-                           Row{"--prior-cells", "overlapping", "prior_cells", "overlapping"},
-                           Row{"--rank-bins", "16", "rank_bins", 16},
-                           Row{"--cell-stride", "5", "cell_stride", 5},
-                           Row{"--sampling", "nearest", "sampling", "nearest"},
-                           Row{"--precision", "double", "precision", "double"},
-                           Row{"--low-reach", "7", "low_reach", 7},
-                           Row{"--high-reach", "3", "high_reach", 3},
-                           Row{"--false-alarm", "4.5", "false_alarm", 4.5},
-                           Row{"--ramp-begin", "0.4", "ramp_begin", 0.4},
-                           Row{"--ramp-end", "1.7", "ramp_end", 1.7},
-                           Row{"--ramp-opacity", "0.5", "ramp_opacity", 0.5},
-                           Row{"--trusted-share", "0.2", "trusted_share", 0.2}})
+    for (const Row& row :
+         {Row{"--interface-function", "variance", "interface_function", "variance"},
+          Row{"--interface-function", "ratio", "interface_function", "ratio"},
+          Row{"--form", "product", "form", "product"},
+          Row{"--form", "ramp", "form", "ramp"},
+          Row{"--interface-function variance --border", "circular", "border", "circular"},
+          Row{"--reading published --border", "mirror", "border", "mirror"},
+          Row{"--reading published --smoothing-route", "direct", "smoothing_route", "direct"},
+          Row{"--reading settled --smoothing-route", "fourier", "smoothing_route", "fourier"},
+          Row{"--interface-function variance --kernel-end", "cut", "kernel_end", "cut"},
+          Row{"--interface-function variance --coarsest-maximum", "needed", "coarsest_maximum", "needed"},
+          Row{"--interface-function variance --tracking-range", "2.5", "tracking_range", 2.5},
+          Row{"--prior-cells", "overlapping", "prior_cells", "overlapping"},
+          Row{"--rank-bins", "16", "rank_bins", 16},
+          Row{"--sampling", "nearest", "sampling", "nearest"},
+          Row{"--precision", "double", "precision", "double"},
+          Row{"--low-reach", "7", "low_reach", 7},
+          Row{"--high-reach", "3", "high_reach", 3},
+          Row{"--false-alarm", "4.5", "false_alarm", 4.5},
+          Row{"--form product --strength", "3.5", "strength", 3.5},
+          Row{"--interface-function variance --sigma", "0.5", "sigma_per_kernel_size", 0.5},
+          Row{"--reading settled --interface-function ratio --least-ratio", "3", "least_ratio", 3.0},
+          Row{"--ramp-begin", "0.4", "ramp_begin", 0.4},
+          Row{"--ramp-end", "1.7", "ramp_end", 1.7},
+          Row{"--ramp-opacity", "0.5", "ramp_opacity", 0.5},
+          Row{"--trusted-share", "0.2", "trusted_share", 0.2}})
         EXPECT_EQ(parametersOf("--tube-grid 3x3 " + row.option + " " + row.word)[row.key], row.value) << row.option;
 }
 
@@ -89,17 +105,20 @@ TEST(OtfReading, RoutesAgreeAndBordersDoNot) {
     const auto direct = dOf("");
     EXPECT_EQ(dOf("--smoothing-route fourier"), direct) << "rounding decides nowhere";
     EXPECT_NE(dOf("--border circular"), direct);
-    EXPECT_NE(dOf("--cell-stride 5"), direct);
 }
 
 TEST(OtfReading, WhatIsNoChoiceIsSaid) {
     for (const auto& [options, says] :
          {std::pair<std::string, std::string>{"--reading literal", "published, settled or default"},
-          {"--border mirrored", "mirror or circular"},
-          {"--smoothing-route fft", "direct, fourier or recursive"},
-          {"--rank-bins -1", "bins"},
-          {"--cell-stride 0", "cell stride"},
-          {"--tracking-range nan", "tracking range"}}) {
+          {"--reading settled --border mirrored", "mirror or circular"},
+          {"--reading settled --smoothing-route fft", "direct or fourier"},
+          {"--rank-bins -1", "--rank-bins: must be 0 to 1048576"},
+          {"--reading settled --tracking-range nan", "--tracking-range: must be 0 to 1000"},
+          {"--significance 0.3", "--significance: belongs to --interface-function variance, and ratio is chosen"},
+          {"--reading settled --false-alarm 3", "belongs to --interface-function ratio, and variance is chosen"},
+          {"--strength 3", "--strength: belongs to --form product, and ramp is chosen"},
+          {"--reading published --ramp-begin 0.3", "--ramp-begin: belongs to --form ramp, and product is chosen"},
+          {"--ramp-begin 2", "ramp must end"}}) {
         const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" " + options);
         EXPECT_EQ(outcome.status, 2) << options;
         EXPECT_NE(outcome.errors.find(says), std::string::npos) << outcome.errors;

@@ -179,16 +179,18 @@ TEST(OtfJson, AManualInitialFunctionIsTakenFromItsFile) {
     const Folder folder;
     write(folder / "curve.json", R"({"format": "echolucent-opacity-curve", "version": 1,
         "nodes": [{"intensity": 0.2, "opacity": 0.0}, {"intensity": 0.6, "opacity": 0.4}]})");
-    const json otf = otfOf(shapesFile(), "--strength 0 --initial \"manual:" + folder / "curve.json" + "\"");
+    const json otf =
+        otfOf(shapesFile(), "--form product --strength 0 --initial \"manual:" + folder / "curve.json" + "\"");
     EXPECT_EQ(otf["message"], "The strength is 0: the initial function is used.");
     EXPECT_TRUE(otf["otf"]["log_opacity"][51].is_null()) << "0 up to the first node";
     EXPECT_NEAR(otf["otf"]["opacity"][102].get<double>(), 0.2, 1e-12);
     EXPECT_NEAR(otf["otf"]["log_opacity"][255].get<double>(), std::log(0.4), 1e-12);
     const json scaled =
-        otfOf(shapesFile(), "--strength 0 --opacity-scale 0.5 --initial \"manual:" + folder / "curve.json" + "\"");
+        otfOf(shapesFile(),
+              "--form product --strength 0 --opacity-scale 0.5 --initial \"manual:" + folder / "curve.json" + "\"");
     EXPECT_EQ(scaled["parameters"]["opacity_scale"], 0.5);
     EXPECT_NEAR(scaled["otf"]["log_opacity"][255].get<double>(), std::log(0.5 * 0.4), 1e-12);
-    const json linear = otfOf(shapesFile(), "--strength 0 --initial linear --opacity-scale 0.25");
+    const json linear = otfOf(shapesFile(), "--form product --strength 0 --initial linear --opacity-scale 0.25");
     EXPECT_EQ(linear["parameters"]["opacity_scale"], 0.25);
     EXPECT_NEAR(linear["otf"]["opacity"][255].get<double>(), 0.25 * 235 / 255, 1e-12);
 }

@@ -72,8 +72,8 @@ TEST(Extremes, OfFilesEndInACurveOrASentence) {
     for (std::size_t i = 0; i < voxels.size(); i += 101) voxels[i] = i % 2 == 0 ? std::nanf("") : -infinity;
     writeVolume(file, "60 60 60", "1 1 1", "MET_FLOAT", voxels);
     expectSoundFile("NaN and infinite voxels");
-    expectSoundFile("NaN and infinite voxels", "--strength 0");
-    expectSoundFile("NaN and infinite voxels", "--strength 225e6 --view-elevation 9");
+    expectSoundFile("NaN and infinite voxels", "--form product --strength 0");
+    expectSoundFile("NaN and infinite voxels", "--form product --strength 225e6 --view-elevation 9");
     expectSoundFile("one tube core", "--tube-grid 1x1");
 }
 

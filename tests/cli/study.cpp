@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/measuring/otf/study_otf.h"
+#include "processing/adaptive/method_parameters.h"
 #include "tests/cli/program.h"
 
 namespace echolucent {
@@ -131,7 +132,7 @@ TEST(StudyOtf, TheFrontIsWhatNothingBeats) {
                                             resultOf(3, 0.1), resultOf(4, 0, true), resultOf(0.5, 0.9)};
     // The same figures by the other interface function stand on a front of their own.
     results.push_back(resultOf(5, 5));
-    results.back().variant.interfaceFunction = InterfaceFunction::ratio;
+    results.back().variant.interfaceFunction = "ratio";
     cli::markFront(results);
     const std::vector<bool> expected{true, true, false, false, false, true, true};
     for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i].onFront, expected[i]) << i;

@@ -1,4 +1,4 @@
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "processing/adaptive/method_parameters.h"
 #include "processing/tube_core/tube_grid.h"
 #include "tests/processing/tube_core/plane_detection.h"
 
@@ -18,10 +19,10 @@ namespace {
 /// The paper's interface function and product, with what the program adds to them.
 AdaptiveOtfConfig productOfVariance() {
     AdaptiveOtfConfig config;
-    config.interfaceFunction = InterfaceFunction::variance;
-    config.form = CurveForm::product;
-    config.lowReach = 0;
-    config.highReach = 0;
+    config.detection = VarianceRule{};
+    config.curve = ProductRule{};
+    config.surface.lowReach = 0;
+    config.surface.highReach = 0;
     return config;
 }
 
@@ -113,7 +114,8 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
         }
         const long double wI = 1 - lowerMaxima / static_cast<long double>(n);
         const long double wS = *tube.slope > 0 ? lowerSlopes / static_cast<long double>(n) : 0;
-        const bool standsOut = tube.edgeToNoise.value_or(0) >= result.config.leastEdgeToNoise;
+        const bool standsOut =
+            tube.edgeToNoise.value_or(0) >= std::get<VarianceRule>(result.config.detection).leastEdgeToNoise;
         const long double extra = *tube.highIntensity > *tube.lowIntensity && standsOut ? 1 : 0;
         EXPECT_NEAR(tube.d, static_cast<double>(6.75L / n * wI * wS * extra), 1e-17);
         ++compared;
@@ -234,8 +236,8 @@ TEST(AdaptiveOtf, GivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(AdaptiveOtf, TheCurveDependsLittleOnTheNumberOfTubes) {
     const PlaneVolume plane;
     AdaptiveOtfConfig many;
-    many.tubeColumns = many.tubeRows = 45;
-    many.tubeSpacing = 2;
+    many.grid.columns = many.grid.rows = 45;
+    many.grid.spacing = 2;
     const AdaptiveOtf few = adapted(plane.make()), dense = adapted(plane.make(), {}, many);
     for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(dense.curve.opacities[i], few.curve.opacities[i], 0.03);
 }
@@ -246,6 +248,28 @@ TEST(AdaptiveOtf, StopsWhenCancelled) {
     EXPECT_FALSE(adaptOpacity(plane.make(), {}, {}, Progress{{}, &cancel}));
 }
 
+TEST(AdaptiveOtf, ReportsProgressThatRisesToOneAndTimesOfEveryStage) {
+    const Volume volume = PlaneVolume{}.make();
+    for (const DetectionRule& detection : {DetectionRule(VarianceRule{}), DetectionRule(RatioRule{})}) {
+        AdaptiveOtfConfig config;
+        config.detection = detection;
+        std::vector<double> shares;
+        const AdaptiveOtf otf =
+            *adaptOpacity(volume, {}, config, Progress{[&](double share) { shares.push_back(share); }, nullptr});
+        ASSERT_GT(shares.size(), 5u) << "both ways of detecting say how far they are";
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        EXPECT_EQ(shares.back(), 1.0);
+        const StageTimes& times = otf.times;
+        double sum = 0.0;
+        for (const double time : {times.sampling, times.cells, times.detection, times.weights, times.curve}) {
+            EXPECT_GT(time, 0.0);
+            sum += time;
+        }
+        EXPECT_LE(sum, times.total);
+        EXPECT_GT(sum, 0.9 * times.total) << "hardly any time is spent outside the stages";
+    }
+}
+
 TEST(AdaptiveOtf, RefusesAConfigOutOfRange) {
     const Volume volume(VolumeGeometry{}, std::vector<std::uint8_t>{1});
     const auto wrong = [](auto change) {
@@ -253,16 +277,19 @@ TEST(AdaptiveOtf, RefusesAConfigOutOfRange) {
         change(config);
         return config;
     };
+    const auto variance = [](VarianceRule rule) {
+        AdaptiveOtfConfig config;
+        config.detection = rule;
+        return config;
+    };
     const double nan = std::nan("");
     for (const auto& config :
-         {wrong([](auto& c) { c.tubeColumns = 0; }), wrong([](auto& c) { c.tubeRows = -1; }),
-          wrong([](auto& c) { c.tubeSpacing = -1; }), wrong([&](auto& c) { c.tubeSpacing = nan; }),
-          wrong([](auto& c) { c.cellSize = 1; }), wrong([](auto& c) { c.cellSize = 33; }),
-          wrong([](auto& c) { c.coarsestScale = 2; }), wrong([](auto& c) { c.finestScale = -1; }),
-          wrong([&](auto& c) { c.sigmaPerKernelSize = nan; }), wrong([](auto& c) { c.kernelCut = 0; }),
-          wrong([](auto& c) { c.significance = 1.1; }), wrong([](auto& c) { c.floorQuantile = -0.1; }),
-          wrong([](auto& c) { c.leastEdgeToNoise = -1; }), wrong([](auto& c) { c.slopeHalfStep = 0; }),
-          wrong([](auto& c) { c.strength = -1; }), wrong([&](auto& c) { c.strength = nan; })}) {
+         {wrong([](auto& c) { c.grid.columns = 0; }), wrong([](auto& c) { c.grid.rows = -1; }),
+          wrong([](auto& c) { c.grid.columns = c.grid.rows = 4096; }), wrong([](auto& c) { c.cells.size = 33; }),
+          wrong([&](auto& c) { c.grid.spacing = nan; }), wrong([](auto& c) { c.surface.slopeHalfStep = 0; }),
+          wrong([](auto& c) { c.curve = RampRule{.begin = 1.0, .end = 1.0}; }),
+          wrong([&](auto& c) { c.curve = ProductRule{.strength = nan}; }), variance({.coarsestScale = 2}),
+          variance({.sigmaPerKernelSize = nan})}) {
         EXPECT_FALSE(problemOf(config).empty());
         EXPECT_THROW((void)adaptOpacity(volume, {}, config), std::invalid_argument);
     }

@@ -34,7 +34,7 @@ class TubesWithInterface {
 public:
     TubesWithInterface(const PhantomConfig& config, const VolumeGeometry& geometry, const Viewpoint& view)
         : m_truth(config), m_forward(frameOf(view).forward), m_front(nearPlaneDepthMm(view, geometry)) {
-        for (const TubeAxis& axis : tubeAxes(geometry, view, {})) {
+        for (const TubeAxis& axis : tubeAxes(geometry, view, {}, CellRule{}.size)) {
             if (!axis.entryVoxel) continue;
             if (const auto surface = interfaceDepthMm(m_truth, geometry, view, axis, {0, 0, 0}))
                 m_tubes.push_back({geometry.gridMmFromVoxel(*axis.entryVoxel), *surface});

@@ -2,6 +2,8 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_parameters.h"
 #include "widgets/panels/method_panel.h"
 
 using namespace echolucent;
@@ -9,8 +11,13 @@ using namespace echolucent;
 namespace {
 
 AdaptiveOtfConfig onlyConfigOf(QSignalSpy& spy) {
-    return spy.count() == 1 ? spy.first().first().value<AdaptiveOtfConfig>() : AdaptiveOtfConfig{.tubeColumns = -1};
+    return spy.count() == 1 ? spy.first().first().value<AdaptiveOtfConfig>()
+                            : AdaptiveOtfConfig{.grid = {.columns = -1}};
 }
+
+AdaptiveOtfConfig with(const DetectionRule& detection) { return {.detection = detection}; }
+AdaptiveOtfConfig with(const CurveRule& curve) { return {.curve = curve}; }
+double strengthIn(const MethodPanel& panel) { return std::get<ProductRule>(panel.config().curve).strength; }
 
 template <typename Widget>
 Widget* child(QWidget& panel, const char* name) {
@@ -45,56 +52,54 @@ private slots:
 
     void sliderKeyGivesOneStepOnce() {
         MethodPanel panel;
+        panel.setConfig(with(ProductRule{}));
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         QTest::keyClick(child<QSlider>(panel, "adaptive.strength"), Qt::Key_Right);
-        QCOMPARE(onlyConfigOf(spy), AdaptiveOtfConfig{.strength = 7.0});
+        QCOMPARE(onlyConfigOf(spy), with(ProductRule{7.0}));
         QCOMPARE(child<QDoubleSpinBox>(panel, "adaptive.strength.value")->value(), 7.0);
     }
 
     void sliderReachesBothEnds() {
         MethodPanel panel;
+        panel.setConfig(with(ProductRule{}));
         auto* slider = child<QSlider>(panel, "adaptive.strength");
         QTest::keyClick(slider, Qt::Key_End);
-        QCOMPARE(panel.config().strength, 40.0);
+        QCOMPARE(strengthIn(panel), 40.0);
         QTest::keyClick(slider, Qt::Key_Home);
-        QCOMPARE(panel.config().strength, 0.0);
+        QCOMPARE(strengthIn(panel), 0.0);
     }
 
     void typedStrengthIsTakenExactlyAndOnce() {
         MethodPanel panel;
+        panel.setConfig(with(ProductRule{}));
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         auto* spinBox = child<QDoubleSpinBox>(panel, "adaptive.strength.value");
         spinBox->selectAll();
         QTest::keyClicks(spinBox, "12.34");
         QTest::keyClick(spinBox, Qt::Key_Return);
-        QCOMPARE(onlyConfigOf(spy), AdaptiveOtfConfig{.strength = 12.34});
+        QCOMPARE(onlyConfigOf(spy), with(ProductRule{12.34}));
         QCOMPARE(child<QSlider>(panel, "adaptive.strength")->value(), 49);  // 12.34 / 0.25, rounded
     }
 
     void spinBoxKeyChangesOneField_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<AdaptiveOtfConfig>("expected");
-        constexpr InterfaceFunction variance = InterfaceFunction::variance;
-        QTest::newRow("columns") << "tubeColumns" << AdaptiveOtfConfig{.tubeColumns = 16};
-        QTest::newRow("rows") << "tubeRows" << AdaptiveOtfConfig{.tubeRows = 16};
-        QTest::newRow("spacing") << "tubeSpacing" << AdaptiveOtfConfig{.tubeSpacing = 1.0};
-        QTest::newRow("cell") << "cellSize" << AdaptiveOtfConfig{.cellSize = 6};
-        QTest::newRow("coarsest") << "coarsestScale"
-                                  << AdaptiveOtfConfig{.interfaceFunction = variance, .coarsestScale = 8};
-        QTest::newRow("finest") << "finestScale" << AdaptiveOtfConfig{.interfaceFunction = variance, .finestScale = 4};
-        QTest::newRow("significance") << "significance"
-                                      << AdaptiveOtfConfig{.interfaceFunction = variance, .significance = 0.45};
-        QTest::newRow("false alarm") << "falseAlarm"
-                                     << AdaptiveOtfConfig{.interfaceFunction = InterfaceFunction::ratio,
-                                                          .falseAlarm = AdaptiveOtfConfig{}.falseAlarm + 0.25};
-        QTest::newRow("slope") << "slopeHalfStep" << AdaptiveOtfConfig{.slopeHalfStep = 6};
+        QTest::newRow("columns") << "tubeColumns" << AdaptiveOtfConfig{.grid = {.columns = 16}};
+        QTest::newRow("rows") << "tubeRows" << AdaptiveOtfConfig{.grid = {.rows = 16}};
+        QTest::newRow("spacing") << "tubeSpacing" << AdaptiveOtfConfig{.grid = {.spacing = 1.0}};
+        QTest::newRow("cell") << "cellSize" << AdaptiveOtfConfig{.cells = {.size = 6}};
+        QTest::newRow("coarsest") << "coarsestScale" << with(VarianceRule{.coarsestScale = 8});
+        QTest::newRow("finest") << "finestScale" << with(VarianceRule{.finestScale = 4});
+        QTest::newRow("significance") << "significance" << with(VarianceRule{.significance = 0.45});
+        QTest::newRow("false alarm") << "falseAlarm" << with(RatioRule{.falseAlarm = RatioRule{}.falseAlarm + 0.25});
+        QTest::newRow("slope") << "slopeHalfStep" << AdaptiveOtfConfig{.surface = {.slopeHalfStep = 6}};
         QTest::newRow("scale") << "opacityScale" << AdaptiveOtfConfig{.initial = PowerCurve{2, 1.05}};
     }
     void spinBoxKeyChangesOneField() {
         QFETCH(QString, name);
         QFETCH(AdaptiveOtfConfig, expected);
         MethodPanel panel;
-        panel.setConfig({.interfaceFunction = expected.interfaceFunction});
+        if (std::holds_alternative<VarianceRule>(expected.detection)) panel.setConfig(with(VarianceRule{}));
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         QTest::keyClick(child<QAbstractSpinBox>(panel, ("adaptive." + name).toLatin1()), Qt::Key_Up);
         QCOMPARE(onlyConfigOf(spy), expected);
@@ -108,17 +113,13 @@ private slots:
 
     void theFinestScaleNeverExceedsTheCoarsest() {
         MethodPanel panel;
-        panel.setConfig({.interfaceFunction = InterfaceFunction::variance, .coarsestScale = 4, .finestScale = 4});
+        panel.setConfig(with(VarianceRule{.coarsestScale = 4, .finestScale = 4}));
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         QTest::keyClick(child<QSpinBox>(panel, "adaptive.coarsestScale"), Qt::Key_Down);
-        QCOMPARE(onlyConfigOf(spy),
-                 (AdaptiveOtfConfig{
-                     .interfaceFunction = InterfaceFunction::variance, .coarsestScale = 3, .finestScale = 3}));
+        QCOMPARE(onlyConfigOf(spy), with(VarianceRule{.coarsestScale = 3, .finestScale = 3}));
         spy.clear();
         QTest::keyClick(child<QSpinBox>(panel, "adaptive.finestScale"), Qt::Key_Up);
-        QCOMPARE(onlyConfigOf(spy),
-                 (AdaptiveOtfConfig{
-                     .interfaceFunction = InterfaceFunction::variance, .coarsestScale = 4, .finestScale = 4}));
+        QCOMPARE(onlyConfigOf(spy), with(VarianceRule{.coarsestScale = 4, .finestScale = 4}));
     }
 
     void initialFunctionByKeyboard() {
@@ -147,45 +148,40 @@ private slots:
     void settingEmitsNothingAndComesBack() {
         MethodPanel panel;
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
-        AdaptiveOtfConfig config{.tubeColumns = 20,
-                                 .tubeRows = 3,
-                                 .tubeSpacing = 7.25,
-                                 .cellSize = 9,
-                                 .coarsestScale = 6,
-                                 .finestScale = 2,
-                                 .sigmaPerKernelSize = 0.31,
-                                 .kernelCut = 2.5,
-                                 .significance = 0.123456,
-                                 .slopeHalfStep = 2,
-                                 .strength = 6.754321,
+        AdaptiveOtfConfig config{.grid = {.columns = 20, .rows = 3, .spacing = 7.25},
+                                 .cells = {.size = 9},
+                                 .detection = VarianceRule{.coarsestScale = 6,
+                                                           .finestScale = 2,
+                                                           .sigmaPerKernelSize = 0.31,
+                                                           .kernelCut = 2.5,
+                                                           .significance = 0.123456},
+                                 .surface = {.slopeHalfStep = 2},
+                                 .curve = ProductRule{6.754321},
                                  .initial = PowerCurve{4, 0.3333}};
         panel.setConfig(config);
         QCOMPARE(panel.config(), config);
         QCOMPARE(spy.count(), 0);
         QTest::keyClick(child<QSpinBox>(panel, "adaptive.cellSize"), Qt::Key_Up);
-        config.cellSize = 10;  // and no other field is rounded to what its control shows
+        config.cells.size = 10;  // and no other field is rounded to what its control shows
         QCOMPARE(onlyConfigOf(spy), config);
     }
 
     void settingBeyondTheRangeClamps() {
         MethodPanel panel;
-        panel.setConfig({.tubeColumns = 0,
-                         .cellSize = 1,
-                         .coarsestScale = 40,
-                         .finestScale = -1,
-                         .significance = 2,
-                         .strength = 1e6});
-        QCOMPARE(panel.config(), (AdaptiveOtfConfig{.tubeColumns = 1,
-                                                    .cellSize = 2,
-                                                    .coarsestScale = 10,
-                                                    .finestScale = 1,
-                                                    .significance = 1,
-                                                    .strength = 40}));
+        panel.setConfig({.grid = {.columns = 0},
+                         .cells = {.size = 1},
+                         .detection = VarianceRule{.coarsestScale = 40, .finestScale = -1, .significance = 2},
+                         .curve = ProductRule{1e6}});
+        QCOMPARE(panel.config(),
+                 (AdaptiveOtfConfig{.grid = {.columns = 1},
+                                    .cells = {.size = 2},
+                                    .detection = VarianceRule{.coarsestScale = 10, .finestScale = 1, .significance = 1},
+                                    .curve = ProductRule{40}}));
     }
 
     void resetGoesBackOnce() {
         MethodPanel panel;
-        panel.setConfig({.cellSize = 9, .strength = 1, .initial = ManualCurve{{{0, 0}, {1, 1}}}});
+        panel.setConfig({.cells = {.size = 9}, .curve = ProductRule{1}, .initial = ManualCurve{{{0, 0}, {1, 1}}}});
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         auto* reset = child<QPushButton>(panel, "adaptive.reset");
         QTest::mouseClick(reset, Qt::LeftButton);
@@ -198,7 +194,7 @@ private slots:
         MethodPanel panel;
         auto* reading = child<QComboBox>(panel, "adaptive.reading");
         QCOMPARE(reading->currentText(), "Default");
-        panel.setConfig({.cellSize = 9, .initial = PowerCurve{4, 0.5}});
+        panel.setConfig({.cells = {.size = 9}, .initial = PowerCurve{4, 0.5}});
         QCOMPARE(reading->currentText(), "Changed");
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         const QList<std::pair<QString, MethodReading>> readings{{"Default", MethodReading::standard},
@@ -225,33 +221,57 @@ private slots:
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         auto* form = child<QComboBox>(panel, "adaptive.form");
         auto* function = child<QComboBox>(panel, "adaptive.interfaceFunction");
-        AdaptiveOtfConfig config;
-        for (const auto& [key, value] :
-             {std::pair{Qt::Key_Home, CurveForm::ramp}, std::pair{Qt::Key_End, CurveForm::product}}) {
-            config.form = value == CurveForm::ramp ? CurveForm::product : CurveForm::ramp;
-            panel.setConfig(config);
+        const CurveRule ramp = RampRule{.opacity = 0.5}, product = ProductRule{3.0};
+        for (const auto& [key, chosen, other] :
+             {std::tuple{Qt::Key_Home, ramp, product}, {Qt::Key_End, product, ramp}}) {
+            // What was set of an alternative is there again when it is chosen again.
+            panel.setConfig(with(chosen));
+            panel.setConfig(with(other));
             QTest::keyClick(form, key);
-            config.form = value;
-            QCOMPARE(onlyConfigOf(spy), config);
+            QCOMPARE(onlyConfigOf(spy), with(chosen));
             spy.clear();
-            QCOMPARE(child<QSlider>(panel, "adaptive.strength")->isVisibleTo(&panel), value == CurveForm::product);
-            QCOMPARE(child<QSlider>(panel, "adaptive.rampOpacity")->isVisibleTo(&panel), value == CurveForm::ramp);
+            const bool isRamp = std::holds_alternative<RampRule>(chosen);
+            QCOMPARE(child<QSlider>(panel, "adaptive.strength")->isVisibleTo(&panel), !isRamp);
+            QCOMPARE(child<QSlider>(panel, "adaptive.rampOpacity")->isVisibleTo(&panel), isRamp);
         }
-        for (const auto& [key, value] :
-             {std::pair{Qt::Key_Home, InterfaceFunction::ratio}, std::pair{Qt::Key_End, InterfaceFunction::variance}}) {
-            config.interfaceFunction =
-                value == InterfaceFunction::ratio ? InterfaceFunction::variance : InterfaceFunction::ratio;
-            panel.setConfig(config);
+        panel.setConfig({});
+        const DetectionRule ratio = RatioRule{.falseAlarm = 4}, variance = VarianceRule{.significance = 0.5};
+        for (const auto& [key, chosen, other] :
+             {std::tuple{Qt::Key_Home, ratio, variance}, {Qt::Key_End, variance, ratio}}) {
+            panel.setConfig(with(chosen));
+            panel.setConfig(with(other));
             QTest::keyClick(function, key);
-            config.interfaceFunction = value;
-            QCOMPARE(onlyConfigOf(spy), config);
+            QCOMPARE(onlyConfigOf(spy), with(chosen));
             spy.clear();
-            const bool scales = value == InterfaceFunction::variance;
+            const bool scales = std::holds_alternative<VarianceRule>(chosen);
             for (const char* name : {"adaptive.coarsestScale", "adaptive.finestScale", "adaptive.significance"})
                 QCOMPARE(child<QWidget>(panel, name)->isEnabled(), scales);
             QCOMPARE(child<QWidget>(panel, "adaptive.falseAlarm")->isEnabled(), !scales);
             QVERIFY(child<QSpinBox>(panel, "adaptive.cellSize")->isEnabled());
         }
+    }
+
+    void rangesDefaultsAndWordsAreThoseOfTheTable() {
+        MethodPanel panel;
+        for (const auto& [parameter, control] : {std::pair{"cell_size", "adaptive.cellSize"},
+                                                 {"slope_half_step", "adaptive.slopeHalfStep"},
+                                                 {"coarsest_scale", "adaptive.coarsestScale"}}) {
+            const auto& row = *parameterNamed(methodParameters(), parameter);
+            auto* spinBox = child<QSpinBox>(panel, control);
+            QCOMPARE(spinBox->minimum(), static_cast<int>(row.offeredRange().least));
+            QCOMPARE(spinBox->maximum(), static_cast<int>(row.offeredRange().largest));
+            QCOMPARE(spinBox->value(), static_cast<int>(*numberOf(defaultOf(methodParameters(), row))));
+            QCOMPARE(spinBox->accessibleName().toStdString(), std::string(row.label));
+            QVERIFY(spinBox->toolTip().toStdString().starts_with(row.meaning));
+        }
+    }
+
+    void anotherGridIsNoOtherReading() {
+        // As the command line names it: the grid belongs to no reading.
+        MethodPanel panel;
+        QTest::keyClick(child<QSpinBox>(panel, "adaptive.tubeColumns"), Qt::Key_Up);
+        QCOMPARE(readingOf(panel.config()), MethodReading::standard);
+        QCOMPARE(child<QComboBox>(panel, "adaptive.reading")->currentText(), "Default");
     }
 
     void computeAsksAndChangesNothing() {
@@ -298,16 +318,16 @@ private slots:
 
     void wheelChangesOnlyTheFocusedControl() {
         MethodPanel panel;
-        panel.setConfig({.form = CurveForm::product});
+        panel.setConfig(with(ProductRule{}));
         panel.show();
         QApplication::setActiveWindow(&panel);  // no window manager gives the focus on a virtual display
         auto* slider = child<QSlider>(panel, "adaptive.strength");
         child<QComboBox>(panel, "adaptive.initial")->setFocus();
         turnWheel(slider);
-        QCOMPARE(panel.config().strength, 6.75);
+        QCOMPARE(strengthIn(panel), 6.75);
         slider->setFocus();
         turnWheel(slider);
-        QVERIFY(panel.config().strength > 6.75);
+        QVERIFY(strengthIn(panel) > 6.75);
     }
 
 private:
@@ -320,4 +340,5 @@ private:
 };
 
 QTEST_MAIN(TestPanelsMethod)
+#include "processing/adaptive/method_reading.h"
 #include "test_panels_method.moc"

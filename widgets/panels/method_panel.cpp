@@ -11,33 +11,37 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
+#include "processing/adaptive/method_parameters.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/value_slider.h"
 
 namespace echolucent {
 namespace {
 
-QSpinBox* createSpinBox(const QString& name, const QString& accessibleName, const QString& toolTip, int minimum,
-                        int maximum, const QString& suffix = {}) {
-    auto* spinBox = named(new QSpinBox, "adaptive." + name, accessibleName, toolTip);
-    spinBox->setRange(minimum, maximum);
-    spinBox->setSuffix(suffix);
-    spinBox->setKeyboardTracking(false);
-    wheelNeedsFocus(spinBox);
-    return spinBox;
+/// The parameter's row; it must be there.
+const Parameter<AdaptiveOtfConfig>& rowOf(std::string_view name) { return *parameterNamed(methodParameters(), name); }
+
+QString textOf(std::string_view words) {
+    return MethodPanel::tr(QByteArray(words.data(), static_cast<qsizetype>(words.size())).constData());
 }
 
-QDoubleSpinBox* createDoubleSpinBox(const QString& name, const QString& accessibleName, const QString& toolTip,
-                                    double maximum, int decimals, double step, const QString& suffix = {}) {
-    auto* spinBox = named(new QDoubleSpinBox, "adaptive." + name, accessibleName, toolTip);
-    spinBox->setDecimals(decimals);
-    spinBox->setRange(0, maximum);
-    spinBox->setSingleStep(step);
-    spinBox->setSuffix(suffix);
-    spinBox->setKeyboardTracking(false);
-    wheelNeedsFocus(spinBox);
-    return spinBox;
+/// "adaptive.tubeColumns" of "tube_columns".
+QString objectNameOf(std::string_view name) {
+    QString made = QStringLiteral("adaptive.");
+    bool capital = false;
+    for (const char letter : name) {
+        if (letter != '_') made += capital ? QChar::fromLatin1(letter).toUpper() : QChar::fromLatin1(letter);
+        capital = letter == '_';
+    }
+    return made;
+}
+
+QString toolTipOf(const Parameter<AdaptiveOtfConfig>& row) {
+    return row.unit == "units" ? MethodPanel::tr("%1. A unit is the smallest voxel spacing").arg(textOf(row.meaning))
+                               : textOf(row.meaning);
 }
 
 template <typename SpinBox, typename Value>
@@ -46,9 +50,16 @@ void showIn(SpinBox* spinBox, Value value) {
     spinBox->setValue(value);
 }
 
-template <typename Control, typename Value>
-Value clampedInto(const Control* control, Value value) {
-    return std::clamp<Value>(value, control->minimum(), control->maximum());
+/// Sets a parameter, clamped into what controls offer; a choice, or what means nothing in the config, stays.
+void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& config) {
+    const auto value = row.get(config);
+    if (!value || !row.choices.empty()) return;
+    const ParameterRange offered = row.offeredRange();
+    if (const auto* whole = std::get_if<std::int64_t>(&*value))
+        row.set(config, std::clamp(*whole, static_cast<std::int64_t>(offered.least),
+                                   static_cast<std::int64_t>(offered.largest)));
+    else if (const auto number = numberOf(*value))
+        row.set(config, std::clamp(*number, offered.least, offered.largest));
 }
 
 /// Mean of I_L or I_H over the tube cores with a surface, weighted by what they bring to the curve.
@@ -65,6 +76,48 @@ double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*
 
 }  // namespace
 
+template <typename Control>
+void MethodPanel::bind(const Row& row, Control* control) {
+    control->setToolTip(toolTipOf(row));
+    const ParameterRange offered = row.offeredRange();
+    using Value = decltype(control->value());
+    control->setRange(static_cast<Value>(offered.least), static_cast<Value>(offered.largest));
+    const auto show = [control](double value) { showIn(control, static_cast<Value>(value)); };
+    show(numberOf(defaultOf(methodParameters(), row)).value());
+    m_numbers.push_back({&row, control, show});
+    connect(control, &Control::valueChanged, this,
+            [this, &row](auto value) { takeNumber(row, static_cast<double>(value)); });
+}
+
+QSpinBox* MethodPanel::createSpinBox(const char* parameter) {
+    const Row& row = rowOf(parameter);
+    auto* spinBox = named(new QSpinBox, objectNameOf(row.name), textOf(row.label));
+    if (row.unit == "units") spinBox->setSuffix(tr(" units"));
+    spinBox->setKeyboardTracking(false);
+    wheelNeedsFocus(spinBox);
+    bind(row, spinBox);
+    return spinBox;
+}
+
+QDoubleSpinBox* MethodPanel::createDoubleSpinBox(const char* parameter, int decimals, double step) {
+    const Row& row = rowOf(parameter);
+    auto* spinBox = named(new QDoubleSpinBox, objectNameOf(row.name), textOf(row.label));
+    spinBox->setDecimals(decimals);
+    spinBox->setSingleStep(step);
+    if (row.unit == "units") spinBox->setSuffix(tr(" units"));
+    spinBox->setKeyboardTracking(false);
+    wheelNeedsFocus(spinBox);
+    bind(row, spinBox);
+    return spinBox;
+}
+
+ValueSlider* MethodPanel::createSlider(const char* parameter, double step) {
+    const Row& row = rowOf(parameter);
+    auto* slider = new ValueSlider(objectNameOf(row.name), textOf(row.label), step, 2);
+    bind(row, slider);
+    return slider;
+}
+
 MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("adaptive");
     setAccessibleName(tr("Adaptive opacity transfer function"));
@@ -78,16 +131,10 @@ MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
 }
 
 QWidget* MethodPanel::createMainControls() {
-    m_strength = new ValueSlider("adaptive.strength", tr("Strength"), 0.25, 2);
-    m_strength->setRange(0, 40);
-    m_strength->setToolTip(
-        tr("How far the found surfaces bend the initial function: number of tube cores times the "
-           "largest weight of one"));
-    m_rampOpacity = new ValueSlider("adaptive.rampOpacity", tr("Opacity"), 0.01, 2);
-    m_rampOpacity->setRange(0.01, 1);
-    m_rampOpacity->setToolTip(tr("Opacity where all tube cores say surface"));
-    m_strengthLabel = labelFor(m_strength, tr("Strength"));
-    m_rampOpacityLabel = labelFor(m_rampOpacity, tr("Opacity"));
+    m_strength = createSlider("strength", 0.25);
+    m_rampOpacity = createSlider("ramp_opacity", 0.01);
+    m_strengthLabel = labelFor(m_strength, textOf(rowOf("strength").label));
+    m_rampOpacityLabel = labelFor(m_rampOpacity, textOf(rowOf("ramp_opacity").label));
     m_initial = named(new QComboBox, "adaptive.initial", tr("Initial function"),
                       tr("The function that the method starts from"));
     m_initial->addItem(tr("x² (parabolic)"), static_cast<int>(InitialKind::parabolic));
@@ -95,11 +142,9 @@ QWidget* MethodPanel::createMainControls() {
     m_initial->addItem(tr("Linear curve"), static_cast<int>(InitialKind::linear));
     m_initial->addItem(tr("Manual nodes"), static_cast<int>(InitialKind::manual));
     wheelNeedsFocus(m_initial);
-    m_opacityScale =
-        createDoubleSpinBox("opacityScale", tr("Opacity scale a"),
-                            tr("a: opacity of the initial function at full intensity. The linear curve and "
-                               "the manual nodes bring their own"),
-                            10, 2, 0.05);
+    m_opacityScale = createDoubleSpinBox("opacity_scale", 2, 0.05);
+    m_opacityScale->setToolTip(
+        tr("%1. The linear curve and the manual nodes bring their own").arg(textOf(rowOf("opacity_scale").meaning)));
     auto* compute = named(new QPushButton(tr("Compute for this view")), "adaptive.compute", tr("Compute for this view"),
                           tr("Lays the tube cores along the direction in which the camera looks (A)"));
     auto* reset = named(new QPushButton(tr("Defaults")), "adaptive.reset", tr("Reset to defaults"),
@@ -119,7 +164,7 @@ QWidget* MethodPanel::createMainControls() {
     grid->addWidget(m_strength, 0, 1, 1, 3);
     grid->addWidget(m_rampOpacityLabel, 0, 0);
     grid->addWidget(m_rampOpacity, 0, 1, 1, 3);
-    grid->addWidget(labelFor(m_form, tr("Form")), 1, 0);
+    grid->addWidget(labelFor(m_form, textOf(rowOf("form").label)), 1, 0);
     grid->addWidget(m_form, 1, 1, 1, 3);
     grid->addWidget(labelFor(m_initial, tr("Initial")), 2, 0);
     grid->addWidget(m_initial, 2, 1);
@@ -135,32 +180,17 @@ QWidget* MethodPanel::createMainControls() {
 }
 
 QWidget* MethodPanel::createAdvancedControls() {
-    m_tubeColumns = createSpinBox("tubeColumns", tr("Tube columns"), tr("Tube cores across the picture"), 1, 400);
-    m_tubeRows = createSpinBox("tubeRows", tr("Tube rows"), tr("Tube cores down the picture"), 1, 400);
-    m_tubeSpacing =
-        createDoubleSpinBox("tubeSpacing", tr("Tube spacing"),
-                            tr("Distance of neighbouring tube cores; automatic: the grid covers the volume. "
-                               "A unit is the smallest voxel spacing"),
-                            1000, 1, 1, tr(" units"));
-    m_tubeSpacing->setSpecialValueText(tr("automatic"));
-    m_cellSize =
-        createSpinBox("cellSize", tr("Cell size"), tr("Edge of the cells along a tube core"), 2, 32, tr(" units"));
-    m_coarsestScale = createSpinBox("coarsestScale", tr("Coarsest scale"),
-                                    tr("n of the widest kernel, 2ⁿ units, in which a surface is looked for"), 1, 10);
-    m_finestScale = createSpinBox("finestScale", tr("Finest scale"),
-                                  tr("n of the narrowest kernel, 2ⁿ units, to which a surface is followed"), 1, 10);
-    m_significance =
-        createDoubleSpinBox("significance", tr("Significance"),
-                            tr("A local maximum counts from this share of the largest value on"), 1, 2, 0.05);
-    m_slopeHalfStep =
-        createSpinBox("slopeHalfStep", tr("Slope half step"),
-                      tr("The slope at a surface is taken over this many units to either side"), 1, 32, tr(" units"));
-
-    m_falseAlarm =
-        createDoubleSpinBox("falseAlarm", tr("Least contrast"),
-                            tr("Ratio of means: a surface counts from this contrast on, in standard deviations "
-                               "of the contrast where nothing is"),
-                            20, 2, 0.25);
+    auto* tubeSpacing = createDoubleSpinBox("tube_spacing", 1, 1);
+    tubeSpacing->setSpecialValueText(tr("automatic"));
+    const std::array<QWidget*, 9> controls{createSpinBox("tube_columns"),
+                                           createSpinBox("tube_rows"),
+                                           tubeSpacing,
+                                           createSpinBox("cell_size"),
+                                           createDoubleSpinBox("false_alarm", 2, 0.25),
+                                           createSpinBox("slope_half_step"),
+                                           createSpinBox("coarsest_scale"),
+                                           createSpinBox("finest_scale"),
+                                           createDoubleSpinBox("significance", 2, 0.05)};
 
     m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
                        tr("Reading, tube cores, cells and scales"));
@@ -179,8 +209,6 @@ QWidget* MethodPanel::createAdvancedControls() {
     grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
     grid->addWidget(m_interfaceFunction, 1, 1, 1, 3);
     constexpr int rowsAbove = 2;
-    const std::array<QWidget*, 9> controls{m_tubeColumns,   m_tubeRows,      m_tubeSpacing, m_cellSize,    m_falseAlarm,
-                                           m_slopeHalfStep, m_coarsestScale, m_finestScale, m_significance};
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
         control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
@@ -205,44 +233,24 @@ QWidget* MethodPanel::createAdvancedControls() {
 }
 
 void MethodPanel::connectControls() {
-    const auto changes = [this](auto* control, auto AdaptiveOtfConfig::*field) {
-        using Control = std::remove_pointer_t<decltype(control)>;
-        connect(control, &Control::valueChanged, this, [this, field](auto value) {
-            m_config.*field = value;
-            changed();
-        });
-    };
-    changes(m_strength, &AdaptiveOtfConfig::strength);
-    changes(m_rampOpacity, &AdaptiveOtfConfig::rampOpacity);
-    changes(m_falseAlarm, &AdaptiveOtfConfig::falseAlarm);
-    changes(m_tubeColumns, &AdaptiveOtfConfig::tubeColumns);
-    changes(m_tubeRows, &AdaptiveOtfConfig::tubeRows);
-    changes(m_tubeSpacing, &AdaptiveOtfConfig::tubeSpacing);
-    changes(m_cellSize, &AdaptiveOtfConfig::cellSize);
-    changes(m_significance, &AdaptiveOtfConfig::significance);
-    changes(m_slopeHalfStep, &AdaptiveOtfConfig::slopeHalfStep);
-    connect(m_coarsestScale, &QSpinBox::valueChanged, this,
-            [this](int scale) { takeScales(scale, std::min(scale, m_config.finestScale)); });
-    connect(m_finestScale, &QSpinBox::valueChanged, this,
-            [this](int scale) { takeScales(std::max(scale, m_config.coarsestScale), scale); });
-    connect(m_form, &QComboBox::currentIndexChanged, this, [this] {
-        m_config.form = static_cast<CurveForm>(m_form->currentData().toInt());
-        changed();
-    });
-    connect(m_interfaceFunction, &QComboBox::currentIndexChanged, this, [this] {
-        m_config.interfaceFunction = static_cast<InterfaceFunction>(m_interfaceFunction->currentData().toInt());
-        changed();
-    });
+    connect(m_form, &QComboBox::currentIndexChanged, this, &MethodPanel::takeForm);
+    connect(m_interfaceFunction, &QComboBox::currentIndexChanged, this, &MethodPanel::takeDetection);
     connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
     connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
-    connect(m_opacityScale, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeInitial);
 }
 
-void MethodPanel::takeScales(int coarsest, int finest) {
-    m_config.coarsestScale = coarsest;
-    m_config.finestScale = finest;
-    showIn(m_coarsestScale, coarsest);
-    showIn(m_finestScale, finest);
+void MethodPanel::takeNumber(const Row& row, double value) {
+    if (std::holds_alternative<std::int64_t>(defaultOf(methodParameters(), row)))
+        row.set(m_config, std::llround(value));
+    else
+        row.set(m_config, value);
+    if (auto* variance = std::get_if<VarianceRule>(&m_config.detection)) {
+        // The scale that was not touched gives way.
+        if (row.name == "coarsest_scale")
+            variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
+        else
+            variance->coarsestScale = std::max(variance->finestScale, variance->coarsestScale);
+    }
     changed();
 }
 
@@ -264,35 +272,28 @@ double MethodPanel::opacityScale() const { return m_opacityScale->value(); }
 
 void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
     m_config = config;
-    m_config.strength = clampedInto(m_strength, config.strength);
-    m_config.rampOpacity = clampedInto(m_rampOpacity, config.rampOpacity);
-    m_config.falseAlarm = clampedInto(m_falseAlarm, config.falseAlarm);
-    m_config.tubeColumns = clampedInto(m_tubeColumns, config.tubeColumns);
-    m_config.tubeRows = clampedInto(m_tubeRows, config.tubeRows);
-    m_config.tubeSpacing = clampedInto(m_tubeSpacing, config.tubeSpacing);
-    m_config.cellSize = clampedInto(m_cellSize, config.cellSize);
-    m_config.coarsestScale = clampedInto(m_coarsestScale, config.coarsestScale);
-    m_config.finestScale = std::min(clampedInto(m_finestScale, config.finestScale), m_config.coarsestScale);
-    m_config.significance = clampedInto(m_significance, config.significance);
-    m_config.slopeHalfStep = clampedInto(m_slopeHalfStep, config.slopeHalfStep);
+    for (const NumberControl& number : m_numbers)
+        if (number.widget != m_opacityScale || std::holds_alternative<PowerCurve>(m_config.initial))
+            clampInto(*number.row, m_config);
+    if (auto* variance = std::get_if<VarianceRule>(&m_config.detection))
+        variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
     showConfig();
 }
 
 void MethodPanel::showConfig() {
-    showIn(m_strength, m_config.strength);
-    showIn(m_rampOpacity, m_config.rampOpacity);
-    showIn(m_falseAlarm, m_config.falseAlarm);
-    showIn(m_tubeColumns, m_config.tubeColumns);
-    showIn(m_tubeRows, m_config.tubeRows);
-    showIn(m_tubeSpacing, m_config.tubeSpacing);
-    showIn(m_cellSize, m_config.cellSize);
-    showIn(m_coarsestScale, m_config.coarsestScale);
-    showIn(m_finestScale, m_config.finestScale);
-    showIn(m_significance, m_config.significance);
-    showIn(m_slopeHalfStep, m_config.slopeHalfStep);
-    selectData(m_form, static_cast<int>(m_config.form));
-    selectData(m_interfaceFunction, static_cast<int>(m_config.interfaceFunction));
+    m_detections[m_config.detection.index()] = m_config.detection;
+    m_curves[m_config.curve.index()] = m_config.curve;
     showInitial();
+    for (const NumberControl& number : m_numbers) {
+        const auto value = number.row->get(m_config);
+        // The scale belongs to the powers alone; showInitial() says whether one is chosen.
+        const bool applies =
+            value && (number.widget != m_opacityScale || std::holds_alternative<PowerCurve>(m_config.initial));
+        if (applies) number.show(numberOf(*value).value());
+        number.widget->setEnabled(applies);
+    }
+    selectData(m_form, static_cast<int>(m_config.curve.index()));
+    selectData(m_interfaceFunction, static_cast<int>(m_config.detection.index()));
     showReading();
 }
 
@@ -301,9 +302,7 @@ void MethodPanel::showInitial() {
     if (auto* power = std::get_if<PowerCurve>(&m_config.initial)) {
         // The panel offers two exponents; another one, from a file perhaps, becomes the nearer of them.
         power->exponent = power->exponent < 4 ? 2 : 4;
-        power->scale = clampedInto(m_opacityScale, power->scale);
         kind = power->exponent == 2 ? InitialKind::parabolic : InitialKind::quartic;
-        showIn(m_opacityScale, power->scale);
     } else if (std::holds_alternative<LinearCurve>(m_config.initial)) {
         kind = InitialKind::linear;
         m_linear = m_config.initial;

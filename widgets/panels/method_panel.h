@@ -2,8 +2,12 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <functional>
+#include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/parameter.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -35,13 +39,13 @@ public:
 
     /// What the panel shows. `initial` is a PowerCurve for the kinds parabolic and quartic. For linear and manual it is
     /// the last curve of that kind given to setConfig (else an empty one): the window puts the editor's curve there.
-    /// Fields without a control (sigmaPerKernelSize, kernelCut) are as last set.
+    /// Parameters without a control are as last set.
     [[nodiscard]] AdaptiveOtfConfig config() const { return m_config; }
     [[nodiscard]] InitialKind initialKind() const;
     /// a of the parabolic and quartic initial functions.
     [[nodiscard]] double opacityScale() const;
 
-    /// Shows a configuration, each value clamped into its control's range; emits nothing. A sampled initial curve
+    /// Shows a configuration, each value clamped into what its control offers; emits nothing. A sampled initial curve
     /// counts as manual.
     void setConfig(const AdaptiveOtfConfig& config);
     /// Shows what was found: the summary line and the result's message, if any.
@@ -56,22 +60,42 @@ signals:
     void computeRequested();
 
 private:
+    using Row = Parameter<AdaptiveOtfConfig>;
+    /// A control of one number of the method.
+    struct NumberControl {
+        const Row* row;
+        QWidget* widget;
+        std::function<void(double)> show;  ///< shows a value; emits nothing
+    };
+
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
-    void connectControls();
+    QSpinBox* createSpinBox(const char* parameter);
+    QDoubleSpinBox* createDoubleSpinBox(const char* parameter, int decimals, double step);
+    ValueSlider* createSlider(const char* parameter, double step);
+    template <typename Control>
+    void bind(const Row& row, Control* control);
     void createMethodChoices();
+    QComboBox* createChoice(const char* parameter);
+    void connectControls();
     void showConfig();
     void showReading();
     void showInitial();
     void takeReading();
+    void takeNumber(const Row& row, double value);
+    void takeDetection();
+    void takeForm();
     void changed();
-    void takeScales(int coarsest, int finest);
     void takeInitial();
     void resetToDefaults();
 
     AdaptiveOtfConfig m_config;
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
+    // What was last set of each alternative, by its index, so that choosing another and coming back loses nothing.
+    std::array<DetectionRule, 2> m_detections{VarianceRule{}, RatioRule{}};
+    std::array<CurveRule, 2> m_curves{ProductRule{}, RampRule{}};
+    std::vector<NumberControl> m_numbers;
     ValueSlider* m_strength = nullptr;
     ValueSlider* m_rampOpacity = nullptr;
     QLabel* m_strengthLabel = nullptr;
@@ -81,15 +105,6 @@ private:
     QComboBox* m_interfaceFunction = nullptr;
     QComboBox* m_initial = nullptr;
     QDoubleSpinBox* m_opacityScale = nullptr;
-    QSpinBox* m_tubeColumns = nullptr;
-    QSpinBox* m_tubeRows = nullptr;
-    QDoubleSpinBox* m_tubeSpacing = nullptr;
-    QSpinBox* m_cellSize = nullptr;
-    QSpinBox* m_coarsestScale = nullptr;
-    QSpinBox* m_finestScale = nullptr;
-    QDoubleSpinBox* m_significance = nullptr;
-    QDoubleSpinBox* m_falseAlarm = nullptr;
-    QSpinBox* m_slopeHalfStep = nullptr;
     QToolButton* m_advanced = nullptr;
     QLabel* m_summary = nullptr;
     QLabel* m_message = nullptr;

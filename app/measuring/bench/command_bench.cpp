@@ -14,6 +14,7 @@
 
 #include "app/cli/command.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/phantom/phantom.h"
 
@@ -172,7 +173,7 @@ Result<void> bench(const BenchOptions& options) {
     ordered_json report;
     const auto& size = (*volume)->geometry().size;
     report["volume"] = {{"size", {size[0], size[1], size[2]}}, {"type", (*volume)->typeName()}};
-    report["tube_grid"] = {config->tubeColumns, config->tubeRows};
+    report["tube_grid"] = {config->grid.columns, config->grid.rows};
     report["runs"] = options.runs;
     {
         const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 
 namespace echolucent::cli {

@@ -26,7 +26,7 @@ struct OpenCvOtf::Stages {
     bool onSlices;
     int longest = 0;
     cv::Mat means, deviations;         ///< of the slabs: a row a tube
-    cv::Mat cellMeans, cellVariances;  ///< a column less than cellSize are without meaning
+    cv::Mat cellMeans, cellVariances;  ///< a cell's edge less one are without meaning
     std::vector<Surface> surfaces;
 
     Stages(const Volume& v, const Viewpoint& view, const AdaptiveOtfConfig& c)
@@ -62,7 +62,7 @@ struct OpenCvOtf::Stages {
 };
 
 void OpenCvOtf::Stages::sampleSlices() {
-    const cv::Size box(config.cellSize, config.cellSize);
+    const cv::Size box(config.cells.size, config.cells.size);
     const double white = volume.whiteLevel();
     cv::Mat boxMeans, boxSquares;
     const TubeSamples& any = tubes.front();
@@ -83,7 +83,7 @@ void OpenCvOtf::Stages::sampleSlices() {
 void OpenCvOtf::Stages::sampleBetweenVoxels() {
     const auto& size = volume.geometry().size;
     const std::int64_t row = size[0], plane = size[0] * size[1];
-    const int edge = config.cellSize;
+    const int edge = config.cells.size;
     const float half = static_cast<float>(edge - 1) / 2.0f, white = static_cast<float>(volume.whiteLevel());
     std::visit(
         [&](const auto& voxels) {
@@ -133,42 +133,44 @@ void OpenCvOtf::Stages::sampleBetweenVoxels() {
 }
 
 void OpenCvOtf::Stages::cells() {
-    const cv::Size box(config.cellSize, 1);
+    const cv::Size box(config.cells.size, 1);
     const cv::Point first(0, 0);
     cv::boxFilter(means, cellMeans, CV_32F, box, first, true, cv::BORDER_REPLICATE);
-    if (config.interfaceFunction == InterfaceFunction::ratio) return;
+    if (std::holds_alternative<RatioRule>(config.detection)) return;
     cv::Mat squares, all = deviations + means.mul(means);
     cv::boxFilter(all, squares, CV_32F, box, first, true, cv::BORDER_REPLICATE);
     cellVariances = cv::max(squares - cellMeans.mul(cellMeans), 0.0);
 }
 
 void OpenCvOtf::Stages::readSurface(int tube, int cell) {
-    const int prior = cell - config.cellSize + 1;
+    const int prior = cell - config.cells.size + 1;
     if (prior < 1) return;
     const cv::Mat row = cellMeans.row(tube);
     const cv::Mat before = row.colRange(0, prior);
-    const int last = tubes[static_cast<std::size_t>(tube)].slabs - config.cellSize;
-    const int from = std::max(0, cell - config.slopeHalfStep), to = std::min(last, cell + config.slopeHalfStep);
+    const int last = tubes[static_cast<std::size_t>(tube)].slabs - config.cells.size;
+    const int from = std::max(0, cell - config.surface.slopeHalfStep),
+              to = std::min(last, cell + config.surface.slopeHalfStep);
     Surface surface;
     surface.low = cv::mean(before)[0];
     cv::minMaxLoc(before, nullptr, &surface.lowMax);
-    cv::minMaxLoc(row.colRange(cell, std::min(last, cell + config.highReach) + 1), nullptr, &surface.high);
+    cv::minMaxLoc(row.colRange(cell, std::min(last, cell + config.surface.highReach) + 1), nullptr, &surface.high);
     surface.slope = to > from ? (row.at<float>(to) - row.at<float>(from)) / (to - from) : 0.0;
     if (surface.high > surface.low) surfaces.push_back(surface);
 }
 
 void OpenCvOtf::Stages::detectByVariance() {
+    const auto& rule = std::get<VarianceRule>(config.detection);
     std::vector<cv::Mat> scales;
     cv::Mat sorted;
     cv::sort(cellVariances, sorted, cv::SORT_EVERY_ROW | cv::SORT_ASCENDING);
     cv::Mat aboveFloor = cellVariances.clone();
     for (int t = 0; t < aboveFloor.rows; ++t) {
-        const float floor = sorted.at<float>(t, static_cast<int>(config.floorQuantile * (sorted.cols - 1)));
+        const float floor = sorted.at<float>(t, static_cast<int>(rule.floorQuantile * (sorted.cols - 1)));
         aboveFloor.row(t) = cv::max(aboveFloor.row(t) - floor, 0.0);
     }
-    for (int n = config.coarsestScale; n >= config.finestScale; --n) {
-        const double sigma = config.sigmaPerKernelSize * std::ldexp(1.0, n);
-        const cv::Mat kernel = cv::getGaussianKernel(2 * static_cast<int>(config.kernelCut * sigma) + 1, sigma, CV_32F);
+    for (int n = rule.coarsestScale; n >= rule.finestScale; --n) {
+        const double sigma = rule.sigmaPerKernelSize * std::ldexp(1.0, n);
+        const cv::Mat kernel = cv::getGaussianKernel(2 * static_cast<int>(rule.kernelCut * sigma) + 1, sigma, CV_32F);
         scales.emplace_back();
         cv::sepFilter2D(aboveFloor, scales.back(), CV_32F, kernel, cv::Mat::ones(1, 1, CV_32F), cv::Point(-1, -1), 0,
                         cv::BORDER_REFLECT);
@@ -176,12 +178,12 @@ void OpenCvOtf::Stages::detectByVariance() {
     scales.push_back(aboveFloor);
     std::vector<double> function;
     for (int t = 0; t < aboveFloor.rows; ++t) {
-        IndexRange range{0, tubes[static_cast<std::size_t>(t)].slabs - config.cellSize};
+        IndexRange range{0, tubes[static_cast<std::size_t>(t)].slabs - config.cells.size};
         std::optional<int> tracked;
         for (const cv::Mat& scale : scales) {
             const float* row = scale.ptr<float>(t);
             function.assign(row, row + std::max(range.last + 1, 0));
-            const auto maximum = firstSignificantMaximum(function, range, config.significance);
+            const auto maximum = firstSignificantMaximum(function, range, rule.significance);
             if (!maximum) continue;
             tracked = maximum;
             function.assign(row, row + scale.cols);
@@ -192,8 +194,9 @@ void OpenCvOtf::Stages::detectByVariance() {
 }
 
 void OpenCvOtf::Stages::detectByRatio() {
-    // Lengths and least contrast as method.md's lead has them; the logarithm makes a ratio a difference.
-    constexpr int beforeLength = 10, behindLength = 6;
+    // Lengths and least contrast are those of RatioRule; the logarithm makes a ratio a difference.
+    const auto& rule = std::get<RatioRule>(config.detection);
+    const int beforeLength = rule.slabsBefore, behindLength = rule.slabsBehind;
     constexpr float darkest = 1.0f / 255.0f;
     cv::Mat scaled, before, behind, contrast, magnitude, sorted;
     cv::log(means + darkest, scaled);
@@ -204,10 +207,10 @@ void OpenCvOtf::Stages::detectByRatio() {
     magnitude = cv::abs(contrast);
     magnitude = magnitude.reshape(1, 1);
     cv::sort(magnitude, sorted, cv::SORT_EVERY_ROW | cv::SORT_ASCENDING);
-    const double threshold = config.falseAlarm * sorted.at<float>(sorted.cols / 4) / 0.318639;
+    const double threshold = rule.falseAlarm * sorted.at<float>(sorted.cols / 4) / 0.318639;
     for (int t = 0; t < contrast.rows; ++t) {
         const float* row = contrast.ptr<float>(t);
-        const int end = tubes[static_cast<std::size_t>(t)].slabs - config.cellSize;
+        const int end = tubes[static_cast<std::size_t>(t)].slabs - config.cells.size;
         int k = beforeLength;
         while (k < end && row[k] <= threshold) ++k;
         int best = k;
@@ -231,20 +234,21 @@ void OpenCvOtf::Stages::weigh() {
                tubeCount;
     };
     for (Surface& surface : surfaces)
-        surface.d = surface.slope > 0.0 ? config.strength / tubeCount * (1.0 - rank(lowMaxima, surface.lowMax)) *
-                                              rank(slopes, surface.slope)
+        surface.d = surface.slope > 0.0 ? strengthOf(config.curve) / tubeCount *
+                                              (1.0 - rank(lowMaxima, surface.lowMax)) * rank(slopes, surface.slope)
                                         : 0.0;
 }
 
 cv::Mat OpenCvOtf::Stages::curve() const {
+    const auto* ramp = std::get_if<RampRule>(&config.curve);
     cv::Mat x(1, curveSamples, CV_64F), sum(1, curveSamples, CV_64F, cv::Scalar(0)), term, result;
     for (int i = 0; i < curveSamples; ++i) x.at<double>(i) = static_cast<double>(i) / (curveSamples - 1);
     double weight = 0.0;
     for (const Surface& surface : surfaces) {
         const double rise = surface.high - surface.low;
-        if (config.form == CurveForm::ramp) {
-            const double from = surface.low + config.rampBegin * rise;
-            term = (x - from) / ((config.rampEnd - config.rampBegin) * rise);
+        if (ramp != nullptr) {
+            const double from = surface.low + ramp->begin * rise;
+            term = (x - from) / ((ramp->end - ramp->begin) * rise);
             sum += surface.d * cv::min(cv::max(term, 0.0), 1.0);
             weight += surface.d;
         } else {
@@ -253,7 +257,7 @@ cv::Mat OpenCvOtf::Stages::curve() const {
             sum += std::log1p(surface.d) * u.mul(term);
         }
     }
-    if (config.form == CurveForm::ramp) return weight > 0.0 ? cv::Mat(config.rampOpacity / weight * sum) : sum;
+    if (ramp != nullptr) return weight > 0.0 ? cv::Mat(ramp->opacity / weight * sum) : sum;
     cv::exp(sum, result);
     return cv::min(result.mul(x).mul(x), 1.0);
 }
@@ -268,7 +272,7 @@ double OpenCvOtf::run() {
     stages.deviations = stages.means.clone();
     stages.onSlices ? stages.sampleSlices() : stages.sampleBetweenVoxels();
     stages.cells();
-    stages.config.interfaceFunction == InterfaceFunction::ratio ? stages.detectByRatio() : stages.detectByVariance();
+    std::holds_alternative<RatioRule>(stages.config.detection) ? stages.detectByRatio() : stages.detectByVariance();
     stages.weigh();
     return cv::sum(stages.curve())[0];
 }

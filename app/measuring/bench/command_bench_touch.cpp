@@ -8,11 +8,8 @@
 namespace echolucent::cli {
 
 std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    std::vector<TubeSamples> tubes;
-    const bool onVoxels = tubesLieOnVoxels(volume.geometry(), view);
-    for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
-        tubes.push_back(samplesOf(axis, volume.geometry(), view, config.cellSize, onVoxels));
-    return tubes;
+    const auto axes = tubeAxes(volume.geometry(), view, config.grid, config.cells.size);
+    return samplesOf(axes, volume.geometry(), view, config.cells.size);
 }
 
 namespace {
@@ -127,7 +124,7 @@ double touchSamples(const Voxel* voxels, const VolumeGeometry& geometry, const s
 }  // namespace
 
 Touch::Touch(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
-    : m_volume(volume), m_columns(config.tubeColumns), m_tubes(samplesOfTubes(volume, view, config)) {
+    : m_volume(volume), m_columns(config.grid.columns), m_tubes(samplesOfTubes(volume, view, config)) {
     if (tubesLieOnVoxels(volume.geometry(), view)) m_rows = rowsHolding(m_tubes, volume.geometry());
 }
 

@@ -39,10 +39,10 @@ bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, con
 
 std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                   const AdaptiveOtfConfig& config) {
-    const auto axes = tubeAxes(geometry, view, config);
+    const auto axes = tubeAxes(geometry, view, config.grid, config.cells.size);
     std::vector<TubeTruth> truths(axes.size());
     tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t t) {
-        if (!axes[t].entryVoxel || !cornersAgree(truth, geometry, view, axes[t], config.cellSize)) return;
+        if (!axes[t].entryVoxel || !cornersAgree(truth, geometry, view, axes[t], config.cells.size)) return;
         truths[t] = {true, interfaceDepthMm(truth, geometry, view, axes[t], {0, 0, 0})};
     });
     return truths;

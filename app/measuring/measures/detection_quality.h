@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "processing/tube_core/tube_grid.h"
 

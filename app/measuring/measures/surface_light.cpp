@@ -51,7 +51,7 @@ double medianOf(std::vector<double> values) {
 }  // namespace
 
 SurfaceLight surfaceLight(const Volume& volume, const AdaptiveOtf& otf, const OpacityCurve& curve) {
-    const auto axes = tubeAxes(volume.geometry(), otf.view, otf.config);
+    const auto axes = tubeAxes(volume.geometry(), otf.view, otf.config.grid, otf.config.cells.size);
     std::vector<std::size_t> used;
     for (std::size_t t = 0; t < otf.tubes.size(); ++t)
         if (otf.tubes[t].surfaceVoxel && otf.tubes[t].d > 0) used.push_back(t);

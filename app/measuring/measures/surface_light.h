@@ -1,7 +1,7 @@
 // How much of a picture's light comes from the surfaces the tube cores found.
 #pragma once
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/opacity_curve.h"
 #include "processing/volume/volume.h"
 

@@ -1,4 +1,5 @@
 #include "app/measuring/motion/motion_measure.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
@@ -99,11 +100,12 @@ Result<OtfStudy> studyPhantoms(const OtfStudyOptions& options) {
     return study;
 }
 
-std::string paretoFile(InterfaceFunction function) { return "otf-pareto-" + nameOf(function) + ".svg"; }
+std::string paretoFile(const std::string& function) { return "otf-pareto-" + function + ".svg"; }
 
 std::vector<std::string> namesOfFiles() {
-    return {"otf-settings.csv", "otf-readings.csv", "otf.html", paretoFile(InterfaceFunction::variance),
-            paretoFile(InterfaceFunction::ratio)};
+    std::vector<std::string> names{"otf-settings.csv", "otf-readings.csv", "otf.html"};
+    for (const std::string& function : interfaceFunctions) names.push_back(paretoFile(function));
+    return names;
 }
 
 Result<OtfStudy> studyVolume(const OtfStudyOptions& options, const std::vector<std::string>& outputs) {
@@ -131,7 +133,7 @@ Result<void> writeStudy(const StudyFolder& folder, const OtfStudy& study) {
     std::vector<std::pair<std::string, std::string>> files{{"otf-settings.csv", variantsCsv(study)},
                                                            {"otf-readings.csv", readingsCsv(study)},
                                                            {"otf.html", otfPage(study)}};
-    for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio})
+    for (const std::string& function : interfaceFunctions)
         files.emplace_back(paretoFile(function), svgOf(paretoPlot(study, function, false)));
     for (const auto& [name, bytes] : files)
         if (auto written = folder.write(name, bytes); !written) return written;

@@ -10,20 +10,22 @@
 #include "app/measuring/measures/surface_light.h"
 #include "app/measuring/otf/study_phantoms.h"
 #include "app/measuring/pages/html_page.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
 /// One setting that is compared: the default but for one parameter.
 struct OtfVariant {
-    InterfaceFunction interfaceFunction = InterfaceFunction::variance;
+    std::string interfaceFunction = "variance";  ///< a name of that parameter, "variance" or "ratio"
     std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": nothing but the interface function
     std::string value;
     AdaptiveOtfConfig config;
     bool isReference = false;  ///< the densest: tube cores every 4 units, double precision
     [[nodiscard]] std::string name() const { return value.empty() ? parameter : parameter + " " + value; }
 };
-[[nodiscard]] std::string nameOf(InterfaceFunction function);
+/// The interface functions that are compared.
+inline const std::array<std::string, 2> interfaceFunctions{"variance", "ratio"};
 
 /// For the variance and then for the ratio: unchanged, the reference, and one parameter at a time. A grid of tube cores
 /// of a given spacing covers this volume in this view. The same number of variants in the same order for any volume.
@@ -99,7 +101,7 @@ struct OtfStudy {
 [[nodiscard]] std::string readingsCsv(const OtfStudy& study);
 [[nodiscard]] std::string summaryText(const OtfStudy& study);
 /// Run time against RMS difference of opacity, or, with ofDetection, against the weight that is not on right tubes.
-[[nodiscard]] Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetection);
+[[nodiscard]] Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection);
 [[nodiscard]] std::string otfPage(const OtfStudy& study);
 
 /// A table of text: columns, then rows.

@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "app/measuring/otf/study_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
@@ -16,7 +18,7 @@ class TruthOfGrids {
 public:
     explicit TruthOfGrids(const OtfCase& one) : m_case(one) {}
     const std::vector<TubeTruth>& of(const AdaptiveOtfConfig& config) {
-        const auto key = std::tuple(config.tubeColumns, config.tubeRows, config.tubeSpacing, config.cellSize);
+        const auto key = std::tuple(config.grid.columns, config.grid.rows, config.grid.spacing, config.cells.size);
         const auto known = m_known.find(key);
         if (known != m_known.end()) return known->second;
         return m_known[key] = tubeTruths(*m_case.truth, m_case.volume->geometry(), m_case.view, config);
@@ -76,7 +78,7 @@ void measureErrors(const OtfCase& one, std::vector<VariantResult>& results) {
             results.back().variant = variant;
         }
     TruthOfGrids truths(one);
-    std::map<InterfaceFunction, SampledCurve> references;
+    std::map<std::string, SampledCurve> references;
     for (const OtfVariant& variant : variants)
         if (variant.isReference)
             references[variant.interfaceFunction] = adaptOpacity(*one.volume, one.view, variant.config)->curve;

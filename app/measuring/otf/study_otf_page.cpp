@@ -103,9 +103,9 @@ void addReadings(const OtfStudy& study, HtmlPage& page) {
 
 }  // namespace
 
-Plot paretoPlot(const OtfStudy& study, InterfaceFunction function, bool ofDetection) {
+Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection) {
     Plot plot;
-    plot.title = fmt::format("{} by {}", ofDetection ? "Detection" : "Curve", nameOf(function));
+    plot.title = fmt::format("{} by {}", ofDetection ? "Detection" : "Curve", function);
     plot.xLabel = "run time, as a ratio to the default setting";
     plot.yLabel = ofDetection ? "weight not on right tube cores, %" : "RMS difference of opacity from the reference";
     plot.logX = true;
@@ -151,8 +151,7 @@ std::string otfPage(const OtfStudy& study) {
     page.heading("Error against run time");
     for (const bool ofDetection : {false, true}) {
         if (ofDetection && !study.truthKnown) continue;
-        for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio})
-            page.plot(paretoPlot(study, function, ofDetection));
+        for (const std::string& function : interfaceFunctions) page.plot(paretoPlot(study, function, ofDetection));
     }
     const TextTable settings = variantTable(study);
     page.table(settings.columns, settings.rows,

@@ -5,6 +5,7 @@
 
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/study.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
@@ -66,9 +67,9 @@ TextTable variantTable(const OtfStudy& study) {
             table.columns.emplace_back(column);
     for (const VariantResult& result : study.variants) {
         const DetectionQuality& detection = result.detection;
-        table.rows.push_back({nameOf(result.variant.interfaceFunction), result.variant.name(),
-                              result.onFront ? "●" : "", fmt::format("{:.2f}×", result.timeRatio()),
-                              fmt::format("{:.2f}", result.time()), fmt::format("{:.4f}", result.rmsDifference()),
+        table.rows.push_back({result.variant.interfaceFunction, result.variant.name(), result.onFront ? "●" : "",
+                              fmt::format("{:.2f}×", result.timeRatio()), fmt::format("{:.2f}", result.time()),
+                              fmt::format("{:.4f}", result.rmsDifference()),
                               fmt::format("{:.4f}", result.largestDifference)});
         if (study.truthKnown)
             for (const std::string& cell :
@@ -167,7 +168,7 @@ std::string variantsCsv(const OtfStudy& study) {
         // Without a truth these are not 0 but unknown: an empty cell.
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
         const DetectionQuality& detection = result.detection;
-        csv.row({nameOf(result.variant.interfaceFunction), result.variant.parameter, result.variant.value,
+        csv.row({result.variant.interfaceFunction, result.variant.parameter, result.variant.value,
                  std::int64_t{result.variant.isReference}, std::int64_t{result.onFront}, result.timeRatio(),
                  result.time(), result.rmsDifference(), result.largestDifference, known(detection.rightShare()),
                  known(detection.emptyShare()), known(detection.foundShare()), known(detection.meanDistanceUnits()),

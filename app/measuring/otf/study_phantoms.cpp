@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "app/measuring/study.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 

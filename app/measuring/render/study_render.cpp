@@ -8,6 +8,7 @@
 #include "app/measuring/render/study_render.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {

@@ -10,6 +10,7 @@
 #include "app/measuring/pages/html_page.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {

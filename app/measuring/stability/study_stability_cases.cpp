@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/measuring/stability/study_stability.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/splitmix.h"
 
 namespace echolucent::cli {
@@ -124,10 +125,11 @@ bool ExtremeResult::isSound() const {
 ExtremeResult resultOf(const ExtremeCase& extreme, const std::string& reading, const AdaptiveOtfConfig& asRead) {
     AdaptiveOtfConfig config = asRead;
     if (extreme.tubesAcross) {
-        config.tubeColumns = config.tubeRows = *extreme.tubesAcross;
-        config.tubeSpacing = static_cast<double>(extreme.volume.geometry().size[0]) / *extreme.tubesAcross;
+        config.grid.columns = config.grid.rows = *extreme.tubesAcross;
+        config.grid.spacing = static_cast<double>(extreme.volume.geometry().size[0]) / *extreme.tubesAcross;
     }
-    if (extreme.dMax) config.strength = *extreme.dMax * config.tubeColumns * config.tubeRows;
+    // Only the product has a d_max.
+    if (extreme.dMax) config.curve = ProductRule{*extreme.dMax * config.grid.columns * config.grid.rows};
     const AdaptiveOtf otf = *adaptOpacity(extreme.volume, extreme.view, config);
     ExtremeResult result{extreme.name, reading, otf.message, otf.tubesMeetingVolume, otf.tubesWithSurface};
     const auto initial = sampledOpacities(config.initial, AdaptiveOtf::sampleCount);

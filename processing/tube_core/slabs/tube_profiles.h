@@ -37,8 +37,8 @@ public:
     [[nodiscard]] std::span<const float> spreads(std::size_t tube) const { return part(m_spreads, tube); }
 
 private:
-    /// countOf(k): samples of slab k with data. write(first, count, means, spreads): both, of so
-    /// many slabs; those of too little data are overwritten.
+    /// countOf(k): samples of slab k with data. write(first, count, means, spreads): writes means and spreads of
+    /// `count` slabs from the first on; those of too little data are overwritten.
     template <typename CountOf, typename Write>
     void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
     [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {

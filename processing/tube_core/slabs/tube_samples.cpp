@@ -4,48 +4,52 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace echolucent {
 
 namespace {
 constexpr double rounding = 1e-9;
 constexpr double noData = std::numeric_limits<double>::quiet_NaN();
-}  // namespace
 
-TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const Viewpoint& view, int cellSize,
-                      bool onVoxels) {
-    const ViewFrame frame = frameOf(view);
-    const double unit = geometry.unit();
-    TubeSamples samples;
-    samples.cellSize = cellSize;
-    samples.onVoxels = onVoxels;
-    if (onVoxels) {
-        samples.along = frame.forward;
-        samples.right = frame.right;
-        samples.down = frame.down;
-    } else {
-        samples.along = geometry.voxelFromGridMm(frame.forward * unit);
-        samples.right = geometry.voxelFromGridMm(frame.right * unit);
-        samples.down = geometry.voxelFromGridMm(frame.down * unit);
-    }
-    if (!axis.entryVoxel) return samples;
-
-    if (!onVoxels) {
-        samples.first = *axis.entryVoxel + samples.along * 0.5;
-        samples.slabs = static_cast<int>(std::floor(*axis.lengthUnits + 0.5 + rounding));
-        return samples;
-    }
+/// Where the slabs of a tube on voxels begin and how many there are.
+void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, TubeSamples& samples) {
     samples.first = *axis.entryVoxel;
     for (int component = 0; component < 3; ++component) {
-        const double towards = frame.forward[component];
+        const double towards = samples.along[component];
         if (towards == 0.0) continue;
         double& position = samples.first[component];
         position = towards > 0 ? std::ceil(position - rounding) : std::floor(position + rounding);
         const double last = towards > 0 ? static_cast<double>(geometry.size[component] - 1) : 0.0;
         samples.slabs = std::max(0, static_cast<int>((last - position) * towards) + 1);
     }
-    return samples;
+}
+
+}  // namespace
+
+std::vector<TubeSamples> samplesOf(std::span<const TubeAxis> axes, const VolumeGeometry& geometry,
+                                   const Viewpoint& view, int cellSize) {
+    const ViewFrame frame = frameOf(view);
+    const double unit = geometry.unit();
+    TubeSamples common;
+    common.cellSize = cellSize;
+    common.onVoxels = tubesLieOnVoxels(geometry, view);
+    const auto oneUnit = [&](const Vec3& direction) {
+        return common.onVoxels ? direction : geometry.voxelFromGridMm(direction * unit);
+    };
+    common.along = oneUnit(frame.forward);
+    common.right = oneUnit(frame.right);
+    common.down = oneUnit(frame.down);
+    std::vector<TubeSamples> all(axes.size(), common);
+    for (std::size_t t = 0; t < axes.size(); ++t) {
+        if (!axes[t].entryVoxel) continue;
+        if (common.onVoxels) {
+            placeOnVoxels(axes[t], geometry, all[t]);
+            continue;
+        }
+        all[t].first = *axes[t].entryVoxel + common.along * 0.5;
+        all[t].slabs = static_cast<int>(std::floor(*axes[t].lengthUnits + 0.5 + rounding));
+    }
+    return all;
 }
 
 namespace {

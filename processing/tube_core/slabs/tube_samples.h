@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "processing/tube_core/rules/cell_rule.h"
 #include "processing/tube_core/tube_grid.h"
 #include "processing/volume/volume.h"
 
@@ -17,15 +19,16 @@ struct TubeSamples {
     Vec3 along{0, 0, 1}, right{1, 0, 0}, down{0, 1, 0};  ///< one unit along the view's axes
     int slabs = 0;
     int cellSize = 5;
-    bool onVoxels = false;  ///< all coordinates of samples are whole numbers: nothing is interpolated
+    bool onVoxels =
+        false;  ///< set by samplesOf(): all coordinates of samples are whole numbers, nothing is interpolated
 
     [[nodiscard]] Vec3 onAxis(double slab) const { return first + along * slab; }
 };
 
-/// The samples of a tube core's axis; no slab where the axis misses the picture. Slabs lie half a unit behind the entry
-/// and then one unit apart; on voxels, at the voxel centres from the entry on.
-[[nodiscard]] TubeSamples samplesOf(const TubeAxis& axis, const VolumeGeometry& geometry, const Viewpoint& view,
-                                    int cellSize, bool onVoxels);
+/// The samples along the axes of a view's tube cores; no slab where an axis misses the picture. Slabs lie half a unit
+/// behind the entry and then one unit apart; where tubesLieOnVoxels(), at the voxel centres from the entry on.
+[[nodiscard]] std::vector<TubeSamples> samplesOf(std::span<const TubeAxis> axes, const VolumeGeometry& geometry,
+                                                 const Viewpoint& view, int cellSize);
 
 /// Mean and sum of squared deviations over the samples of a slab that have data, in normalised intensity.
 struct SlabMoments {

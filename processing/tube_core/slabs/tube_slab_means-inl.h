@@ -261,7 +261,7 @@ HWY_INLINE Sample carefulSample(const Piece<Voxel>& piece, Position position) {
 }
 
 /// Deviations are taken from each slab's first sample: small numbers, and none at all where all samples are equal.
-template <typename Voxel, bool withVariance>
+template <typename Voxel>
 HWY_INLINE void store(FloatVector count, FloatVector origin, FloatVector sum, FloatVector squares, int lane,
                       PieceMoments& moments) {
     const Floats floats;
@@ -270,13 +270,11 @@ HWY_INLINE void store(FloatVector count, FloatVector origin, FloatVector sum, Fl
     const auto offset = hn::Div(sum, hn::IfThenElse(some, count, hn::Set(floats, 1.0f)));
     hn::Store(count, floats, moments.counts.data() + lane);
     hn::Store(hn::IfThenElseZero(some, hn::Mul(hn::Add(origin, offset), scale)), floats, moments.means.data() + lane);
-    if constexpr (withVariance) {
-        const auto deviations = hn::Max(hn::Sub(squares, hn::Mul(sum, offset)), hn::Zero(floats));
-        hn::Store(hn::Mul(hn::Mul(deviations, scale), scale), floats, moments.squaredDeviations.data() + lane);
-    }
+    const auto deviations = hn::Max(hn::Sub(squares, hn::Mul(sum, offset)), hn::Zero(floats));
+    hn::Store(hn::Mul(hn::Mul(deviations, scale), scale), floats, moments.squaredDeviations.data() + lane);
 }
 
-template <typename Voxel, bool nearest, bool withVariance, bool careful>
+template <typename Voxel, bool nearest, bool careful>
 HWY_INLINE void sumPiece(const Piece<Voxel>& piece, const SlabPattern& pattern, PieceMoments& moments) {
     const Floats floats;
     const Ints ints;
@@ -302,31 +300,29 @@ HWY_INLINE void sumPiece(const Piece<Voxel>& piece, const SlabPattern& pattern, 
                 deviation = hn::Sub(value, origin);
             }
             sum = hn::Add(sum, deviation);
-            if constexpr (withVariance) squares = hn::Add(squares, hn::Mul(deviation, deviation));
+            squares = hn::Add(squares, hn::Mul(deviation, deviation));
         }
         if constexpr (!careful) count = hn::Set(floats, static_cast<float>(samples));
-        store<Voxel, withVariance>(count, origin, sum, squares, lane, moments);
+        store<Voxel>(count, origin, sum, squares, lane, moments);
     }
 }
 
-template <typename Voxel, bool nearest, bool withVariance>
+template <typename Voxel, bool nearest>
 HWY_INLINE void sumPieceIn(Surroundings surroundings, const Piece<Voxel>& piece, const SlabPattern& pattern,
                            PieceMoments& moments) {
     if (surroundings == Surroundings::complete)
-        sumPiece<Voxel, nearest, withVariance, false>(piece, pattern, moments);
+        sumPiece<Voxel, nearest, false>(piece, pattern, moments);
     else
-        sumPiece<Voxel, nearest, withVariance, true>(piece, pattern, moments);
+        sumPiece<Voxel, nearest, true>(piece, pattern, moments);
 }
 
 template <typename Voxel>
 HWY_INLINE void sumPieceBy(const Piece<Voxel>& piece, const SlabPattern& pattern, const PieceRoute& route,
                            PieceMoments& moments) {
     if (route.nearest)
-        route.withVariance ? sumPieceIn<Voxel, true, true>(route.surroundings, piece, pattern, moments)
-                           : sumPieceIn<Voxel, true, false>(route.surroundings, piece, pattern, moments);
+        sumPieceIn<Voxel, true>(route.surroundings, piece, pattern, moments);
     else
-        route.withVariance ? sumPieceIn<Voxel, false, true>(route.surroundings, piece, pattern, moments)
-                           : sumPieceIn<Voxel, false, false>(route.surroundings, piece, pattern, moments);
+        sumPieceIn<Voxel, false>(route.surroundings, piece, pattern, moments);
 }
 
 }  // namespace echolucent::tube_slabs::HWY_NAMESPACE

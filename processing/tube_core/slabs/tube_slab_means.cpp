@@ -137,8 +137,7 @@ public:
         momentsOf(piece, m_pattern, route, moments);
         std::copy_n(moments.counts.begin(), piece.slabs, slabs.counts.begin() + range.begin);
         std::copy_n(moments.means.begin(), piece.slabs, slabs.means.begin() + range.begin);
-        if (m_route.withVariance)
-            std::copy_n(moments.squaredDeviations.begin(), piece.slabs, slabs.squaredDeviations.begin() + range.begin);
+        std::copy_n(moments.squaredDeviations.begin(), piece.slabs, slabs.squaredDeviations.begin() + range.begin);
     }
 
 private:
@@ -243,16 +242,16 @@ bool canMeanSlabs(const Volume& volume) {
     return !std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) || volume.whiteLevel() >= 255.0;
 }
 
-void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes, bool withVariance,
+void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes,
                std::span<SlabMeans> slabs) {
     for (std::size_t t = 0; t < tubes.size(); ++t) {
         const auto count = static_cast<std::size_t>(tubes[t].slabs);
         slabs[t].counts.resize(count);
         slabs[t].means.resize(count);
-        slabs[t].squaredDeviations.resize(withVariance ? count : 0);
+        slabs[t].squaredDeviations.resize(count);
     }
     if (tubes.empty()) return;
-    const PieceRoute route{sampling == TubeSampling::nearest, withVariance, Surroundings::any};
+    const PieceRoute route{sampling == TubeSampling::nearest, Surroundings::any};
     std::visit(
         [&](const auto& voxels) {
             const PieceReader reader(volume, voxels.data(), tubes[0], route);

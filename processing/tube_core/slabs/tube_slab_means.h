@@ -49,7 +49,6 @@ struct PieceMoments {
 /// How a piece is to be read.
 struct PieceRoute {
     bool nearest = false;
-    bool withVariance = false;
     Surroundings surroundings = Surroundings::any;
 };
 

@@ -37,7 +37,7 @@ struct VoxelTube {
 struct SumColumns {
     std::int32_t* counts;
     std::int32_t* sums;
-    std::uint64_t* sumsOfSquares;  ///< null: not asked for
+    std::uint64_t* sumsOfSquares;
 };
 
 /// Slabs of one call at most; tubes side by side take turns.
@@ -144,7 +144,7 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
                     count = hn::Add(count, sumOf<Stored>(ones));
                 }
                 sum = hn::Add(sum, sumOf<Stored>(voxels));
-                if (columns.sumsOfSquares != nullptr) square = hn::Add(square, sumOfSquares<Stored>(voxels));
+                square = hn::Add(square, sumOfSquares<Stored>(voxels));
             }
         }
         hn::Store(sum, lanes, sums.data() + lane);
@@ -155,7 +155,7 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
         const auto k = static_cast<std::size_t>(i);
         columns.counts[begin + i] = masked ? static_cast<std::int32_t>(counts[k]) : tube.rows * tube.columns;
         columns.sums[begin + i] = static_cast<std::int32_t>(sums[k]);
-        if (columns.sumsOfSquares != nullptr) columns.sumsOfSquares[begin + i] = squares[k];
+        columns.sumsOfSquares[begin + i] = squares[k];
     }
 }
 
@@ -171,7 +171,6 @@ HWY_INLINE void addLine(const Stored* voxels, const std::uint8_t* mask, Stored l
         columns.counts[k] += static_cast<std::int32_t>(keep);
         columns.sums[k] += static_cast<std::int32_t>(value);
     }
-    if (columns.sumsOfSquares == nullptr) return;
     for (int k = 0; k < count; ++k) {
         const std::uint32_t value = (!masked || mask[k] != 0 ? 1u : 0u) * std::min(voxels[k], limit);
         columns.sumsOfSquares[k] += value * value;
@@ -185,7 +184,7 @@ HWY_INLINE void sumAlong(const VoxelGrid<Stored>& grid, const VoxelTube& tube, c
     const std::int64_t first = tube.first - (backwards ? tube.slabs - 1 : 0);
     std::fill_n(columns.counts, tube.slabs, 0);
     std::fill_n(columns.sums, tube.slabs, 0);
-    if (columns.sumsOfSquares != nullptr) std::fill_n(columns.sumsOfSquares, tube.slabs, std::uint64_t{0});
+    std::fill_n(columns.sumsOfSquares, tube.slabs, std::uint64_t{0});
     for (int row = 0; row < tube.rows; ++row)
         for (int column = 0; column < tube.columns; ++column) {
             const std::int64_t at = first + row * tube.down + column * tube.across;
@@ -195,7 +194,7 @@ HWY_INLINE void sumAlong(const VoxelGrid<Stored>& grid, const VoxelTube& tube, c
     if (!backwards) return;
     std::reverse(columns.counts, columns.counts + tube.slabs);
     std::reverse(columns.sums, columns.sums + tube.slabs);
-    if (columns.sumsOfSquares != nullptr) std::reverse(columns.sumsOfSquares, columns.sumsOfSquares + tube.slabs);
+    std::reverse(columns.sumsOfSquares, columns.sumsOfSquares + tube.slabs);
 }
 
 /// Slabs whose lanes would end behind the array: voxel by voxel.
@@ -204,9 +203,8 @@ HWY_INLINE void sumOneByOne(const VoxelGrid<Stored>& grid, const VoxelTube& tube
                             const SumColumns& columns) {
     for (int k = begin; k < end; ++k) {
         columns.counts[k] = columns.sums[k] = 0;
-        const SumColumns slab{columns.counts + k, columns.sums + k,
-                              columns.sumsOfSquares == nullptr ? nullptr : columns.sumsOfSquares + k};
-        if (slab.sumsOfSquares != nullptr) *slab.sumsOfSquares = 0;
+        const SumColumns slab{columns.counts + k, columns.sums + k, columns.sumsOfSquares + k};
+        *slab.sumsOfSquares = 0;
         for (int row = 0; row < tube.rows; ++row)
             for (int column = 0; column < tube.columns; ++column) {
                 const std::int64_t at = tube.first + k * tube.along + row * tube.down + column;
@@ -316,7 +314,7 @@ std::optional<std::uint32_t> exactStoredLimit(const Volume& volume) {
     return static_cast<std::uint32_t>(volume.whiteLevel());
 }
 
-void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes, bool withVariance,
+void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
               std::span<SlabSums> slabs) {
     using namespace tube_slabs;
     std::vector<VoxelTube> layout(tubes.size());
@@ -325,7 +323,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
         const auto count = static_cast<std::size_t>(tubes[t].slabs);
         slabs[t].counts.assign(count, 0);
         slabs[t].sums.assign(count, 0);
-        slabs[t].sumsOfSquares.assign(withVariance ? count : 0, 0);
+        slabs[t].sumsOfSquares.assign(count, 0);
         if (count > 0) layout[t] = voxelTube(volume.geometry(), tubes[t]);
         longest = std::max(longest, tubes[t].slabs);
     }
@@ -337,8 +335,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
             for (std::size_t t = 0; t < tubes.size(); ++t) {
                 if (begin >= tubes[t].slabs || layout[t].columns == 0 || layout[t].rows == 0) continue;
                 sumTurn(grid, layout[t], begin,
-                        {slabs[t].counts.data(), slabs[t].sums.data(),
-                         withVariance ? slabs[t].sumsOfSquares.data() : nullptr});
+                        {slabs[t].counts.data(), slabs[t].sums.data(), slabs[t].sumsOfSquares.data()});
             }
     };
     if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&volume.voxels()))

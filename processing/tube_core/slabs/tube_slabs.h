@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "processing/tube_core/slabs/tube_samples.h"
@@ -15,17 +16,22 @@ namespace echolucent {
 /// Sums over the data voxels of a tube's slabs, in stored values: exact. One entry a slab.
 struct SlabSums {
     std::vector<std::int32_t> counts;
-    std::vector<std::int32_t> sums;            ///< at most 32^2 * 65535
-    std::vector<std::uint64_t> sumsOfSquares;  ///< empty where variance was not asked for
+    std::vector<std::int32_t> sums;  ///< at most 32^2 * 65535
+    std::vector<std::uint64_t> sumsOfSquares;
 };
 
-/// Moments of a tube's slabs over the samples that have data, in stored values times slabScale(). One entry
-/// a slab; a slab without data
-/// has zeros.
+/// Moments of a tube's slabs over the samples that have data, in stored values times slabScale(). One entry a slab; a
+/// slab without data has zeros.
 struct SlabMeans {
     std::vector<float> counts;  ///< whole numbers
     std::vector<float> means;
-    std::vector<float> squaredDeviations;  ///< sum of squared deviations from the mean; empty: not asked for
+    std::vector<float> squaredDeviations;  ///< sum of squared deviations from the mean
+};
+
+/// The slabs of one tube, by whichever route they were summed up.
+struct TubeSlabs {
+    std::variant<SlabSums, SlabMeans, std::vector<SlabMoments>> slabs;
+    double whiteLevel = 1.0;  ///< what normalised intensity 1 is in SlabSums and SlabMeans
 };
 
 /// Stored values above this count as this (normalised intensity ends at 1); none: the volume's voxels are not integers,
@@ -34,12 +40,11 @@ struct SlabMeans {
 
 /// Sums of tubes that lie on voxels, side by side in one row of the grid, so that memory is walked once for all of
 /// them. slabs[t] is filled with tubes[t].slabs entries. Voxels outside the volume or without data are left out.
-void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes, bool withVariance,
+void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const TubeSamples> tubes,
               std::span<SlabSums> slabs);
 
 /// What SlabMeans are multiplied by: 1 for integers, for floats the power of two that brings the white level between 1
-/// and
-/// 2. Squares of the smallest and of the largest floats would not be floats.
+/// and 2. Squares of the smallest and of the largest floats would not be floats.
 [[nodiscard]] double slabScale(const Volume& volume);
 
 /// Whether meanSlabs() can take the volume; else sampleSlabs() must: fewer than 2 voxels along x or 4 in all, axes
@@ -48,7 +53,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
 
 /// Moments of tubes side by side in one row of the grid, anywhere between voxels; sampled as sampleSlabs() does, which
 /// is the reference, with positions rounded to 2^-16 voxel and sums in single precision.
-void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes, bool withVariance,
+void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes,
                std::span<SlabMeans> slabs);
 
 }  // namespace echolucent

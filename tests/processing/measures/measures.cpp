@@ -10,6 +10,7 @@
 #include "app/measuring/measures/line_samples.h"
 #include "app/measuring/measures/surface_contrast.h"
 #include "app/measuring/measures/surface_light.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent {
 namespace {
@@ -202,11 +203,11 @@ TEST(LineSamples, AreTrilinearBetweenVoxelsWithData) {
 /// One tube core along z through the middle of a volume, with its surface in a given slice.
 AdaptiveOtf oneTube(double slice, double d) {
     AdaptiveOtf otf;
-    otf.config.tubeColumns = otf.config.tubeRows = 1;
-    otf.config.tubeSpacing = 5;
+    otf.config.grid.columns = otf.config.grid.rows = 1;
+    otf.config.grid.spacing = 5;
     TubeCore tube;
     tube.status = TubeStatus::surface;
-    const Vec3 middle = tubeAxes(smallGeometry(), {}, otf.config).front().pointMm;
+    const Vec3 middle = tubeAxes(smallGeometry(), {}, otf.config.grid, otf.config.cells.size).front().pointMm;
     tube.entryVoxel = Vec3(middle[0], middle[1], -0.5);
     tube.firstSampleVoxel = Vec3(middle[0], middle[1], 0);
     tube.surfaceVoxel = Vec3(middle[0], middle[1], slice);
@@ -253,7 +254,7 @@ DetectionQuality qualityOfClaims(double off) {
     const PhantomTruth truth(config);
     const Volume volume = *makePhantom(config);
     AdaptiveOtfConfig method;
-    method.tubeColumns = method.tubeRows = 7;
+    method.grid.columns = method.grid.rows = 7;
     AdaptiveOtf otf = *adaptOpacity(volume, {}, method);
     const auto truths = tubeTruths(truth, volume.geometry(), {}, method);
     for (std::size_t t = 0; t < otf.tubes.size(); ++t) {

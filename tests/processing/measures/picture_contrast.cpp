@@ -6,7 +6,8 @@
 #include <cstdio>
 
 #include "app/measuring/measures/surface_contrast.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent {
 namespace {

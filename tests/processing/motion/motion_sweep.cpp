@@ -4,6 +4,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/phantom/phantom.h"
@@ -26,7 +27,7 @@ Phases phantomPhases(int count) {
 
 AdaptiveOtfConfig fewTubes() {
     AdaptiveOtfConfig config;
-    config.tubeColumns = config.tubeRows = 7;
+    config.grid.columns = config.grid.rows = 7;
     return config;
 }
 
@@ -156,7 +157,7 @@ TEST(Sweep, RefusesWhatMakesNoSense) {
     const auto frames = sweepFrames({}, SweepAxis::y, 0, 3, 1, 2);
     EXPECT_THROW((void)sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::none), std::invalid_argument);
     AdaptiveOtfConfig wrong = fewTubes();
-    wrong.cellSize = 0;
+    wrong.cells.size = 0;
     EXPECT_THROW((void)sweepOtfs(phases, std::span(frames).first(1), wrong, OtfSmoothing::none), std::invalid_argument);
     EXPECT_TRUE(sweepOtfs(phases, {}, fewTubes(), OtfSmoothing::none)->empty());
 }

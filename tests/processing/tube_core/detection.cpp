@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/measuring/measures/detection_quality.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent {
 namespace {
@@ -132,7 +134,7 @@ TEST(Detection, AVolumeWithoutFluidGivesNothing) {
     // such test is asked for, they weigh something.
     PhantomConfig base = defaultPhantom(PhantomScene::empty);
     AdaptiveOtfConfig untested = configOf(MethodReading::settled);
-    untested.leastEdgeToNoise = 0;
+    std::get<VarianceRule>(untested.detection).leastEdgeToNoise = 0;
     for (const std::uint64_t seed : {4u, 5u}) {
         base.seed = seed;
         const Volume volume = *makePhantom(emptyConditions(base).front().config);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/scale_space.h"
 #include "processing/tube_core/surface_detection.h"
 
@@ -42,7 +43,7 @@ struct Count {
 
 class Tracker {
 public:
-    explicit Tracker(const AdaptiveOtfConfig& config) : m_space(config), m_rule(trackingRuleOf(config)) {}
+    explicit Tracker(const VarianceRule& rule) : m_space(rule), m_rule(rule) {}
     void look(const Signal& signal, Count& count) {
         ++count.signals;
         count.falseMaxima += trackSurface(signal, m_smoother, m_rule, m_scratch).empty() ? 0 : 1;
@@ -51,12 +52,12 @@ public:
 private:
     ScaleSpace m_space;
     ScaleSmoother m_smoother{m_space};
-    TrackingRule m_rule;
+    VarianceRule m_rule;
     DetectionScratch m_scratch;
 };
 
-Count falseMaxima(const AdaptiveOtfConfig& config) {
-    Tracker tracker(config);
+Count falseMaxima(const VarianceRule& rule) {
+    Tracker tracker(rule);
     Count count;
     for (const std::size_t length : {1u, 2u, 3u, 7u, 39u, 40u, 100u, 195u, 400u})
         for (const double value : {0.0, 5e-324, 1e-300, 1e-9, 0.1, 1.0 / 3.0, 0.37, 1.0, 6.0221e-7, 1e12}) {
@@ -77,28 +78,20 @@ Count falseMaxima(const AdaptiveOtfConfig& config) {
 }
 
 TEST(FalseMaxima, NoneInConstantsRampsStepsAndPlateaus) {
-    AdaptiveOtfConfig variance;
-    variance.interfaceFunction = InterfaceFunction::variance;
-    AdaptiveOtfConfig cut = variance;
-    cut.kernelEndsAtZero = false;
-    AdaptiveOtfConfig fourier = configOf(MethodReading::settled);
+    const auto ruleOf = [](MethodReading reading) { return std::get<VarianceRule>(configOf(reading).detection); };
+    const VarianceRule variance, cut{.kernelEndsAtZero = false};
+    VarianceRule fourier = ruleOf(MethodReading::settled);
     fourier.smoothing = SmoothingRoute::fourier;
-    AdaptiveOtfConfig recursive = configOf(MethodReading::settled);
-    recursive.smoothing = SmoothingRoute::recursive;
-    AdaptiveOtfConfig abutting = configOf(MethodReading::settled);
-    abutting.cellStride = 5;
     struct Named {
         const char* name;
-        AdaptiveOtfConfig config;
+        VarianceRule rule;
     };
-    for (const Named& named : {Named{"published", configOf(MethodReading::asPublished)},
-                               {"settled", configOf(MethodReading::settled)},
+    for (const Named& named : {Named{"published", ruleOf(MethodReading::asPublished)},
+                               {"settled", ruleOf(MethodReading::settled)},
                                {"default with the variance", variance},
                                {"kernels cut", cut},
-                               {"by FFT", fourier},
-                               {"recursive", recursive},
-                               {"stride 5", abutting}}) {
-        const Count count = falseMaxima(named.config);
+                               {"by FFT", fourier}}) {
+        const Count count = falseMaxima(named.rule);
         std::printf("%-26s %d false maxima in %d signals\n", named.name, count.falseMaxima, count.signals);
         EXPECT_GT(count.signals, 5000);
         EXPECT_EQ(count.falseMaxima, 0) << named.name;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plane_detection.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/phantom/phantom.h"
 #include "processing/phantom/splitmix.h"
 #include "processing/tube_core/basis_function.h"
@@ -77,13 +78,13 @@ std::vector<Named> allConfigs() {
     std::vector<Named> configs;
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled})
         configs.push_back({std::string(nameOf(reading)), configOf(reading)});
-    for (const InterfaceFunction function : {InterfaceFunction::variance, InterfaceFunction::ratio})
-        for (const CurveForm form : {CurveForm::product, CurveForm::ramp}) {
+    for (const DetectionRule& detection : {DetectionRule(VarianceRule{}), DetectionRule(RatioRule{})})
+        for (const CurveRule& curve : {CurveRule(ProductRule{}), CurveRule(RampRule{})}) {
             AdaptiveOtfConfig config;
-            config.interfaceFunction = function;
-            config.form = form;
-            configs.push_back({std::string(function == InterfaceFunction::ratio ? "ratio" : "variance") +
-                                   (form == CurveForm::ramp ? ", ramp" : ", product"),
+            config.detection = detection;
+            config.curve = curve;
+            configs.push_back({std::string(std::holds_alternative<RatioRule>(detection) ? "ratio" : "variance") +
+                                   (std::holds_alternative<RampRule>(curve) ? ", ramp" : ", product"),
                                config});
         }
     return configs;
@@ -134,12 +135,12 @@ TEST(SameBits, WhateverTheOrderOfTheTubes) {
     for (const std::size_t count : {std::size_t{225}, std::size_t{20000}}) {
         std::vector<TubeCore> tubes = tubesWithTies(count);
         const auto product = adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 256);
-        const auto ramp = meanRamp(tubes, AdaptiveOtfConfig{}, 256);
+        const auto ramp = meanRamp(tubes, RampRule{}, 256);
         std::mt19937 random(4);
         for (int turn = 0; turn < 5; ++turn) {
             std::shuffle(tubes.begin(), tubes.end(), random);
             EXPECT_EQ(adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 256), product);
-            EXPECT_EQ(meanRamp(tubes, AdaptiveOtfConfig{}, 256), ramp);
+            EXPECT_EQ(meanRamp(tubes, RampRule{}, 256), ramp);
         }
     }
 }

@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "app/measuring/stability/study_stability_inputs.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/cell_statistics.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/slabs/tube_slabs.h"
 #include "processing/tube_core/tube_grid.h"
-#include "processing/tube_core/tube_quality.h"
+#include "processing/tube_core/tube_weights.h"
 
 namespace echolucent {
 namespace {
@@ -116,10 +118,10 @@ TEST(Reference, CellVarianceOf16BitVoxelsOfMean65000IsExactInIntegers) {
 
     // The sums as the method takes them, and the cells it makes of them.
     AdaptiveOtfConfig config = configOf(MethodReading::settled);
-    config.tubeColumns = config.tubeRows = 1;
-    const TubeSamples samples = samplesOf(tubeAxes(geometry, {}, config).front(), geometry, {}, 5, true);
+    config.grid.columns = config.grid.rows = 1;
+    const TubeSamples samples = samplesOf(tubeAxes(geometry, {}, config.grid, 5), geometry, {}, 5).front();
     SlabSums sums;
-    sumSlabs(volume, *exactStoredLimit(volume), {&samples, 1}, true, {&sums, 1});
+    sumSlabs(volume, *exactStoredLimit(volume), {&samples, 1}, {&sums, 1});
     CellStatistics cells;
     cellsFrom(sums, 5, 1.0, cells);
     const AdaptiveOtf otf = *adaptOpacity(volume, {}, config);
@@ -170,7 +172,7 @@ TEST(Reference, WeightsAreExactFractionsAlsoWithTies) {
     }
     for (std::size_t t = surfaces; t < meeting; ++t) tubes[t].status = TubeStatus::none;
     const double dMax = 0.03;
-    weighTubes(tubes, meeting, dMax, 0.0, 0);
+    weighTubes(tubes, dMax, 0.0, {});
     int atMost = 0;
     for (int t = 0; t < surfaces; ++t) {
         const TubeCore& tube = tubes[static_cast<std::size_t>(t)];

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "plane_detection.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/phantom/phantom.h"
 #include "processing/tube_core/basis_function.h"
 
@@ -37,12 +38,12 @@ TEST(TubeCount, TheCurveIsTheSameFor225And100000TubesOfOnePhantom) {
         double tolerance;  ///< what other tubes see of the same object: sampling, not degeneration
     };
     AdaptiveOtfConfig product;
-    product.form = CurveForm::product;
+    product.curve = ProductRule{};
     for (Row row : {Row{"settled", configOf(MethodReading::settled), 0.01}, Row{"ratio, product", product, 0.03},
                     Row{"default", {}, 0.05}}) {
         const AdaptiveOtf few = adapted(volume, {}, row.config);
-        row.config.tubeColumns = row.config.tubeRows = 316;
-        row.config.tubeSpacing = few.tubeSpacingUnits[0] * 15 / 316;
+        row.config.grid.columns = row.config.grid.rows = 316;
+        row.config.grid.spacing = few.tubeSpacingUnits[0] * 15 / 316;
         const AdaptiveOtf many = adapted(volume, {}, row.config);
         const double difference = largestDifference(few.curve, many.curve);
         std::printf("%-15s T = %d and %d: opacities differ by at most %.4f; visible intensities %d and %d\n",
@@ -51,9 +52,10 @@ TEST(TubeCount, TheCurveIsTheSameFor225And100000TubesOfOnePhantom) {
         EXPECT_EQ(few.tubesMeetingVolume, 225);
         EXPECT_GT(many.tubesMeetingVolume, 99000);
         EXPECT_LE(difference, row.tolerance) << row.name;
-        if (row.config.form == CurveForm::ramp) continue;
+        auto* rule = std::get_if<ProductRule>(&row.config.curve);
+        if (rule == nullptr) continue;
         // What the rule is for: a d_max that stays what it is for 225 tube cores, as eq. 11 may be read.
-        row.config.strength *= 99856.0 / 225.0;
+        rule->strength *= 99856.0 / 225.0;
         const AdaptiveOtf fixedMaximum = adapted(volume, {}, row.config);
         const double degeneration = largestDifference(few.curve, fixedMaximum.curve);
         std::printf("%-15s with d_max fixed: %.4f, visible intensities %d\n", "", degeneration,
@@ -82,7 +84,7 @@ TEST(TubeCount, TheSameTubesManyTimesOverGiveTheSameCurve) {
     const double opacities = largestDifference(curveFromLogOpacity(logOpacity), otf.curve);
     std::printf("225 tubes, each %d times: log opacity differs by at most %.4f, opacity by %.4f\n", times, largest,
                 opacities);
-    EXPECT_LE(largest, otf.config.strength * otf.dMax / 2);
+    EXPECT_LE(largest, strengthOf(otf.config.curve) * otf.dMax / 2);
     EXPECT_LE(opacities, 0.02);
 }
 

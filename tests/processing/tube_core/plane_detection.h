@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "plane_volume.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
@@ -23,7 +23,7 @@ struct Found {
 inline Found tubesOnPlane(const AdaptiveOtf& result, const PlaneVolume& plane, double tolerance) {
     Found found;
     const VolumeGeometry geometry = plane.geometry();
-    const auto axes = tubeAxes(geometry, result.view, result.config);
+    const auto axes = tubeAxes(geometry, result.view, result.config.grid, result.config.cells.size);
     for (std::size_t t = 0; t < axes.size(); ++t) {
         if (!axes[t].entryVoxel) continue;
         const Vec3 entryMm = geometry.gridMmFromVoxel(*axes[t].entryVoxel);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "processing/tube_core/ramp.h"
 
@@ -24,13 +24,7 @@ TubeCore tubeOf(double low, double high, double fluidSpread, double d) {
 }
 
 /// Begins at 0.4, ends at 1.6 of the way, clear up to 2.5 spreads of the fluid, whatever the program's own settings.
-AdaptiveOtfConfig rampConfig() {
-    AdaptiveOtfConfig config;
-    config.rampBegin = 0.4;
-    config.rampEnd = 1.6;
-    config.clearSpreads = 2.5;
-    return config;
-}
+constexpr RampRule usualRamp{.begin = 0.4, .clearSpreads = 2.5, .end = 1.6};
 
 TEST(Ramp, OfOneTubeIsLinearBetweenFluidAndSurface) {
     struct Row {
@@ -41,25 +35,24 @@ TEST(Ramp, OfOneTubeIsLinearBetweenFluidAndSurface) {
         const TubeCore tube = tubeOf(0.1, 0.5, row.fluidSpread, 0.3);
         for (int i = 0; i <= 1000; ++i) {
             const double x = i / 1000.0;
-            EXPECT_NEAR(rampAt(x, tube, rampConfig()), std::clamp((x - row.from) / (row.to - row.from), 0.0, 1.0),
-                        1e-14)
+            EXPECT_NEAR(rampAt(x, tube, usualRamp), std::clamp((x - row.from) / (row.to - row.from), 0.0, 1.0), 1e-14)
                 << x;
         }
-        EXPECT_EQ(rampAt(row.from - 1e-9, tube, rampConfig()), 0.0);
-        EXPECT_GT(rampAt(row.from + 1e-9, tube, rampConfig()), 0.0);
-        EXPECT_EQ(rampAt(row.to + 1e-9, tube, rampConfig()), 1.0);
+        EXPECT_EQ(rampAt(row.from - 1e-9, tube, usualRamp), 0.0);
+        EXPECT_GT(rampAt(row.from + 1e-9, tube, usualRamp), 0.0);
+        EXPECT_EQ(rampAt(row.to + 1e-9, tube, usualRamp), 1.0);
     }
     // Next to no rise at all: a step, and no NaN.
     const TubeCore flat = tubeOf(0.1, std::nextafter(0.1, 1.0), 0.0, 0.3);
-    EXPECT_EQ(rampAt(0.1, flat, rampConfig()), 0.0);
-    EXPECT_EQ(rampAt(0.2, flat, rampConfig()), 1.0);
+    EXPECT_EQ(rampAt(0.1, flat, usualRamp), 0.0);
+    EXPECT_EQ(rampAt(0.2, flat, usualRamp), 1.0);
 }
 
 TEST(Ramp, TheMeanIsWeightedByD) {
     const TubeCore dark = tubeOf(0.1, 0.3, 0.0, 0.3), bright = tubeOf(0.3, 0.5, 0.0, 0.1);
     TubeCore weightless = tubeOf(0.9, 0.95, 0.0, 0.0);
     const std::vector<TubeCore> tubes{dark, weightless, bright};
-    const auto mean = meanRamp(tubes, rampConfig(), 256);
+    const auto mean = meanRamp(tubes, usualRamp, 256);
     ASSERT_EQ(mean.size(), 256u);
     for (int i = 0; i < 256; ++i) {
         const double x = i / 255.0;
@@ -68,8 +61,8 @@ TEST(Ramp, TheMeanIsWeightedByD) {
             0.75 * std::clamp((x - 0.18) / 0.24, 0.0, 1.0) + 0.25 * std::clamp((x - 0.38) / 0.24, 0.0, 1.0);
         EXPECT_NEAR(mean[static_cast<std::size_t>(i)], expected, 1e-14) << i;
     }
-    EXPECT_TRUE(meanRamp(std::vector<TubeCore>{weightless}, rampConfig(), 256).empty());
-    EXPECT_TRUE(meanRamp({}, rampConfig(), 256).empty());
+    EXPECT_TRUE(meanRamp(std::vector<TubeCore>{weightless}, usualRamp, 256).empty());
+    EXPECT_TRUE(meanRamp({}, usualRamp, 256).empty());
 }
 
 const Volume& shapes() {
@@ -84,11 +77,12 @@ const Volume& shapes() {
 
 TEST(Ramp, TheOrderOfTheTubesChangesNoBit) {
     AdaptiveOtf otf = *adaptOpacity(shapes(), {}, {});
-    const auto mean = meanRamp(otf.tubes, otf.config, 256);
+    const RampRule& rule = std::get<RampRule>(otf.config.curve);
+    const auto mean = meanRamp(otf.tubes, rule, 256);
     std::reverse(otf.tubes.begin(), otf.tubes.end());
-    EXPECT_EQ(meanRamp(otf.tubes, otf.config, 256), mean);
+    EXPECT_EQ(meanRamp(otf.tubes, rule, 256), mean);
     std::rotate(otf.tubes.begin(), otf.tubes.begin() + 71, otf.tubes.end());
-    EXPECT_EQ(meanRamp(otf.tubes, otf.config, 256), mean);
+    EXPECT_EQ(meanRamp(otf.tubes, rule, 256), mean);
 }
 
 TEST(RampCurve, HasTheSameBitsOnAnyNumberOfThreads) {
@@ -114,12 +108,13 @@ TEST(RampCurve, HasTheSameBitsOnAnyNumberOfThreads) {
 /// The curve from nothing but the tubes' own numbers and the config, in long double.
 std::vector<long double> curveFromTubes(const AdaptiveOtf& otf) {
     const AdaptiveOtfConfig& config = otf.config;
+    const RampRule& rule = std::get<RampRule>(config.curve);
     int meeting = 0, weighted = 0;
     for (const TubeCore& tube : otf.tubes) {
         meeting += tube.status != TubeStatus::outside ? 1 : 0;
         weighted += tube.d > 0 ? 1 : 0;
     }
-    const long double needed = static_cast<long double>(config.trustedShare) * meeting;
+    const long double needed = static_cast<long double>(rule.trustedShare) * meeting;
     const long double trust = needed > 0 ? std::min(1.0L, weighted / needed) : 1.0L;
     std::vector<long double> curve;
     for (int i = 0; i < AdaptiveOtf::sampleCount; ++i) {
@@ -129,13 +124,13 @@ std::vector<long double> curveFromTubes(const AdaptiveOtf& otf) {
             if (tube.d <= 0) continue;
             const long double low = *tube.lowIntensity, rise = *tube.highIntensity - low;
             const long double clear = std::max<long double>(
-                config.rampBegin * rise, static_cast<long double>(config.clearSpreads) * *tube.fluidSpread);
-            const long double full = std::max<long double>(config.rampEnd * rise, clear + leastRampWidth * rise);
+                rule.begin * rise, static_cast<long double>(rule.clearSpreads) * *tube.fluidSpread);
+            const long double full = std::max<long double>(rule.end * rise, clear + leastRampWidth * rise);
             sum += tube.d * std::clamp((x - low - clear) / (full - clear), 0.0L, 1.0L);
             weight += tube.d;
         }
         const long double initial = opacityAt(config.initial, static_cast<double>(x));
-        curve.push_back(trust * config.rampOpacity * (sum / weight) + (1 - trust) * initial);
+        curve.push_back(trust * rule.opacity * (sum / weight) + (1 - trust) * initial);
     }
     return curve;
 }
@@ -157,34 +152,30 @@ TEST(RampCurve, FollowsFromTheTubes) {
     EXPECT_EQ(otf.trust, 1.0);
     expectCurveFollows(otf);
     AdaptiveOtfConfig other;
-    other.tubeColumns = 9;
-    other.tubeRows = 21;
-    other.rampBegin = -0.2;
-    other.rampEnd = 0.9;
-    other.clearSpreads = 0.7;
-    other.rampOpacity = 0.35;
+    other.grid.columns = 9;
+    other.grid.rows = 21;
+    other.curve = RampRule{.begin = -0.2, .clearSpreads = 0.7, .end = 0.9, .opacity = 0.35};
     expectCurveFollows(*adaptOpacity(shapes(), {.azimuthDegrees = -31, .elevationDegrees = 12}, other));
 }
 
 TEST(RampCurve, IsMixedWithTheInitialFunctionWhereFewTubesSpeak) {
     AdaptiveOtfConfig config;
     config.initial = LinearCurve{};
-    config.trustedShare = 1.0;
-    config.rampOpacity = 0.8;
+    config.curve = RampRule{.opacity = 0.8, .trustedShare = 1.0};
     const AdaptiveOtf otf = *adaptOpacity(shapes(), {}, config);
     EXPECT_DOUBLE_EQ(otf.trust, static_cast<double>(otf.tubesWithSurface) / otf.tubesMeetingVolume);
     EXPECT_GT(otf.trust, 0.1);
     EXPECT_LT(otf.trust, 0.99);
     expectCurveFollows(otf);
-    config.trustedShare = 0.0;
+    config.curve = RampRule{.opacity = 0.8, .trustedShare = 0.0};
     EXPECT_EQ(adaptOpacity(shapes(), {}, config)->trust, 1.0);
 }
 
 TEST(RampCurve, DoesNotDependOnTheNumberOfTubes) {
     AdaptiveOtfConfig few, many;
-    few.tubeSpacing = 8;
-    many.tubeColumns = many.tubeRows = 50;
-    many.tubeSpacing = 2.4;
+    few.grid.spacing = 8;
+    many.grid.columns = many.grid.rows = 50;
+    many.grid.spacing = 2.4;
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 19, .elevationDegrees = 7}}) {
         const AdaptiveOtf of225 = *adaptOpacity(shapes(), view, few), of2500 = *adaptOpacity(shapes(), view, many);
         ASSERT_GT(of2500.tubesMeetingVolume, 2000);

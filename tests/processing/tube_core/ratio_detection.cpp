@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "profile_samples.h"
 
@@ -62,9 +62,9 @@ std::vector<MadeProfile> amongSteps(SpeckledSlabs& slabs, std::vector<std::vecto
 
 TEST(RatioContrasts, AreWhatASlowLoopGivesToTheEnds) {
     SpeckledSlabs slabs(1);
-    for (const RatioRule& rule : {RatioRule{}, RatioRule{.before = 14, .behind = 5, .leastFluid = 3},
-                                  RatioRule{.before = 4, .behind = 9, .leastFluid = 4}}) {
-        const int least = (rule.behind + 1) / 2;
+    for (const RatioRule& rule : {RatioRule{}, RatioRule{.slabsBefore = 14, .slabsBehind = 5, .leastFluid = 3},
+                                  RatioRule{.slabsBefore = 4, .slabsBehind = 9, .leastFluid = 4}}) {
+        const int least = (rule.slabsBehind + 1) / 2;
         for (const int size : {0, 1, 7, 8, 10, 11, 12, 13, 15, 16, 17, 25, 200}) {
             std::vector<float> scaled;
             for (int k = 0; k < size; ++k) scaled.push_back(static_cast<float>(slabs.drawn(0.0, 30.0)));
@@ -75,9 +75,9 @@ TEST(RatioContrasts, AreWhatASlowLoopGivesToTheEnds) {
             for (int boundary = rule.leastFluid; boundary <= size - least; ++boundary) {
                 double before = 0.0, behind = 0.0;
                 int countBefore = 0, countBehind = 0;
-                for (int k = std::max(0, boundary - rule.before); k < boundary; ++k, ++countBefore)
+                for (int k = std::max(0, boundary - rule.slabsBefore); k < boundary; ++k, ++countBefore)
                     before += static_cast<double>(scaled[static_cast<std::size_t>(k)]);
-                for (int k = boundary; k < std::min(size, boundary + rule.behind); ++k, ++countBehind)
+                for (int k = boundary; k < std::min(size, boundary + rule.slabsBehind); ++k, ++countBehind)
                     behind += static_cast<double>(scaled[static_cast<std::size_t>(k)]);
                 // Single precision of differences of up to 30.
                 EXPECT_NEAR(contrasts[static_cast<std::size_t>(boundary - rule.leastFluid)],

@@ -12,7 +12,7 @@ namespace echolucent {
 namespace {
 
 /// One scale of a given sigma and the rest as the config says.
-std::vector<double> smoothed(double sigma, const std::vector<double>& function, AdaptiveOtfConfig config = {}) {
+std::vector<double> smoothed(double sigma, const std::vector<double>& function, VarianceRule config = {}) {
     config.coarsestScale = config.finestScale = 0;
     config.sigmaPerKernelSize = sigma;
     const ScaleSpace space(config);
@@ -23,8 +23,8 @@ std::vector<double> smoothed(double sigma, const std::vector<double>& function, 
     return result;
 }
 
-AdaptiveOtfConfig cutAt(double sigmas) {
-    AdaptiveOtfConfig config;
+VarianceRule cutAt(double sigmas) {
+    VarianceRule config;
     config.kernelCut = sigmas;
     return config;
 }
@@ -32,7 +32,7 @@ AdaptiveOtfConfig cutAt(double sigmas) {
 constexpr std::array<double, 5> settledSigmas{32, 16, 8, 4, 2};
 
 TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) {
-    const ScaleSpace space{AdaptiveOtfConfig{}};
+    const ScaleSpace space{VarianceRule{}};
     ASSERT_EQ(space.levels(), 5u);
     for (std::size_t level = 0; level < space.levels(); ++level) {
         const GaussianKernel& kernel = space.kernel(level);

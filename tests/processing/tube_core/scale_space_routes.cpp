@@ -14,15 +14,15 @@ namespace {
 constexpr std::array<TubeBorder, 2> borders{TubeBorder::mirrorThenZero, TubeBorder::circular};
 constexpr std::array<std::size_t, 8> lengths{1, 2, 7, 39, 64, 195, 199, 256};
 
-AdaptiveOtfConfig with(SmoothingRoute route, TubeBorder border) {
-    AdaptiveOtfConfig config;
+VarianceRule with(SmoothingRoute route, TubeBorder border) {
+    VarianceRule config;
     config.smoothing = route;
     config.border = border;
     return config;
 }
 
 /// All scales, coarsest first.
-std::vector<std::vector<double>> scalesOf(const std::vector<double>& function, const AdaptiveOtfConfig& config) {
+std::vector<std::vector<double>> scalesOf(const std::vector<double>& function, const VarianceRule& config) {
     const ScaleSpace space(config);
     ScaleSmoother smoother(space);
     smoother.begin(function);
@@ -64,8 +64,8 @@ TEST(ScaleSpaceRoutes, FourierEqualsDirectToRounding) {
 }
 
 TEST(ScaleSpaceRoutes, OneSmootherServesFunctionsOfAnyLengthOneAfterTheOther) {
-    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier, SmoothingRoute::recursive}) {
-        const AdaptiveOtfConfig config = with(route, TubeBorder::mirrorThenZero);
+    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier}) {
+        const VarianceRule config = with(route, TubeBorder::mirrorThenZero);
         const ScaleSpace space(config);
         ScaleSmoother smoother(space);
         std::vector<double> result;
@@ -97,72 +97,18 @@ TEST(ScaleSpaceRoutes, CircularIsTheConvolutionOnARing) {
 }
 
 TEST(ScaleSpaceRoutes, ConstantsStayConstantAwayFromTheZeroBehind) {
-    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier, SmoothingRoute::recursive})
+    for (const SmoothingRoute route : {SmoothingRoute::direct, SmoothingRoute::fourier})
         for (const TubeBorder border : borders)
             for (const double value : {1.0, 0.1, 6.0221e-7}) {
                 const auto config = with(route, border);
                 const auto scales = scalesOf(std::vector<double>(800, value), config);
                 const double sigmas[] = {32, 16, 8, 4, 2};
                 for (std::size_t level = 0; level < scales.size(); ++level) {
-                    // The recursive Gaussian is not cut: 1e-12 of it lies beyond 16 sigma.
-                    const double reach = border == TubeBorder::circular ? 0 : 17 * sigmas[level];
+                    const double reach = border == TubeBorder::circular ? 0 : 4 * sigmas[level];
                     for (std::size_t i = 0; i + static_cast<std::size_t>(reach) < 800; ++i)
                         EXPECT_NEAR(scales[level][i], value, 1e-12 * value);
                 }
             }
-}
-
-/// Largest error of the recursive route, as a share of the impulse's answer at its peak.
-double impulseError(double sigma, const AdaptiveOtfConfig& against) {
-    std::vector<double> impulse(static_cast<std::size_t>(30 * sigma) + 41, 0.0);
-    impulse[impulse.size() / 2] = 1.0;
-    AdaptiveOtfConfig direct = against, recursive = against;
-    recursive.smoothing = SmoothingRoute::recursive;
-    for (AdaptiveOtfConfig* config : {&direct, &recursive}) {
-        config->coarsestScale = config->finestScale = 0;
-        config->sigmaPerKernelSize = sigma;
-    }
-    const auto expected = scalesOf(impulse, direct)[0];
-    return largestDifference(expected, scalesOf(impulse, recursive)[0]) / largestOf(expected);
-}
-
-TEST(ScaleSpaceRoutes, TheRecursiveGaussianKeepsItsErrorAtEverySigma) {
-    AdaptiveOtfConfig uncut, cut, lowered;
-    uncut.kernelCut = 9.0;
-    cut.kernelEndsAtZero = false;
-    for (const double sigma : {0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
-        const double error = impulseError(sigma, uncut);
-        std::printf(
-            "recursive, sigma %4.1f: error %.1e of the peak; against kernels cut at 3 sigma %.1e, lowered %.1e\n",
-            sigma, error, impulseError(sigma, cut), impulseError(sigma, lowered));
-        EXPECT_LE(error, 5e-4) << sigma;
-    }
-}
-
-TEST(ScaleSpaceRoutes, TheRecursiveRouteHandlesBordersAsTheDirectOne) {
-    AdaptiveOtfConfig uncut;
-    uncut.kernelCut = 9.0;
-    double largest = 0.0;
-    for (const TubeBorder border : borders)
-        for (const std::size_t length : lengths) {
-            const auto function = noise(length, static_cast<unsigned>(length) + 50);
-            AdaptiveOtfConfig direct = uncut, recursive = uncut;
-            direct.border = recursive.border = border;
-            recursive.smoothing = SmoothingRoute::recursive;
-            const auto expected = scalesOf(function, direct), got = scalesOf(function, recursive);
-            for (std::size_t level = 0; level < expected.size(); ++level)
-                largest = std::max(largest, largestDifference(expected[level], got[level]) / largestOf(function));
-        }
-    std::printf("recursive, noise with both borders: error at most %.1e of the largest value\n", largest);
-    EXPECT_LE(largest, 2e-4);
-}
-
-TEST(ScaleSpaceRoutes, AStrideKeepsSigmaInUnits) {
-    AdaptiveOtfConfig config;
-    config.cellStride = 4;
-    const ScaleSpace space(config);
-    EXPECT_EQ(space.sigma(0), 32.0 / 4);
-    EXPECT_EQ(space.sigma(4), 2.0 / 4);
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ std::vector<double> stairs(std::initializer_list<std::pair<int, double>> steps) 
     return function;
 }
 
-std::vector<int> track(const std::vector<double>& function, TrackingRule rule = {},
-                       const AdaptiveOtfConfig& config = {}) {
+std::vector<int> track(const std::vector<double>& function, const VarianceRule& rule = {}) {
     DetectionScratch scratch;
-    const ScaleSpace space(config);
+    const ScaleSpace space(rule);
     ScaleSmoother smoother(space);
     return trackSurface(function, smoother, rule, scratch);
 }
@@ -145,35 +144,17 @@ TEST(TrackSurface, TheCoarsestScaleMayBeAskedToHaveAMaximum) {
 
 TEST(TrackSurface, ARangeInSigmasIsThatOfTheScaleWhereTheMaximumWasFound) {
     // One scale, sigma 4, with its maximum at 100; the unsmoothed function has single peaks beside it.
-    AdaptiveOtfConfig config;
-    config.coarsestScale = config.finestScale = 4;
+    const auto ruleOf = [](double sigmas) {
+        return VarianceRule{.coarsestScale = 4, .finestScale = 4, .floorQuantile = 0, .trackingRangeSigmas = sigmas};
+    };
     std::vector<double> function(200, 0.0);
     for (int i = 0; i < 200; ++i)
         function[static_cast<std::size_t>(i)] = std::exp(-0.5 * std::pow((i - 100) / 20.0, 2));
     function[100] += 0.01;
     function[91] += 0.2;
     function[109] += 0.2;
-    EXPECT_EQ(track(function, {.floorQuantile = 0, .rangeSigmas = 2.0}, config), (std::vector<int>{100, 100}))
-        << "92 to 108";
-    EXPECT_EQ(track(function, {.floorQuantile = 0, .rangeSigmas = 2.25}, config), (std::vector<int>{100, 91}))
-        << "91 to 109";
-}
-
-TEST(TrackSurface, AStrideLooksAtTheCellsItHitsAndCountsAllOfThem) {
-    for (const int stride : {1, 2, 5}) {
-        AdaptiveOtfConfig config;
-        config.cellStride = stride;
-        std::vector<double> function;
-        for (int i = 0; i < 195; ++i) function.push_back(0.1 + std::exp(-0.5 * std::pow((i - 120) / 6.0, 2)));
-        auto tracked = track(function, {.stride = stride}, config);
-        ASSERT_EQ(tracked.size(), 6u);
-        EXPECT_EQ(tracked.back(), 120) << "120 is a whole number of strides";
-        for (const int cell : tracked) EXPECT_EQ(cell % stride, 0);
-        function[119] = 50.0;
-        if (stride > 1) {
-            EXPECT_EQ(track(function, {.stride = stride}, config), tracked) << "not looked at";
-        }
-    }
+    EXPECT_EQ(track(function, ruleOf(2.0)), (std::vector<int>{100, 100})) << "92 to 108";
+    EXPECT_EQ(track(function, ruleOf(2.25)), (std::vector<int>{100, 91})) << "91 to 109";
 }
 
 TEST(TrackSurface, PassesOverABumpBelowTheThreshold) {

@@ -16,7 +16,7 @@ VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, Vec3 spacing) {
 
 TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
     const auto geometry = geometryOf({199, 197, 199}, {0.5, 0.5, 0.5});
-    const auto spacing = tubeSpacingUnits(geometry, Viewpoint{}, AdaptiveOtfConfig{});
+    const auto spacing = tubeSpacingUnits(geometry, Viewpoint{}, {}, 5);
     EXPECT_EQ(spacing[0], 13.0);
     EXPECT_EQ(spacing[1], 13.0);
 }
@@ -26,25 +26,19 @@ TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
     const auto geometry = geometryOf({120, 60, 200}, {0.5, 1.5, 0.5});
     const Viewpoint straight, turned{.azimuthDegrees = 40, .elevationDegrees = -20, .rollDegrees = 10};
     for (const Viewpoint& view : {straight, turned}) {
-        const auto spacing = tubeSpacingUnits(geometry, view, AdaptiveOtfConfig{});
+        const auto spacing = tubeSpacingUnits(geometry, view, {}, 5);
         EXPECT_EQ(spacing[0], 8.0);
         EXPECT_EQ(spacing[1], 12.0);
     }
-    AdaptiveOtfConfig asked;
-    asked.tubeSpacing = 7.5;
-    EXPECT_EQ(tubeSpacingUnits(geometry, straight, asked)[0], 7.5);
-    EXPECT_EQ(tubeSpacingUnits(geometryOf({20, 20, 20}, {1, 1, 1}), straight, AdaptiveOtfConfig{})[0], 5.0)
+    EXPECT_EQ(tubeSpacingUnits(geometry, straight, {.spacing = 7.5}, 5)[0], 7.5);
+    EXPECT_EQ(tubeSpacingUnits(geometryOf({20, 20, 20}, {1, 1, 1}), straight, {}, 5)[0], 5.0)
         << "never less than a cell";
 }
 
 TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
     const auto geometry = geometryOf({100, 80, 60}, {0.4, 0.6, 0.9});
     const Viewpoint view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 25, .elevationDegrees = 15};
-    AdaptiveOtfConfig config;
-    config.tubeColumns = 4;
-    config.tubeRows = 3;
-    config.tubeSpacing = 10;
-    const auto axes = tubeAxes(geometry, view, config);
+    const auto axes = tubeAxes(geometry, view, {.columns = 4, .rows = 3, .spacing = 10}, 5);
     ASSERT_EQ(axes.size(), 12u);
     const ViewFrame frame = frameOf(view);
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -61,9 +55,7 @@ TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
 TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
     for (const std::int64_t size : {50, 51}) {
         for (const int cellSize : {5, 4}) {
-            AdaptiveOtfConfig config;
-            config.cellSize = cellSize;
-            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), Viewpoint{}, config);
+            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), Viewpoint{}, {}, cellSize);
             for (const TubeAxis& axis : axes) {
                 if (!axis.entryVoxel) continue;
                 const double outermost = (*axis.entryVoxel)[0] - (cellSize - 1) / 2.0;
@@ -78,20 +70,20 @@ TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
 TEST(TubeGrid, EntersWhereThePictureBegins) {
     const auto geometry = geometryOf({100, 100, 100}, {0.5, 0.5, 0.5});
     const Viewpoint cut{.nearCutMm = 10.0};
-    for (const TubeAxis& axis : tubeAxes(geometry, cut, AdaptiveOtfConfig{})) {
+    for (const TubeAxis& axis : tubeAxes(geometry, cut, {}, 5)) {
         ASSERT_TRUE(axis.entryVoxel);
         EXPECT_NEAR((*axis.entryVoxel)[2], 19.5, 1e-9) << "20 voxels of 0.5 mm are cut off";
         EXPECT_NEAR(*axis.lengthUnits, 80.0, 1e-9);
     }
     const Viewpoint beyond{.nearCutMm = 60.0};
-    for (const TubeAxis& axis : tubeAxes(geometry, beyond, AdaptiveOtfConfig{})) EXPECT_FALSE(axis.entryVoxel);
+    for (const TubeAxis& axis : tubeAxes(geometry, beyond, {}, 5)) EXPECT_FALSE(axis.entryVoxel);
 }
 
 TEST(TubeGrid, ObliqueAxesEnterAndLeaveTheBox) {
     const auto geometry = geometryOf({60, 80, 40}, {0.7, 0.5, 1.0});
     const Viewpoint view{.azimuthDegrees = 30, .elevationDegrees = 20};
     int inside = 0;
-    for (const TubeAxis& axis : tubeAxes(geometry, view, AdaptiveOtfConfig{})) {
+    for (const TubeAxis& axis : tubeAxes(geometry, view, {}, 5)) {
         if (!axis.entryVoxel) continue;
         ++inside;
         const Vec3 entryMm = geometry.gridMmFromVoxel(*axis.entryVoxel);

@@ -20,11 +20,8 @@ Volume noise(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
 }
 
 std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    std::vector<TubeSamples> samples;
-    for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
-        samples.push_back(
-            samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
-    return samples;
+    return samplesOf(tubeAxes(volume.geometry(), view, config.grid, config.cells.size), volume.geometry(), view,
+                     config.cells.size);
 }
 
 TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
@@ -61,7 +58,7 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     const Volume volume(geometry, voxels, 1.0);
     const Viewpoint view{.azimuthDegrees = 33, .elevationDegrees = -21, .rollDegrees = 12};
     AdaptiveOtfConfig config;
-    config.tubeSpacing = 4;
+    config.grid.spacing = 4;
     const TubeSamples centre = samplesFor(volume, view, config)[112];
     ASSERT_GT(centre.slabs, 30);
     std::vector<SlabMoments> slabs;

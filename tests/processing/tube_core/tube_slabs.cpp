@@ -39,11 +39,8 @@ Volume masked(const Volume& volume) {
 }
 
 std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    std::vector<TubeSamples> samples;
-    for (const TubeAxis& axis : tubeAxes(volume.geometry(), view, config))
-        samples.push_back(
-            samplesOf(axis, volume.geometry(), view, config.cellSize, tubesLieOnVoxels(volume.geometry(), view)));
-    return samples;
+    return samplesOf(tubeAxes(volume.geometry(), view, config.grid, config.cells.size), volume.geometry(), view,
+                     config.cells.size);
 }
 
 /// Sums by the definition.
@@ -81,12 +78,12 @@ void expectSumsOfAllAxisViews(const Volume& volume, std::uint32_t limit) {
         for (const double roll : {0.0, 90.0, 180.0})
             for (const int cellSize : {5, 4, 9, 32}) {
                 AdaptiveOtfConfig config;
-                config.cellSize = cellSize;
-                config.tubeColumns = config.tubeRows = 7;
+                config.cells.size = cellSize;
+                config.grid.columns = config.grid.rows = 7;
                 const Viewpoint view{.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll, .nearCutMm = 3.3};
                 const auto tubes = samplesFor(volume, view, config);
                 std::vector<SlabSums> sums(tubes.size());
-                sumSlabs(volume, limit, tubes, true, sums);
+                sumSlabs(volume, limit, tubes, sums);
                 for (std::size_t t = 0; t < tubes.size(); ++t)
                     expectSumsByDefinition<Stored>(volume, limit, tubes[t], sums[t]);
             }
@@ -106,13 +103,13 @@ TEST(TubeSlabs, TheLargest16BitCellsDoNotOverflow) {
     geometry.size = {40, 40, 40};
     const Volume volume(geometry, std::vector<std::uint16_t>(40 * 40 * 40, 65535));
     AdaptiveOtfConfig config;
-    config.cellSize = largestCellSize;
-    config.tubeColumns = config.tubeRows = 1;
+    config.cells.size = largestCellSize;
+    config.grid.columns = config.grid.rows = 1;
     const auto tubes = samplesFor(volume, Viewpoint{}, config);
     std::vector<SlabSums> sums(1);
-    sumSlabs(volume, 65535, tubes, true, sums);
+    sumSlabs(volume, 65535, tubes, sums);
     CellStatistics cells;
-    cellsFrom(sums[0], config.cellSize, 65535, cells);
+    cellsFrom(sums[0], config.cells.size, 65535, cells);
     ASSERT_GE(cells.lastCell, 0);
     for (int i = 0; i <= cells.lastCell; ++i) {
         EXPECT_EQ(cells.means[static_cast<std::size_t>(i)], 1.0);
@@ -142,10 +139,10 @@ bool roundingDecides(const TubeSamples& tube, int slab) {
 /// does not decide.
 int slabsLikeTheReference(const Volume& volume, const Viewpoint& view, TubeSampling sampling, double largest) {
     AdaptiveOtfConfig config;
-    config.tubeColumns = config.tubeRows = 9;
+    config.grid.columns = config.grid.rows = 9;
     const auto tubes = samplesFor(volume, view, config);
     std::vector<SlabMeans> fast(tubes.size());
-    meanSlabs(volume, sampling, tubes, true, fast);
+    meanSlabs(volume, sampling, tubes, fast);
     std::vector<SlabMoments> reference;
     std::vector<double> scratch;
     int compared = 0;
@@ -195,7 +192,7 @@ TEST(TubeSlabs, ConstantsStayConstantToTheLastBit) {
     AdaptiveOtfConfig config;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 31, .elevationDegrees = 17}, config);
     std::vector<SlabMeans> slabs(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, true, slabs);
+    meanSlabs(volume, TubeSampling::trilinear, tubes, slabs);
     for (const SlabMeans& tube : slabs)
         for (std::size_t k = 0; k < tube.means.size(); ++k) {
             EXPECT_EQ(tube.means[k], tube.counts[k] > 0 ? 12345.0f : 0.0f);
@@ -212,10 +209,10 @@ TEST(TubeSlabs, ALargeMeanDoesNotDrownASmallSpread) {
         voxels[i] = static_cast<std::uint16_t>(64999 + 2 * ((i + i / 40 + i / 1600) % 2));
     const Volume volume(geometry, voxels, 65535);
     AdaptiveOtfConfig config;
-    config.tubeColumns = config.tubeRows = 3;
+    config.grid.columns = config.grid.rows = 3;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 10}, config);
     std::vector<SlabMeans> fast(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, true, fast);
+    meanSlabs(volume, TubeSampling::trilinear, tubes, fast);
     std::vector<SlabMoments> reference;
     std::vector<double> scratch;
     for (std::size_t t = 0; t < tubes.size(); ++t) {
@@ -238,7 +235,7 @@ TEST(TubeSlabs, NotFiniteVoxelsAreLeftOut) {
     AdaptiveOtfConfig config;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12}, config);
     std::vector<SlabMeans> slabs(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, true, slabs);
+    meanSlabs(volume, TubeSampling::trilinear, tubes, slabs);
     for (const SlabMeans& tube : slabs)
         for (std::size_t k = 0; k < tube.means.size(); ++k) {
             if (tube.counts[k] == 0) continue;
@@ -261,14 +258,14 @@ TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
         std::vector<float> bits;
         for (const Volume* tested : {&volume, &floating}) {
             std::vector<SlabMeans> slabs(tubes.size());
-            meanSlabs(*tested, TubeSampling::trilinear, tubes, true, slabs);
+            meanSlabs(*tested, TubeSampling::trilinear, tubes, slabs);
             for (const SlabMeans& tube : slabs)
                 for (const auto* values : {&tube.counts, &tube.means, &tube.squaredDeviations})
                     bits.insert(bits.end(), values->begin(), values->end());
         }
         all.push_back(std::move(bits));
         std::vector<SlabSums> sums(onVoxels.size());
-        sumSlabs(volume, 255, onVoxels, true, sums);
+        sumSlabs(volume, 255, onVoxels, sums);
         allSums.emplace_back();
         for (const SlabSums& tube : sums)
             allSums.back().insert(allSums.back().end(), tube.sums.begin(), tube.sums.end());

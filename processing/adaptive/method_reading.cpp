@@ -1,7 +1,7 @@
+#include "processing/adaptive/method_reading.h"
+
 #include <array>
 #include <utility>
-
-#include "processing/adaptive_otf.h"
 
 namespace echolucent {
 
@@ -26,50 +26,42 @@ std::optional<MethodReading> methodReadingFromName(std::string_view name) {
 AdaptiveOtfConfig configOf(MethodReading reading) {
     AdaptiveOtfConfig config;
     if (reading == MethodReading::standard) return config;
-    // Every open point by its value: these two stay what they are when the defaults change.
-    config.interfaceFunction = InterfaceFunction::variance;
-    config.form = CurveForm::product;
-    config.cellSize = 5;
-    config.coarsestScale = 7;
-    config.finestScale = 3;
-    config.sigmaPerKernelSize = 0.25;
-    config.kernelCut = 3.0;
-    config.significance = 0.4;
-    config.floorQuantile = 0.0;
-    config.cellStride = 1;
-    config.border = TubeBorder::mirrorThenZero;
-    config.smoothing = SmoothingRoute::direct;
-    config.kernelEndsAtZero = false;
-    config.coarsestMustHaveMaximum = true;
-    config.trackingRangeSigmas = 0.0;
-    config.priorCellsMayOverlap = false;
-    config.rankBins = 0;
-    config.slopeHalfStep = 5;
-    config.leastEdgeToNoise = 0.0;
-    config.lowReach = 0;
-    config.highReach = 0;
+    // Every open point stands here by its value, so that these two readings stay what they are when defaults change.
+    VarianceRule variance{.coarsestScale = 7,
+                          .finestScale = 3,
+                          .sigmaPerKernelSize = 0.25,
+                          .kernelCut = 3.0,
+                          .kernelEndsAtZero = false,
+                          .border = TubeBorder::mirrorThenZero,
+                          .smoothing = SmoothingRoute::direct,
+                          .significance = 0.4,
+                          .floorQuantile = 0.0,
+                          .trackingRangeSigmas = 0.0,
+                          .coarsestMustHaveMaximum = true,
+                          .leastEdgeToNoise = 0.0};
+    config.cells.size = 5;
+    config.surface = {.lowReach = 0, .highReach = 0, .slopeHalfStep = 5, .priorCellsMayOverlap = false};
+    config.weights = {.rankBins = 0};
     // d_max = 0.03 at the paper's 225 tube cores. A d_max that stays 0.03 at any T would be a strength of 0.03 T; at
     // 225 both are the same.
-    constexpr double dMaxOfThePaperGrid = 0.03;
-    constexpr int tubesOfThePaperGrid = 225;
-    config.strength = dMaxOfThePaperGrid * tubesOfThePaperGrid;
+    config.curve = ProductRule{.strength = paperStrength};
     config.initial = PowerCurve{2, 1.0};
-    if (reading == MethodReading::settled) return config;
-    config.border = TubeBorder::circular;
-    config.smoothing = SmoothingRoute::fourier;
-    config.trackingRangeSigmas = 2.0;
-    config.significance = 0.0;
-    config.priorCellsMayOverlap = true;
-    config.rankBins = 256;
+    if (reading == MethodReading::asPublished) {
+        variance.border = TubeBorder::circular;
+        variance.smoothing = SmoothingRoute::fourier;
+        variance.trackingRangeSigmas = 2.0;
+        variance.significance = 0.0;
+        config.surface.priorCellsMayOverlap = true;
+        config.weights.rankBins = 256;
+    }
+    config.detection = variance;
     return config;
 }
 
 std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config) {
     for (const auto& [reading, name] : names) {
         AdaptiveOtfConfig known = configOf(reading);
-        known.tubeColumns = config.tubeColumns;
-        known.tubeRows = config.tubeRows;
-        known.tubeSpacing = config.tubeSpacing;
+        known.grid = config.grid;
         known.initial = config.initial;
         if (known == config) return reading;
     }

@@ -1,12 +1,17 @@
-#include "processing/tube_core/tube_quality.h"
+#include "processing/tube_core/surface_reading.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
+#include "processing/tube_core/tube_weights.h"
+
 namespace echolucent {
 namespace {
+
+/// I_L over all prior cells and I_H at the surface, as in the paper.
+constexpr SurfaceRule atTheSurface{.lowReach = 0, .highReach = 0};
 
 CellStatistics cellsWith(std::vector<double> means) {
     CellStatistics cells;
@@ -17,65 +22,59 @@ CellStatistics cellsWith(std::vector<double> means) {
     return cells;
 }
 
-TEST(DescribeSurface, ReadsPriorCellsSurfaceCellAndSlope) {
+TEST(ReadSurface, ReadsPriorCellsSurfaceCellAndSlope) {
     std::vector<double> means;
     for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
     means[3] = 0.9;
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 20, {}, tube));
+    ASSERT_TRUE(readSurface(cellsWith(means), 20, atTheSurface, 5, tube));
     EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
     EXPECT_EQ(*tube.lowIntensityMax, 0.9);
     EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.2);
     EXPECT_NEAR(*tube.slope, 0.01, 1e-15) << "per unit";
 }
 
-TEST(DescribeSurface, ShortensTheSlopeAtTheTubesEnds) {
+TEST(ReadSurface, ShortensTheSlopeAtTheTubesEnds) {
     std::vector<double> means;
     for (int i = 0; i < 12; ++i) means.push_back(0.01 * i * i);
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 9, {}, tube));
+    ASSERT_TRUE(readSurface(cellsWith(means), 9, atTheSurface, 5, tube));
     EXPECT_NEAR(*tube.slope, (0.01 * 121 - 0.01 * 16) / 7, 1e-15) << "from cell 4 to cell 11, the last";
 }
 
-TEST(DescribeSurface, NeedsACellThatEndsBeforeTheSurface) {
-    TubeCore tube;
-    CellStatistics cells = cellsWith(std::vector<double>(20, 0.5));
-    EXPECT_FALSE(describeSurface(cells, 4, {}, tube));
-    EXPECT_TRUE(describeSurface(cells, 5, {}, tube));
-    cells.firstCell = 3;
-    EXPECT_FALSE(describeSurface(cells, 7, {}, tube));
-    EXPECT_TRUE(describeSurface(cells, 8, {}, tube));
-    std::fill(cells.complete.begin(), cells.complete.begin() + 4, std::uint8_t{0});
-    EXPECT_FALSE(describeSurface(cells, 8, {}, tube)) << "cells of too little data do not count";
-}
-
-TEST(DescribeSurface, PriorCellsThatMayOverlapAreAllThatBeginBeforeTheSurface) {
+TEST(ReadSurface, TheReachSaysHowFarFromTheSurfaceIntensitiesAreRead) {
     std::vector<double> means;
     for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
-    AdaptiveOtfConfig config;
-    config.priorCellsMayOverlap = true;
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cellsWith(means), 20, config, tube));
-    EXPECT_NEAR(*tube.lowIntensity, 0.01 * 19 / 2, 1e-15) << "cells 0 to 19";
-    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.19);
-    EXPECT_TRUE(describeSurface(cellsWith(means), 1, config, tube));
-    EXPECT_FALSE(describeSurface(cellsWith(means), 0, config, tube));
+    ASSERT_TRUE(readSurface(cellsWith(means), 20, {.lowReach = 3, .highReach = 4}, 5, tube));
+    EXPECT_NEAR(*tube.lowIntensity, 0.14, 1e-15) << "cells 13 to 15";
+    EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.24) << "cell 24";
+    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.15) << "of all prior cells";
 }
 
-TEST(DescribeSurface, AStrideLooksAtEveryStridethCellOnly) {
-    std::vector<double> means;
-    for (int i = 0; i < 40; ++i) means.push_back(i % 5 == 2 ? 0.01 * i : 0.9);
-    CellStatistics cells = cellsWith(means);
-    cells.firstCell = 2;
-    AdaptiveOtfConfig config;
-    config.cellStride = 5;
-    config.slopeHalfStep = 6;
+TEST(ReadSurface, NeedsACellThatEndsBeforeTheSurface) {
     TubeCore tube;
-    ASSERT_TRUE(describeSurface(cells, 22, config, tube));
-    EXPECT_NEAR(*tube.lowIntensity, 0.01 * (2 + 7 + 12 + 17) / 4, 1e-15);
-    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.17);
-    EXPECT_NEAR(*tube.slope, 0.01, 1e-15) << "from cell 17 to cell 27, the half step nearest to 6";
-    EXPECT_TRUE(tube.edgeToNoise) << "abutting cells do not overlap: each is apart from the next";
+    CellStatistics cells = cellsWith(std::vector<double>(20, 0.5));
+    EXPECT_FALSE(readSurface(cells, 4, atTheSurface, 5, tube));
+    EXPECT_TRUE(readSurface(cells, 5, atTheSurface, 5, tube));
+    cells.firstCell = 3;
+    EXPECT_FALSE(readSurface(cells, 7, atTheSurface, 5, tube));
+    EXPECT_TRUE(readSurface(cells, 8, atTheSurface, 5, tube));
+    std::fill(cells.complete.begin(), cells.complete.begin() + 4, std::uint8_t{0});
+    EXPECT_FALSE(readSurface(cells, 8, atTheSurface, 5, tube)) << "cells of too little data do not count";
+}
+
+TEST(ReadSurface, PriorCellsThatMayOverlapAreAllThatBeginBeforeTheSurface) {
+    std::vector<double> means;
+    for (int i = 0; i < 30; ++i) means.push_back(0.01 * i);
+    SurfaceRule rule = atTheSurface;
+    rule.priorCellsMayOverlap = true;
+    TubeCore tube;
+    ASSERT_TRUE(readSurface(cellsWith(means), 20, rule, 5, tube));
+    EXPECT_NEAR(*tube.lowIntensity, 0.01 * 19 / 2, 1e-15) << "cells 0 to 19";
+    EXPECT_DOUBLE_EQ(*tube.lowIntensityMax, 0.19);
+    EXPECT_TRUE(readSurface(cellsWith(means), 1, rule, 5, tube));
+    EXPECT_FALSE(readSurface(cellsWith(means), 0, rule, 5, tube));
 }
 
 TEST(ScatterOf, IsTheStandardDeviationOfNoiseAndIgnoresAWall) {
@@ -105,7 +104,7 @@ TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
     std::vector<TubeCore> tubes{
         tubeWith(0.1, 0.03), tubeWith(0.2, 0.01), tubeWith(0.2, 0.02), tubeWith(0.4, -0.05), {}, {}};
     tubes[4].status = TubeStatus::none;
-    weighTubes(tubes, 5, 0.03, 6.0);
+    weighTubes(tubes, 0.03, 6.0, {});
     EXPECT_DOUBLE_EQ(tubes[0].intensityWeight, 1 - 1 / 5.0);
     EXPECT_DOUBLE_EQ(tubes[1].intensityWeight, 1 - 3 / 5.0) << "ties count together";
     EXPECT_DOUBLE_EQ(tubes[2].intensityWeight, 1 - 3 / 5.0);
@@ -125,7 +124,7 @@ TEST(WeighTubes, ValuesOfOneBinAreTies) {
     std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.20, 0.0101), tubeWith(0.21, 0.0119),
                                 tubeWith(0.4, -0.05)};
     const auto weights = [&](int bins) {
-        weighTubes(tubes, 4, 1.0, 0.0, bins);
+        weighTubes(tubes, 1.0, 0.0, {.rankBins = bins});
         std::vector<double> all;
         for (const TubeCore& tube : tubes) all.insert(all.end(), {tube.intensityWeight, tube.slopeWeight});
         return all;
@@ -140,27 +139,28 @@ TEST(WeighTubes, ValuesOfOneBinAreTies) {
 TEST(WeighTubes, AllTiesWeighNothing) {
     for (const int bins : {0, 256}) {
         std::vector<TubeCore> tubes(5, tubeWith(0.2, 0.02));
-        weighTubes(tubes, 5, 1.0, 0.0, bins);
+        weighTubes(tubes, 1.0, 0.0, {.rankBins = bins});
         for (const TubeCore& tube : tubes) {
             EXPECT_EQ(tube.intensityWeight, 0.0) << "inclusive ranks";
             EXPECT_EQ(tube.slopeWeight, 1.0);
             EXPECT_EQ(tube.d, 0.0);
         }
         for (TubeCore& tube : tubes) tube.lowIntensityMax = 0.0;
-        weighTubes(tubes, 5, 1.0, 0.0, bins);
+        weighTubes(tubes, 1.0, 0.0, {.rankBins = bins});
         for (const TubeCore& tube : tubes) EXPECT_EQ(tube.d, 0.0) << "nothing but black before the surface";
     }
 }
 
 TEST(WeighTubes, NoWeightWithoutARiseOrAnEdgeThatStandsOut) {
-    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.2, 0.02), tubeWith(0.3, 0.01), tubeWith(0.4, 0.01)};
+    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.2, 0.02), tubeWith(0.3, 0.01), tubeWith(0.4, 0.01), {}};
+    tubes[4].status = TubeStatus::none;
     tubes[0].highIntensity = 0.1;
     tubes[1].edgeToNoise = 5.9;
     tubes[2].edgeToNoise = std::nullopt;
-    weighTubes(tubes, 5, 1.0, 6.0);
+    weighTubes(tubes, 1.0, 6.0, {});
     for (std::size_t t = 0; t < 3; ++t) EXPECT_EQ(tubes[t].d, 0.0);
     EXPECT_GT(tubes[3].d, 0.0);
-    weighTubes(tubes, 5, 1.0, 0.0);
+    weighTubes(tubes, 1.0, 0.0, {});
     EXPECT_EQ(tubes[0].d, 0.0) << "I_H = I_L";
     EXPECT_GT(tubes[1].d, 0.0);
     EXPECT_GT(tubes[2].d, 0.0);

@@ -1,0 +1,23 @@
+// The curve that the tube cores make of the initial function (Petersch 2005, eqs. 4 to 7; docs/method.md, "The curve").
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "processing/opacity_curve.h"
+#include "processing/tube_core/rules/curve_rule.h"
+#include "processing/tube_core/tube_core.h"
+
+namespace echolucent {
+
+struct AdaptedCurve {
+    std::vector<double> logOpacity;  ///< ln of the curve before any clamp, at equidistant intensities 0 ... 1
+    SampledCurve curve;              ///< min(1, exp(logOpacity))
+    double trust = 1.0;  ///< by ramp: share of the tubes' own say, the rest is the initial function's, [0,1]
+};
+
+/// At `count` (>= 2) intensities. Where no tube core has a weight the curve is the initial function.
+[[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
+                                        std::span<const TubeCore> tubes, int count);
+
+}  // namespace echolucent

@@ -1,0 +1,120 @@
+#include "processing/adaptive/adaptive_otf.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "processing/adaptive/adapted_curve.h"
+#include "processing/adaptive/choose_detection.h"
+#include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/read_tube_cores.h"
+#include "processing/adaptive/stage_runner.h"
+#include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/surface_reading.h"
+#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/tube_weights.h"
+
+namespace echolucent {
+
+namespace {
+
+AdaptiveOtf unrun(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
+    AdaptiveOtf otf;
+    otf.config = config;
+    otf.view = view;
+    otf.tubeSpacingUnits = tubeSpacingUnits(geometry, view, config.grid, config.cells.size);
+    otf.directionVoxel = directionInVoxels(view, geometry);
+    otf.tubeLengthUnit = geometry.unit();
+    return otf;
+}
+
+/// A tube core that was read, before a surface is looked for.
+TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const CellStatistics& cells) {
+    TubeCore tube;
+    tube.column = axis.column;
+    tube.row = axis.row;
+    if (!axis.entryVoxel || !cells.anyData) return tube;
+    tube.status = TubeStatus::none;
+    tube.entryVoxel = axis.entryVoxel;
+    tube.firstSampleVoxel = samples.first;
+    tube.firstCell = cells.firstCell;
+    tube.cellMeans.assign(cells.means.begin(), cells.means.end());
+    return tube;
+}
+
+/// Why the curve is the initial function, as a sentence; empty: it is not.
+std::string messageFor(const AdaptiveOtf& otf) {
+    const std::string consequence = ": the initial function is used.";
+    if (otf.tubesWithSurface > 0) return {};
+    if (otf.tubesMeetingVolume == 0) return "No tube core meets the volume's data" + consequence;
+    int found = 0, usable = 0;
+    for (const TubeCore& tube : otf.tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        ++found;
+        if (tube.extraWeight > 0.0) ++usable;
+    }
+    if (found == 0) return "No surface found" + consequence;
+    if (usable == 0) return "No surface found that stands out from the speckle" + consequence;
+    if (otf.dMax == 0.0) return "The strength is 0" + consequence;
+    // Ranks compare tubes with each other: one tube, or tubes that are all equal, weigh nothing.
+    return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
+}
+
+}  // namespace
+
+std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
+                                        const Progress& progress) {
+    if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
+    AdaptiveOtf otf = unrun(volume.geometry(), view, config);
+    StageRunner run(progress, otf.times);
+
+    // Place the tube cores and read them.
+    if (!run.begin(samplingStage)) return std::nullopt;
+    const auto axes = tubeAxes(volume.geometry(), view, config.grid, config.cells.size);
+    const auto samples = samplesOf(axes, volume.geometry(), view, config.cells.size);
+    const auto detection = detectionOf(config.detection, samples, config.cells.size);
+    readTubeCores(volume, samples, config.grid.columns, config.cells, *detection, run);
+
+    // The interface indicating function.
+    if (!run.begin(interfaceFunctionStage)) return std::nullopt;
+    detection->computeInterfaceFunction(run);
+    otf.leastContrast = detection->leastContrast();
+    otf.fluidIntensity = detection->fluidIntensity();
+
+    // Find the surfaces, and read I_L, I_H and slope around them.
+    if (!run.begin(detectionStage)) return std::nullopt;
+    otf.tubes.resize(axes.size());
+    run.forEach(
+        axes.size(), [] { return CellStatistics(); },
+        [&](std::size_t t, CellStatistics& scratch) {
+            const CellStatistics& cells = detection->cellsOf(t, scratch);
+            TubeCore& tube = otf.tubes[t] = tubeCoreOf(axes[t], samples[t], cells);
+            if (tube.status == TubeStatus::outside) return;
+            tube.interfaceFunction = detection->interfaceFunctionOf(t, cells);
+            const auto surface = detection->surfaceOf(t, cells, tube.trackedCells);
+            if (!surface || !readSurface(cells, surface->cell, config.surface, config.cells.size, tube)) return;
+            tube.status = TubeStatus::surface;
+            tube.surfaceVoxel = samples[t].onAxis(surface->cell + (config.cells.size - 1) / 2.0);
+            tube.contrast = surface->contrast;
+            tube.fluidSpread = detection->spreadAt(*tube.lowIntensity);
+        });
+
+    // Weigh them (eqs. 8 to 11).
+    if (!run.begin(weightsStage)) return std::nullopt;
+    otf.tubesMeetingVolume = tubesMeetingVolume(otf.tubes);
+    if (otf.tubesMeetingVolume > 0) otf.dMax = strengthOf(config.curve) / otf.tubesMeetingVolume;
+    weighTubes(otf.tubes, otf.dMax, detection->leastEdgeToNoise(), config.weights);
+    otf.tubesWithSurface = tubesWithWeight(otf.tubes);
+
+    // The curve (eqs. 4 to 7, or the mean ramp).
+    if (!run.begin(curveStage)) return std::nullopt;
+    AdaptedCurve adapted = adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
+    otf.logOpacity = std::move(adapted.logOpacity);
+    otf.curve = std::move(adapted.curve);
+    otf.trust = adapted.trust;
+    otf.message = messageFor(otf);
+    if (!run.end()) return std::nullopt;
+    return otf;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,20 @@
+// The adaptive opacity transfer function of Petersch et al. 2005, section 4, as docs/method.md defines it: values in,
+// the curve and everything that led to it out.
+#pragma once
+
+#include <optional>
+
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/progress.h"
+#include "processing/viewpoint.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Runs the method. Empty only where progress.cancel was raised. The same bits for any number of threads.
+/// Throws std::invalid_argument where problemOf(config) is not empty.
+[[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
+                                                      const AdaptiveOtfConfig& config, const Progress& progress = {});
+
+}  // namespace echolucent

@@ -1,0 +1,16 @@
+// From a detection rule to the detection that follows it.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "processing/adaptive/detection.h"
+#include "processing/tube_core/rules/detection_rule.h"
+
+namespace echolucent {
+
+/// samples: of all tube cores of the view; cellSize: edge of their cells, units.
+[[nodiscard]] std::unique_ptr<Detection> detectionOf(const DetectionRule& rule, std::span<const TubeSamples> samples,
+                                                     int cellSize);
+
+}  // namespace echolucent

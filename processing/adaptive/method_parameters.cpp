@@ -1,0 +1,453 @@
+#include "processing/adaptive/method_parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "processing/tube_core/cell_statistics.h"
+
+namespace echolucent {
+
+namespace {
+
+using Row = Parameter<AdaptiveOtfConfig>;
+
+// Where each rule stands in the config, and when; null: another rule is chosen.
+TubeGrid* find(AdaptiveOtfConfig& config, TubeGrid*) { return &config.grid; }
+CellRule* find(AdaptiveOtfConfig& config, CellRule*) { return &config.cells; }
+SurfaceRule* find(AdaptiveOtfConfig& config, SurfaceRule*) { return &config.surface; }
+WeightRule* find(AdaptiveOtfConfig& config, WeightRule*) { return &config.weights; }
+VarianceRule* find(AdaptiveOtfConfig& config, VarianceRule*) { return std::get_if<VarianceRule>(&config.detection); }
+RatioRule* find(AdaptiveOtfConfig& config, RatioRule*) { return std::get_if<RatioRule>(&config.detection); }
+ProductRule* find(AdaptiveOtfConfig& config, ProductRule*) { return std::get_if<ProductRule>(&config.curve); }
+RampRule* find(AdaptiveOtfConfig& config, RampRule*) { return std::get_if<RampRule>(&config.curve); }
+
+template <typename Rule>
+constexpr ParameterScope scopeOf{};
+template <>
+constexpr ParameterScope scopeOf<VarianceRule>{"interface_function", "variance"};
+template <>
+constexpr ParameterScope scopeOf<RatioRule>{"interface_function", "ratio"};
+template <>
+constexpr ParameterScope scopeOf<ProductRule>{"form", "product"};
+template <>
+constexpr ParameterScope scopeOf<RampRule>{"form", "ramp"};
+
+template <typename Member>
+struct Field;
+template <typename R, typename V>
+struct Field<V R::*> {
+    using Rule = R;
+    using Value = V;
+};
+template <auto member>
+using RuleOf = typename Field<decltype(member)>::Rule;
+template <auto member>
+using ValueOf = typename Field<decltype(member)>::Value;
+
+/// The field in a config; null: it means nothing there.
+template <auto member>
+ValueOf<member>* fieldIn(AdaptiveOtfConfig& config) {
+    RuleOf<member>* rule = find(config, static_cast<RuleOf<member>*>(nullptr));
+    return rule == nullptr ? nullptr : &(rule->*member);
+}
+template <auto member>
+const ValueOf<member>* fieldIn(const AdaptiveOtfConfig& config) {
+    return fieldIn<member>(const_cast<AdaptiveOtfConfig&>(config));
+}
+
+int wholeOf(std::int64_t value) {
+    return static_cast<int>(std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(),  //
+                                                     std::numeric_limits<int>::max()));
+}
+
+template <auto member>
+std::optional<ParameterValue> numberIn(const AdaptiveOtfConfig& config) {
+    const auto* field = fieldIn<member>(config);
+    if (field == nullptr) return std::nullopt;
+    if constexpr (std::is_same_v<ValueOf<member>, int>)
+        return std::int64_t{*field};
+    else
+        return *field;
+}
+
+template <auto member>
+bool setNumberIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
+    auto* field = fieldIn<member>(config);
+    if (field == nullptr) return false;
+    const auto* whole = std::get_if<std::int64_t>(&value);
+    if constexpr (std::is_same_v<ValueOf<member>, int>) {
+        if (whole == nullptr) return false;
+        *field = wholeOf(*whole);
+    } else {
+        const auto number = numberOf(value);
+        if (!number) return false;
+        *field = *number;
+    }
+    return true;
+}
+
+/// What the text fields of a row say.
+struct Words {
+    std::string_view name, label, meaning, unit, source;
+};
+
+template <auto member>
+Row number(const Words& words, ParameterRange range, std::optional<ParameterRange> offered = {}) {
+    return {words.name, words.label,      words.meaning,       words.unit, words.source,           range,
+            {},         numberIn<member>, setNumberIn<member>, offered,    scopeOf<RuleOf<member>>};
+}
+
+template <typename Value>
+struct Named {
+    Value value;
+    std::string_view name;
+};
+constexpr std::array samplings{Named{TubeSampling::trilinear, "trilinear"}, Named{TubeSampling::nearest, "nearest"}};
+constexpr std::array precisions{Named{Precision::single32, "single"}, Named{Precision::double64, "double"}};
+constexpr std::array borders{Named{TubeBorder::mirrorThenZero, "mirror"}, Named{TubeBorder::circular, "circular"}};
+constexpr std::array routes{Named{SmoothingRoute::direct, "direct"}, Named{SmoothingRoute::fourier, "fourier"}};
+constexpr std::array kernelEnds{Named{true, "zero"}, Named{false, "cut"}};
+constexpr std::array coarsestMaxima{Named{true, "needed"}, Named{false, "any"}};
+constexpr std::array priorCells{Named{true, "overlapping"}, Named{false, "apart"}};
+
+template <auto member, const auto& names>
+std::optional<ParameterValue> choiceIn(const AdaptiveOtfConfig& config) {
+    const auto* field = fieldIn<member>(config);
+    if (field == nullptr) return std::nullopt;
+    for (const auto& named : names)
+        if (named.value == *field) return std::string(named.name);
+    return std::nullopt;
+}
+
+template <auto member, const auto& names>
+bool setChoiceIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
+    auto* field = fieldIn<member>(config);
+    const auto* name = std::get_if<std::string>(&value);
+    if (field == nullptr || name == nullptr) return false;
+    for (const auto& named : names)
+        if (named.name == *name) {
+            *field = named.value;
+            return true;
+        }
+    return false;
+}
+
+template <auto member, const auto& names>
+Row choice(const Words& words) {
+    std::vector<std::string_view> all;
+    for (const auto& named : names) all.push_back(named.name);
+    return {words.name,
+            words.label,
+            words.meaning,
+            words.unit,
+            words.source,
+            {},
+            all,
+            choiceIn<member, names>,
+            setChoiceIn<member, names>,
+            {},
+            scopeOf<RuleOf<member>>};
+}
+
+/// A row that says which of two rules a variant of the config holds.
+template <auto variant, typename First, typename Second>
+Row alternative(const Words& words) {
+    const auto get = [](const AdaptiveOtfConfig& config) -> std::optional<ParameterValue> {
+        const bool first = std::holds_alternative<First>(config.*variant);
+        return std::string(first ? scopeOf<First>.choice : scopeOf<Second>.choice);
+    };
+    const auto set = [](AdaptiveOtfConfig& config, const ParameterValue& value) {
+        const auto* name = std::get_if<std::string>(&value);
+        const auto choose = [&]<typename Rule>(Rule rule) {
+            if (name == nullptr || *name != scopeOf<Rule>.choice) return false;
+            // What was set of the rule that is chosen already stays.
+            if (!std::holds_alternative<Rule>(config.*variant)) config.*variant = rule;
+            return true;
+        };
+        return choose(First{}) || choose(Second{});
+    };
+    return {words.name,
+            words.label,
+            words.meaning,
+            words.unit,
+            words.source,
+            {},
+            {scopeOf<First>.choice, scopeOf<Second>.choice},
+            get,
+            set};
+}
+
+/// a of the initial function where it has one: of a power its scale, of a linear curve its slope.
+Row opacityScale() {
+    const auto scaleOf = [](auto& curve) -> decltype(&std::get<PowerCurve>(curve).scale) {
+        if (auto* power = std::get_if<PowerCurve>(&curve)) return &power->scale;
+        if (auto* linear = std::get_if<LinearCurve>(&curve)) return &linear->slope;
+        return nullptr;
+    };
+    const auto get = [](const AdaptiveOtfConfig& config) -> std::optional<ParameterValue> {
+        const double* scale = decltype(scaleOf)()(config.initial);
+        return scale == nullptr ? std::nullopt : std::optional<ParameterValue>(*scale);
+    };
+    const auto set = [](AdaptiveOtfConfig& config, const ParameterValue& value) {
+        double* scale = decltype(scaleOf)()(config.initial);
+        const auto number = numberOf(value);
+        if (scale == nullptr || !number) return false;
+        *scale = *number;
+        return true;
+    };
+    return {"opacity_scale",
+            "Opacity scale a",
+            "Opacity of the initial function at full intensity; of a linear one its slope, of a manual one a factor",
+            "",
+            "chosen by looking",
+            {0, 1e6},
+            {},
+            get,
+            set,
+            ParameterRange{0, 10}};
+}
+
+constexpr std::string_view published = "Petersch 2005, 4.1";
+constexpr std::string_view withoutFluid =
+    "scans without fluid, in which no surface may be found: docs/method.md, The rule, 4 and 5";
+
+std::vector<Row> gridAndCells() {
+    return {
+        number<&TubeGrid::columns>(
+            {"tube_columns", "Tube columns", "Tube cores across the picture", "", "Petersch 2005, 6.1"}, {1, 4096},
+            ParameterRange{1, 400}),
+        number<&TubeGrid::rows>({"tube_rows", "Tube rows", "Tube cores down the picture", "", "Petersch 2005, 6.1"},
+                                {1, 4096}, ParameterRange{1, 400}),
+        number<&TubeGrid::spacing>({"tube_spacing", "Tube spacing",
+                                    "Distance of neighbouring tube cores; 0: automatic, the grid covers the volume",
+                                    "units", "Petersch 2005, 6.1"},
+                                   {0, 1e6}, ParameterRange{0, 1000}),
+        number<&CellRule::size>({"cell_size", "Cell size", "Edge of the cells along a tube core", "units", published},
+                                {2, largestCellSize}),
+        choice<&CellRule::sampling, samplings>({"sampling", "Sampling", "How samples that lie on no voxel are taken",
+                                                "", "docs/reports/otf.html, sampling"}),
+        choice<&CellRule::precision, precisions>({"precision", "Precision",
+                                                  "Arithmetic of samples, moments and interface function", "",
+                                                  "docs/reports/otf.html, precision"}),
+    };
+}
+
+std::vector<Row> detectionByVariance() {
+    return {
+        number<&VarianceRule::coarsestScale>(
+            {"coarsest_scale", "Coarsest scale",
+             "The widest kernel in which a surface is looked for has a size of 2 to this power, in units", "",
+             published},
+            {0, 10}, ParameterRange{1, 10}),
+        number<&VarianceRule::finestScale>(
+            {"finest_scale", "Finest scale",
+             "The narrowest kernel to which a surface is followed has a size of 2 to this power, in units", "",
+             published},
+            {0, 10}, ParameterRange{1, 10}),
+        number<&VarianceRule::sigmaPerKernelSize>(
+            {"sigma_per_kernel_size", "Sigma", "Standard deviation of a kernel, as a share of its size", "kernel sizes",
+             "docs/method.md, settled reading"},
+            {0.01, 4}),
+        number<&VarianceRule::kernelCut>(
+            {"kernel_cut", "Kernel cut", "Kernels end at this many standard deviations and are renormalised",
+             "standard deviations", "docs/cli-otf.md, More maxima at a coarser scale"},
+            {0.5, 10}),
+        choice<&VarianceRule::kernelEndsAtZero, kernelEnds>(
+            {"kernel_end", "Kernel end", "Kernels are lowered so that they end at zero, or they are cut", "",
+             "docs/cli-otf.md, More maxima at a coarser scale"}),
+        choice<&VarianceRule::border, borders>(
+            {"border", "Border", "Beyond a tube core's ends: mirrored in front and zero behind, or the other end", "",
+             "docs/method.md, settled reading"}),
+        choice<&VarianceRule::smoothing, routes>(
+            {"smoothing_route", "Smoothing route",
+             "How the interface function is smoothed: sums of products, or a Fourier transform", "",
+             "docs/cli-otf.md, Routes"}),
+        number<&VarianceRule::significance>(
+            {"significance", "Significance", "A local maximum counts from this share of the largest value in its range",
+             "share", "docs/method.md, settled reading"},
+            {0, 1}),
+        number<&VarianceRule::floorQuantile>(
+            {"floor_quantile", "Floor quantile",
+             "This quantile of a tube's interface function is taken off before tracking; 0: nothing is", "share",
+             "docs/cli-otf.md, How a surface is found"},
+            {0, 1}),
+        number<&VarianceRule::trackingRangeSigmas>(
+            {"tracking_range", "Tracking range",
+             "How far around a maximum the next scale looks; 0: from valley to valley", "standard deviations",
+             "docs/method.md, settled reading"},
+            {0, 1000}),
+        choice<&VarianceRule::coarsestMustHaveMaximum, coarsestMaxima>(
+            {"coarsest_maximum", "Coarsest maximum",
+             "Needed: there is no surface without a maximum at the coarsest scale; any: tracking begins at the "
+             "coarsest scale that has one",
+             "", "docs/cli-otf.md, How a surface is found"}),
+        number<&VarianceRule::leastEdgeToNoise>(
+            {"least_edge_to_noise", "Least edge to noise",
+             "A surface that stands out less from its tube's own speckle weighs nothing; 0: there is no test", "",
+             "docs/cli-otf.md, How a surface is found"},
+            {0, 1e6}),
+    };
+}
+
+std::vector<Row> detectionByRatio() {
+    constexpr ParameterRange slabs{1, 1000};
+    return {
+        number<&RatioRule::falseAlarm>(
+            {"false_alarm", "Least contrast",
+             "A surface counts from this contrast on, in standard deviations of the "
+             "contrast where there is no boundary",
+             "standard deviations", "docs/method.md, The rule, 1: in place of the fixed threshold of its table"},
+            {0, 1e6}, ParameterRange{0, 20}),
+        number<&RatioRule::contrastFloor>(
+            {"contrast_floor", "Contrast floor", "The least contrast of a surface is never below this",
+             "standard deviations of voxels", "no experiment on record; docs/method.md, The rule, 1"},
+            {0, 1e6}),
+        number<&RatioRule::contrastCeiling>(
+            {"contrast_ceiling", "Contrast ceiling", "The least contrast of a surface is never above this",
+             "standard deviations of voxels", "no experiment on record; docs/method.md, The rule, 1"},
+            {0, 1e6}),
+        number<&RatioRule::slabsBefore>({"slabs_before", "Slabs before", "Slabs averaged before a boundary", "units",
+                                         "docs/method.md, The rule: windows of 5 and 8, or 8 and 12, are within half "
+                                         "a point"},
+                                        slabs),
+        number<&RatioRule::slabsBehind>({"slabs_behind", "Slabs behind", "Slabs averaged behind a boundary", "units",
+                                         "docs/method.md, The rule: windows of 5 and 8, or 8 and 12, are within half "
+                                         "a point"},
+                                        slabs),
+        number<&RatioRule::rampSlabs>(
+            {"ramp_slabs", "Ramp slabs", "Slabs on each side of a boundary that may lie on its ramp", "units",
+             "no experiment on record; docs/method.md, Weak places: ramps of 8 units"},
+            {0, 1000}),
+        number<&RatioRule::leastFluid>({"least_fluid", "Least fluid", "Slabs of fluid that must lie before a surface",
+                                        "units", "no experiment on record; docs/method.md, The rule, 3"},
+                                       slabs),
+        number<&RatioRule::leastDark>(
+            {"least_dark", "Least dark", "Slabs before a surface that must be darker than the fluid level", "units",
+             withoutFluid},
+            {0, 1000}),
+        number<&RatioRule::leastStep>(
+            {"least_step", "Least step", "A surface rises by at least this share of the view's bright mean", "share",
+             withoutFluid},
+            {0, 1}),
+        number<&RatioRule::certainty>({"certainty", "Certainty",
+                                       "A contrast of this many standard deviations is no accident even among "
+                                       "thousands of boundaries",
+                                       "standard deviations", withoutFluid},
+                                      {0, 1e6}),
+        number<&RatioRule::certainShare>({"certain_share", "Certain share",
+                                          "A view holds surfaces only if this share of its tube cores, at least one, "
+                                          "holds a certain contrast",
+                                          "share", withoutFluid},
+                                         {0, 1}),
+        number<&RatioRule::leastRatio>({"least_ratio", "Least ratio",
+                                        "Where echo is not compressed, tissue must typically be this many times as "
+                                        "bright as fluid",
+                                        "", withoutFluid},
+                                       {1, 1000}),
+    };
+}
+
+std::vector<Row> surfacesAndWeights() {
+    return {
+        number<&SurfaceRule::lowReach>(
+            {"low_reach", "Low reach", "I_L is the mean over this many of the last prior cells; 0: over all of them",
+             "units", "docs/method.md, The rule; 0: Petersch 2005, 4.1"},
+            {0, 1000}),
+        number<&SurfaceRule::highReach>(
+            {"high_reach", "High reach",
+             "I_H is the largest cell mean up to this far behind the surface; 0: the mean at the surface", "units",
+             "docs/method.md, The rule; 0: Petersch 2005, 4.1"},
+            {0, 1000}),
+        number<&SurfaceRule::slopeHalfStep>(
+            {"slope_half_step", "Slope half step",
+             "The slope at a surface is a central difference over this far to either side", "units",
+             "docs/method.md, settled reading"},
+            {1, 1000}, ParameterRange{1, 32}),
+        choice<&SurfaceRule::priorCellsMayOverlap, priorCells>(
+            {"prior_cells", "Prior cells",
+             "Apart: cells that end before the surface cell; overlapping: all that begin before it", "",
+             "docs/method.md, settled reading; overlapping: Petersch 2005, eq. 8"}),
+        number<&WeightRule::rankBins>({"rank_bins", "Rank bins",
+                                       "Bins of the histograms of eqs. 9 and 10, from 0 to the largest value; 0: exact "
+                                       "ranks",
+                                       "", "docs/method.md, settled reading"},
+                                      {0, 1 << 20}),
+    };
+}
+
+std::vector<Row> curves() {
+    constexpr std::string_view tried = "docs/method.md, The curve";
+    return {
+        alternative<&AdaptiveOtfConfig::curve, ProductRule, RampRule>(
+            {"form", "Form",
+             "Ramp: clear up to the fluid, full from the surface on, averaged over the tube cores; product: the "
+             "initial function times one basis function for each tube core, as published",
+             "", tried}),
+        number<&ProductRule::strength>(
+            {"strength", "Strength", "How far the found surfaces bend the initial function: T times d_max", "",
+             "docs/cli-otf.md, Readings of the paper: d_max 0.03 at 225 tube cores"},
+            {0, 1e12}, ParameterRange{0, 40}),
+        number<&RampRule::begin>({"ramp_begin", "Ramp begin",
+                                  "An intensity is clear up to this share of the way from I_L to I_H", "share", tried},
+                                 {-10, 10}),
+        number<&RampRule::clearSpreads>(
+            {"clear_spreads", "Clear spreads",
+             "An intensity is clear up to this far above I_L, in deviations of the fluid's own voxels",
+             "standard deviations", tried},
+            {0, 1000}),
+        number<&RampRule::end>(
+            {"ramp_end", "Ramp end", "The ramp is full from this share of the way from I_L to I_H on", "share", tried},
+            {-9.999, 20}),
+        number<&RampRule::opacity>(
+            {"ramp_opacity", "Opacity", "Opacity where all tube cores say surface", "opacity per unit length", tried},
+            {1e-6, 1}, ParameterRange{0.01, 1}),
+        number<&RampRule::trustedShare>({"trusted_share", "Trusted share",
+                                         "Share of the tube cores that must have a weight for the initial function to "
+                                         "have no say",
+                                         "share", "no experiment on record; docs/method.md, The curve"},
+                                        {0, 1}),
+        opacityScale(),
+    };
+}
+
+std::vector<Row> allRows() {
+    std::vector<Row> all = gridAndCells();
+    const auto append = [&](const std::vector<Row>& rows) { all.insert(all.end(), rows.begin(), rows.end()); };
+    append({alternative<&AdaptiveOtfConfig::detection, VarianceRule, RatioRule>(
+        {"interface_function", "Interface function",
+         "What tells tissue from fluid along a tube core. Ratio: how much brighter it is behind than before, which "
+         "speckle does not disturb; variance: where intensities vary most, followed through scale space, as published",
+         "", "docs/method.md, Detection by ratio"})});
+    append(detectionByVariance());
+    append(detectionByRatio());
+    append(surfacesAndWeights());
+    append(curves());
+    return all;
+}
+
+}  // namespace
+
+std::span<const Row> methodParameters() {
+    static const std::vector<Row> rows = allRows();
+    return rows;
+}
+
+std::string problemOf(const AdaptiveOtfConfig& config) {
+    if (std::string problem = problemIn(methodParameters(), config); !problem.empty()) return problem;
+    // What two parameters must be to each other.
+    constexpr int mostTubes = 1 << 18;
+    if (config.grid.columns * config.grid.rows > mostTubes)
+        return "the tube grid must have at most " + std::to_string(mostTubes) + " tube cores";
+    if (const auto* variance = std::get_if<VarianceRule>(&config.detection))
+        if (variance->finestScale > variance->coarsestScale)
+            return "the coarsest of the scales must not be below the finest scale";
+    if (const auto* ramp = std::get_if<RampRule>(&config.curve))
+        if (!(ramp->end >= ramp->begin + 1e-3)) return "the ramp must end at least 0.001 behind where it begins";
+    return {};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,19 @@
+// The method's parameters, each said once: range check, command line, JSON, docs/cli-otf.md and panel read this table.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/parameter.h"
+
+namespace echolucent {
+
+/// All parameters of an AdaptiveOtfConfig but the kind and shape of its initial function. A new one is a field of a
+/// rule (processing/tube_core/rules/) and a row here.
+[[nodiscard]] std::span<const Parameter<AdaptiveOtfConfig>> methodParameters();
+
+/// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing is.
+[[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);
+
+}  // namespace echolucent

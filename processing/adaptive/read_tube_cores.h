@@ -1,0 +1,19 @@
+// Reading the tube cores of a view (Petersch 2005, section 4.1).
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "processing/adaptive/detection.h"
+#include "processing/adaptive/stage_runner.h"
+#include "processing/tube_core/rules/cell_rule.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Reads the tube cores, row by row on all threads, and has the detection keep what it needs. samples: row-major;
+/// columns: tubes in a row.
+void readTubeCores(const Volume& volume, std::span<const TubeSamples> samples, int columns, const CellRule& rule,
+                   Detection& detection, StageRunner& run);
+
+}  // namespace echolucent

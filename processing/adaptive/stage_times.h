@@ -1,0 +1,16 @@
+// Where the time of a run went.
+#pragma once
+
+namespace echolucent {
+
+/// Milliseconds of wall time of each stage, whichever way surfaces are detected.
+struct StageTimes {
+    double sampling = 0.0;   ///< placing the tube cores, and reading their voxels into moments of slabs
+    double cells = 0.0;      ///< from the slabs to the interface indicating function
+    double detection = 0.0;  ///< finding the surfaces, and reading I_L, I_H and slope around them
+    double weights = 0.0;    ///< weighing the tube cores
+    double curve = 0.0;      ///< from the weights to the curve
+    double total = 0.0;      ///< all of the run
+};
+
+}  // namespace echolucent

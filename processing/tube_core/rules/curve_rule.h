@@ -1,0 +1,37 @@
+// The ways in which the tube cores bend the initial function, of which a method has one.
+#pragma once
+
+#include <variant>
+
+namespace echolucent {
+
+/// T * d_max of the paper: 0.03 at its 15 x 15 tube cores (docs/cli-otf.md, "Readings of the paper").
+inline constexpr double paperStrength = 0.03 * 225;
+
+/// The initial function times one basis function per tube core (Petersch 2005, eq. 4).
+struct ProductRule {
+    double strength = paperStrength;  ///< T * d_max: one rule for any number of tube cores
+    friend bool operator==(const ProductRule&, const ProductRule&) = default;
+};
+
+/// The mean, weighted by d, of one ramp per tube core: clear up to its fluid, full from its surface on. Only the ratios
+/// of the weights count, so the paper's strength is taken for d_max.
+struct RampRule {
+    double begin = 0.4;          ///< an intensity is clear up to this share of the way from I_L to I_H
+    double clearSpreads = 2.5;   ///< and up to this many standard deviations of the fluid's own voxels above I_L
+    double end = 1.6;            ///< the ramp is full from this share of the way on; above begin
+    double opacity = 1.0;        ///< opacity where all tube cores say surface, per unit length
+    double trustedShare = 0.05;  ///< share of the tube cores that must have a weight for the initial function to have
+                                 ///< no say in the curve; below it both are mixed
+    friend bool operator==(const RampRule&, const RampRule&) = default;
+};
+
+using CurveRule = std::variant<ProductRule, RampRule>;
+
+/// T * d_max under a rule.
+[[nodiscard]] inline double strengthOf(const CurveRule& rule) {
+    const auto* product = std::get_if<ProductRule>(&rule);
+    return product != nullptr ? product->strength : paperStrength;
+}
+
+}  // namespace echolucent

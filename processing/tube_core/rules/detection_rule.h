@@ -1,0 +1,13 @@
+// The ways of telling tissue from fluid along a tube core, of which a method has one.
+#pragma once
+
+#include <variant>
+
+#include "processing/tube_core/rules/ratio_rule.h"
+#include "processing/tube_core/rules/variance_rule.h"
+
+namespace echolucent {
+
+using DetectionRule = std::variant<VarianceRule, RatioRule>;
+
+}  // namespace echolucent

@@ -1,0 +1,30 @@
+// Detection by the ratio of means before and behind a boundary (docs/method.md, "Detection by ratio").
+#pragma once
+
+namespace echolucent {
+
+/// Lengths are in units along the tube core; a slab is one unit long. Contrasts are in standard deviations of the
+/// voxels of a slab (SpeckleScale). The ranges, and the experiment that chose each value, stand in methodParameters().
+struct RatioRule {
+    double falseAlarm = 3.25;  ///< the least contrast of a surface, in standard deviations of the contrast where there
+                               ///< is no boundary; 0: contrastFloor alone holds
+    double contrastFloor = 0.5;    ///< the least contrast of a surface is never below this
+    double contrastCeiling = 4.0;  ///< nor above this: what stands out so far is never speckle
+    int slabsBefore = 10;          ///< slabs averaged before a boundary; leastFluid suffice where the tube begins later
+    int slabsBehind = 6;           ///< slabs averaged behind a boundary; half of them suffice where the tube ends
+    int rampSlabs = 3;             ///< slabs on each side of a boundary that may lie on its ramp
+    int leastFluid = 8;            ///< slabs of fluid that must lie before a surface
+    int leastDark = 6;             ///< of the slabs before a surface, this many are darker than the fluid level: a gap
+                                   ///< thinner than leastFluid, less its ramps, is no fluid
+    double leastStep = 0.15;       ///< a surface rises by this share of the view's bright mean: slow changes of gain
+                                   ///< and steps of one grey level are no surfaces, however little noise there is
+    double certainty = 5.0;        ///< contrast, in the deviations of falseAlarm, that is no accident even among
+                                   ///< thousands of boundaries
+    double certainShare = 0.01;    ///< a view holds surfaces only if this share of its tube cores, at least one, holds
+                                   ///< a contrast of `certainty`
+    double leastRatio = 2.1;       ///< where echo is not compressed, tissue is typically this many times as bright as
+                                   ///< fluid; a view of weaker boundaries holds bright tissue behind darker tissue
+    friend bool operator==(const RatioRule&, const RatioRule&) = default;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,13 @@
+// How the tube cores are weighed against each other.
+#pragma once
+
+namespace echolucent {
+
+/// The range stands in methodParameters().
+struct WeightRule {
+    int rankBins = 0;  ///< bins of the histograms of Petersch 2005, eqs. 9 and 10, over 0 to the largest value; 0:
+                       ///< exact ranks
+    friend bool operator==(const WeightRule&, const WeightRule&) = default;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,67 @@
+#include "processing/tube_core/tube_weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace echolucent {
+
+namespace {
+
+/// How many of the ascending values are at most this one.
+double rankOf(double value, const std::vector<double>& ascending) {
+    return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
+}
+
+/// The values as the lower ends of their bins, counted in bins; bins of 0: as they are.
+void sortIntoBins(std::vector<double>& values, int bins) {
+    if (bins == 0 || values.empty()) return;
+    const double largest = *std::max_element(values.begin(), values.end());
+    if (largest <= 0.0) return;
+    for (double& value : values) value = std::min(std::floor(value / largest * bins), bins - 1.0);
+}
+
+/// Ranks of values among themselves, in their order, 0 ... 1 after division by total.
+std::vector<double> shareOfRanks(std::vector<double> values, int bins, int total) {
+    sortIntoBins(values, bins);
+    std::vector<double> ascending = values;
+    std::sort(ascending.begin(), ascending.end());
+    for (double& value : values) value = rankOf(value, ascending) / total;
+    return values;
+}
+
+}  // namespace
+
+int tubesMeetingVolume(std::span<const TubeCore> tubes) {
+    return static_cast<int>(std::count_if(tubes.begin(), tubes.end(),
+                                          [](const TubeCore& tube) { return tube.status != TubeStatus::outside; }));
+}
+
+int tubesWithWeight(std::span<const TubeCore> tubes) {
+    return static_cast<int>(
+        std::count_if(tubes.begin(), tubes.end(), [](const TubeCore& tube) { return tube.d > 0.0; }));
+}
+
+void weighTubes(std::span<TubeCore> tubes, double dMax, double leastEdgeToNoise, const WeightRule& rule) {
+    const int total = tubesMeetingVolume(tubes);
+    std::vector<double> lowMaxima, slopes;
+    for (const TubeCore& tube : tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        lowMaxima.push_back(*tube.lowIntensityMax);
+        if (*tube.slope > 0.0) slopes.push_back(*tube.slope);
+    }
+    lowMaxima = shareOfRanks(std::move(lowMaxima), rule.rankBins, total);
+    slopes = shareOfRanks(std::move(slopes), rule.rankBins, total);
+    std::size_t nextLowMaximum = 0, nextSlope = 0;
+    for (TubeCore& tube : tubes) {
+        if (tube.status != TubeStatus::surface) continue;
+        tube.intensityWeight = 1.0 - lowMaxima[nextLowMaximum++];
+        tube.slopeWeight = *tube.slope > 0.0 ? slopes[nextSlope++] : 0.0;
+        const bool standsOut = leastEdgeToNoise == 0.0 || (tube.edgeToNoise && *tube.edgeToNoise >= leastEdgeToNoise);
+        tube.extraWeight = *tube.highIntensity > *tube.lowIntensity && standsOut ? 1.0 : 0.0;
+        tube.d = dMax * tube.intensityWeight * tube.slopeWeight * tube.extraWeight;
+    }
+}
+
+}  // namespace echolucent

@@ -1,0 +1,124 @@
+// The table of the method's parameters: every field of the config stands in it, and its ranges are what is checked.
+#include "processing/adaptive/method_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "processing/adaptive/method_reading.h"
+
+namespace echolucent {
+namespace {
+
+using Row = Parameter<AdaptiveOtfConfig>;
+
+/// A config in which the row means something, and in which its neighbours leave it its whole range.
+AdaptiveOtfConfig configFor(const Row& row) {
+    AdaptiveOtfConfig config;
+    if (!row.scope.parameter.empty())
+        EXPECT_TRUE(
+            parameterNamed(methodParameters(), row.scope.parameter)->set(config, std::string(row.scope.choice)));
+    config.grid.columns = config.grid.rows = 1;
+    if (auto* variance = std::get_if<VarianceRule>(&config.detection)) {
+        if (row.name == "coarsest_scale") variance->finestScale = 0;
+        if (row.name == "finest_scale") variance->coarsestScale = 10;
+    }
+    if (auto* ramp = std::get_if<RampRule>(&config.curve)) {
+        if (row.name == "ramp_begin") ramp->end = 20;
+        if (row.name == "ramp_end") ramp->begin = -10;
+    }
+    return config;
+}
+
+ParameterValue valueLike(const ParameterValue& known, double number) {
+    if (std::holds_alternative<std::int64_t>(known)) return std::int64_t(std::llround(number));
+    return number;
+}
+
+TEST(MethodParameters, BothEndsOfEveryRangeAreAllowedAndWhatLiesOutsideIsNamed) {
+    for (const Row& row : methodParameters()) {
+        if (!row.choices.empty()) continue;
+        SCOPED_TRACE(row.name);
+        AdaptiveOtfConfig config = configFor(row);
+        const ParameterValue before = row.get(config).value();
+        const bool whole = std::holds_alternative<std::int64_t>(before);
+        for (const double end : {row.range.least, row.range.largest}) {
+            ASSERT_TRUE(row.set(config, valueLike(before, end)));
+            EXPECT_EQ(numberOf(*row.get(config)), end);
+            EXPECT_EQ(problemOf(config), "");
+        }
+        std::string name(row.label.substr(1));
+        for (const double outside : {whole ? row.range.least - 1 : std::nextafter(row.range.least, -1e300),
+                                     whole ? row.range.largest + 1 : std::nextafter(row.range.largest, 1e300)}) {
+            ASSERT_TRUE(row.set(config, valueLike(before, outside)));
+            EXPECT_NE(problemOf(config).find(name), std::string::npos) << problemOf(config);
+        }
+        if (whole) continue;
+        ASSERT_TRUE(row.set(config, std::nan("")));
+        EXPECT_NE(problemOf(config), "");
+    }
+}
+
+TEST(MethodParameters, EveryChoiceCanBeMadeAndNoOther) {
+    for (const Row& row : methodParameters()) {
+        if (row.choices.empty()) continue;
+        SCOPED_TRACE(row.name);
+        AdaptiveOtfConfig config = configFor(row);
+        for (const std::string_view choice : row.choices) {
+            ASSERT_TRUE(row.set(config, std::string(choice)));
+            EXPECT_EQ(row.get(config), ParameterValue(std::string(choice)));
+            EXPECT_EQ(problemOf(config), "");
+        }
+        const AdaptiveOtfConfig made = config;
+        EXPECT_FALSE(row.set(config, std::string("nonsense")));
+        EXPECT_FALSE(row.set(config, 1.0));
+        EXPECT_EQ(config, made);
+    }
+}
+
+TEST(MethodParameters, WhatDoesNotApplyCanNeitherBeReadNorSet) {
+    for (const Row& row : methodParameters()) {
+        if (row.scope.parameter.empty()) continue;
+        SCOPED_TRACE(row.name);
+        const Row& choice = *parameterNamed(methodParameters(), row.scope.parameter);
+        for (const std::string_view other : choice.choices) {
+            AdaptiveOtfConfig config;
+            ASSERT_TRUE(choice.set(config, std::string(other)));
+            EXPECT_EQ(row.get(config).has_value(), other == row.scope.choice);
+            const AdaptiveOtfConfig before = config;
+            EXPECT_EQ(row.set(config, defaultOf(methodParameters(), row)), other == row.scope.choice);
+            EXPECT_EQ(config, before);
+        }
+    }
+}
+
+TEST(MethodParameters, TellEveryReadingFromTheDefault) {
+    // A config is what its rows say: copied row by row, nothing is lost but what belongs to no row.
+    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
+        const AdaptiveOtfConfig known = configOf(reading);
+        AdaptiveOtfConfig copy;
+        for (const Row& row : methodParameters())
+            if (const auto value = row.get(known)) EXPECT_TRUE(row.set(copy, *value)) << row.name;
+        EXPECT_EQ(copy, known);
+    }
+}
+
+TEST(MethodParameters, HaveNamesOfTheirOwnAndSaySomething) {
+    std::set<std::string_view> names;
+    for (const Row& row : methodParameters()) {
+        SCOPED_TRACE(row.name);
+        EXPECT_TRUE(names.insert(row.name).second);
+        EXPECT_FALSE(row.label.empty());
+        EXPECT_FALSE(row.source.empty());
+        EXPECT_FALSE(row.meaning.empty() || row.meaning.ends_with("."));
+        EXPECT_EQ(problemOf(configFor(row)), "");
+        const ParameterRange offered = row.offeredRange();
+        EXPECT_GE(offered.least, row.range.least);
+        EXPECT_LE(offered.largest, row.range.largest);
+    }
+    EXPECT_EQ(optionOf("slope_half_step"), "--slope-half-step");
+}
+
+}  // namespace
+}  // namespace echolucent
