@@ -1,4 +1,4 @@
-// The distance functions behind implicit_surface.h, as small function objects, so that a loop over many voxels chooses
+// The distance functions of implicit_primitive.h, as small function objects, so that a loop over many voxels chooses
 // the kind of primitive once.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "processing/phantom/implicit_surface.h"
+#include "processing/phantom/implicit_primitive.h"
 
 namespace echolucent {
 

@@ -2,13 +2,16 @@
 // truth.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "processing/phantom/implicit_surface.h"
-#include "processing/phantom/phantom.h"
+#include "processing/phantom/phantom_config.h"
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -13,12 +13,9 @@
 
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
+#include "processing/volume/voxels.h"
 
 namespace echolucent {
-
-/// The voxel types kept in memory. Readers convert every other stored type without loss into one of them where
-/// possible (int8/int16 without negative values become unsigned) and say in the import report where it was not.
-using Voxels = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
 /// Where the voxels are. Index order: x fastest, then y, then z. Voxel centres lie at integer indices; the volume's
 /// box reaches half a voxel beyond them, from -0.5 to size-0.5.

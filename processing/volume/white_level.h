@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "processing/volume/volume.h"
+#include "processing/volume/voxels.h"
 
 namespace echolucent {
 
