@@ -144,7 +144,7 @@ void OpenCvOtf::Stages::cells() {
 
 void OpenCvOtf::Stages::readSurface(int tube, int cell) {
     const int prior = cell - config.cells.size + 1;
-    if (prior < 1) return;
+    if (prior < 1 || cell > tubes[static_cast<std::size_t>(tube)].slabs - config.cells.size) return;
     const cv::Mat row = cellMeans.row(tube);
     const cv::Mat before = row.colRange(0, prior);
     const int last = tubes[static_cast<std::size_t>(tube)].slabs - config.cells.size;

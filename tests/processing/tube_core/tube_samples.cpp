@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "processing/adaptive/adaptive_otf_config.h"
+
 namespace echolucent {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/tube_core/cell_statistics.h"
 
 namespace echolucent {

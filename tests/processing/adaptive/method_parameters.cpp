@@ -16,9 +16,10 @@ using Row = Parameter<AdaptiveOtfConfig>;
 /// A config in which the row means something, and in which its neighbours leave it its whole range.
 AdaptiveOtfConfig configFor(const Row& row) {
     AdaptiveOtfConfig config;
-    if (!row.scope.parameter.empty())
-        EXPECT_TRUE(
-            parameterNamed(methodParameters(), row.scope.parameter)->set(config, std::string(row.scope.choice)));
+    const bool chosen =
+        row.scope.parameter.empty() ||
+        parameterNamed(methodParameters(), row.scope.parameter)->set(config, std::string(row.scope.choice));
+    EXPECT_TRUE(chosen);
     config.grid.columns = config.grid.rows = 1;
     if (auto* variance = std::get_if<VarianceRule>(&config.detection)) {
         if (row.name == "coarsest_scale") variance->finestScale = 0;
@@ -98,8 +99,10 @@ TEST(MethodParameters, TellEveryReadingFromTheDefault) {
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
         const AdaptiveOtfConfig known = configOf(reading);
         AdaptiveOtfConfig copy;
-        for (const Row& row : methodParameters())
-            if (const auto value = row.get(known)) EXPECT_TRUE(row.set(copy, *value)) << row.name;
+        for (const Row& row : methodParameters()) {
+            const auto value = row.get(known);
+            EXPECT_TRUE(!value || row.set(copy, *value)) << row.name;
+        }
         EXPECT_EQ(copy, known);
     }
 }
