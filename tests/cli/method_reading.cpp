@@ -112,12 +112,12 @@ TEST(OtfReading, WhatIsNoChoiceIsSaid) {
          {std::pair<std::string, std::string>{"--reading literal", "published, settled or default"},
           {"--reading settled --border mirrored", "mirror or circular"},
           {"--reading settled --smoothing-route fft", "direct or fourier"},
-          {"--rank-bins -1", "--rank-bins: must be 0 to 1048576"},
-          {"--reading settled --tracking-range nan", "--tracking-range: must be 0 to 1000"},
-          {"--significance 0.3", "--significance: belongs to --interface-function variance, and ratio is chosen"},
+          {"--rank-bins -1", "--rank-bins must be 0 to 1048576"},
+          {"--reading settled --tracking-range nan", "--tracking-range must be 0 to 1000"},
+          {"--significance 0.3", "--significance belongs to --interface-function variance, and ratio is chosen"},
           {"--reading settled --false-alarm 3", "belongs to --interface-function ratio, and variance is chosen"},
-          {"--strength 3", "--strength: belongs to --form product, and ramp is chosen"},
-          {"--reading published --ramp-begin 0.3", "--ramp-begin: belongs to --form ramp, and product is chosen"},
+          {"--strength 3", "--strength belongs to --form product, and ramp is chosen"},
+          {"--reading published --ramp-begin 0.3", "--ramp-begin belongs to --form ramp, and product is chosen"},
           {"--ramp-begin 2", "ramp must end"}}) {
         const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" " + options);
         EXPECT_EQ(outcome.status, 2) << options;

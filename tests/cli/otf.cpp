@@ -52,7 +52,7 @@ void expectWeightsFollowFromTubes(const json& otf) {
     int meeting = 0, surfaces = 0;
     for (const json& tube : tubes) meeting += tube["status"] != "outside" ? 1 : 0;
     const double dMax = otf["parameters"]["d_max"];
-    EXPECT_DOUBLE_EQ(dMax, otf["parameters"]["strength"].get<double>() / meeting);
+    EXPECT_DOUBLE_EQ(dMax, 6.75 / meeting) << "the paper's strength, which holds for the ramp too";
     for (const json& tube : tubes) {
         if (tube["status"] != "surface") {
             EXPECT_EQ(tube["d"], 0.0);
@@ -98,7 +98,7 @@ TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
     EXPECT_EQ(parameters["tube_grid"], (json{15, 15}));
     EXPECT_EQ(parameters["tube_spacing_units"], (json{7.0, 6.0}));
     EXPECT_EQ(parameters["cell_size"], 5);
-    EXPECT_EQ(parameters["strength"], 6.75);
+    EXPECT_DOUBLE_EQ(parameters["d_max"], 6.75 / parameters["tubes_meeting_volume"].get<int>());
     ASSERT_EQ(otf["tubes"].size(), 225u);
     for (std::size_t t = 0; t < 225; ++t) {
         EXPECT_EQ(otf["tubes"][t]["u"], t % 15);
