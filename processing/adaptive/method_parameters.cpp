@@ -1,111 +1,17 @@
 #include "processing/adaptive/method_parameters.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <type_traits>
 #include <vector>
 
+#include "processing/adaptive/method_rows.h"
 #include "processing/tube_core/cell_statistics.h"
 
 namespace echolucent {
 
 namespace {
 
-using Row = Parameter<AdaptiveOtfConfig>;
+using namespace method_rows;
 
-// Where each rule stands in the config, and when; null: another rule is chosen.
-TubeGrid* find(AdaptiveOtfConfig& config, TubeGrid*) { return &config.grid; }
-CellRule* find(AdaptiveOtfConfig& config, CellRule*) { return &config.cells; }
-SurfaceRule* find(AdaptiveOtfConfig& config, SurfaceRule*) { return &config.surface; }
-WeightRule* find(AdaptiveOtfConfig& config, WeightRule*) { return &config.weights; }
-VarianceRule* find(AdaptiveOtfConfig& config, VarianceRule*) { return std::get_if<VarianceRule>(&config.detection); }
-RatioRule* find(AdaptiveOtfConfig& config, RatioRule*) { return std::get_if<RatioRule>(&config.detection); }
-ProductRule* find(AdaptiveOtfConfig& config, ProductRule*) { return std::get_if<ProductRule>(&config.curve); }
-RampRule* find(AdaptiveOtfConfig& config, RampRule*) { return std::get_if<RampRule>(&config.curve); }
-
-template <typename Rule>
-constexpr ParameterScope scopeOf{};
-template <>
-constexpr ParameterScope scopeOf<VarianceRule>{"interface_function", "variance"};
-template <>
-constexpr ParameterScope scopeOf<RatioRule>{"interface_function", "ratio"};
-template <>
-constexpr ParameterScope scopeOf<ProductRule>{"form", "product"};
-template <>
-constexpr ParameterScope scopeOf<RampRule>{"form", "ramp"};
-
-template <typename Member>
-struct Field;
-template <typename R, typename V>
-struct Field<V R::*> {
-    using Rule = R;
-    using Value = V;
-};
-template <auto member>
-using RuleOf = typename Field<decltype(member)>::Rule;
-template <auto member>
-using ValueOf = typename Field<decltype(member)>::Value;
-
-/// The field in a config; null: it means nothing there.
-template <auto member>
-ValueOf<member>* fieldIn(AdaptiveOtfConfig& config) {
-    RuleOf<member>* rule = find(config, static_cast<RuleOf<member>*>(nullptr));
-    return rule == nullptr ? nullptr : &(rule->*member);
-}
-template <auto member>
-const ValueOf<member>* fieldIn(const AdaptiveOtfConfig& config) {
-    return fieldIn<member>(const_cast<AdaptiveOtfConfig&>(config));
-}
-
-int wholeOf(std::int64_t value) {
-    return static_cast<int>(std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(),  //
-                                                     std::numeric_limits<int>::max()));
-}
-
-template <auto member>
-std::optional<ParameterValue> numberIn(const AdaptiveOtfConfig& config) {
-    const auto* field = fieldIn<member>(config);
-    if (field == nullptr) return std::nullopt;
-    if constexpr (std::is_same_v<ValueOf<member>, int>)
-        return std::int64_t{*field};
-    else
-        return *field;
-}
-
-template <auto member>
-bool setNumberIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
-    auto* field = fieldIn<member>(config);
-    if (field == nullptr) return false;
-    const auto* whole = std::get_if<std::int64_t>(&value);
-    if constexpr (std::is_same_v<ValueOf<member>, int>) {
-        if (whole == nullptr) return false;
-        *field = wholeOf(*whole);
-    } else {
-        const auto number = numberOf(value);
-        if (!number) return false;
-        *field = *number;
-    }
-    return true;
-}
-
-/// What the text fields of a row say.
-struct Words {
-    std::string_view name, label, meaning, unit, source;
-};
-
-template <auto member>
-Row number(const Words& words, ParameterRange range, std::optional<ParameterRange> offered = {}) {
-    return {words.name, words.label,      words.meaning,       words.unit, words.source,           range,
-            {},         numberIn<member>, setNumberIn<member>, offered,    scopeOf<RuleOf<member>>};
-}
-
-template <typename Value>
-struct Named {
-    Value value;
-    std::string_view name;
-};
 constexpr std::array samplings{Named{TubeSampling::trilinear, "trilinear"}, Named{TubeSampling::nearest, "nearest"}};
 constexpr std::array precisions{Named{Precision::single32, "single"}, Named{Precision::double64, "double"}};
 constexpr std::array borders{Named{TubeBorder::mirrorThenZero, "mirror"}, Named{TubeBorder::circular, "circular"}};
@@ -113,73 +19,6 @@ constexpr std::array routes{Named{SmoothingRoute::direct, "direct"}, Named{Smoot
 constexpr std::array kernelEnds{Named{true, "zero"}, Named{false, "cut"}};
 constexpr std::array coarsestMaxima{Named{true, "needed"}, Named{false, "any"}};
 constexpr std::array priorCells{Named{true, "overlapping"}, Named{false, "apart"}};
-
-template <auto member, const auto& names>
-std::optional<ParameterValue> choiceIn(const AdaptiveOtfConfig& config) {
-    const auto* field = fieldIn<member>(config);
-    if (field == nullptr) return std::nullopt;
-    for (const auto& named : names)
-        if (named.value == *field) return std::string(named.name);
-    return std::nullopt;
-}
-
-template <auto member, const auto& names>
-bool setChoiceIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
-    auto* field = fieldIn<member>(config);
-    const auto* name = std::get_if<std::string>(&value);
-    if (field == nullptr || name == nullptr) return false;
-    for (const auto& named : names)
-        if (named.name == *name) {
-            *field = named.value;
-            return true;
-        }
-    return false;
-}
-
-template <auto member, const auto& names>
-Row choice(const Words& words) {
-    std::vector<std::string_view> all;
-    for (const auto& named : names) all.push_back(named.name);
-    return {words.name,
-            words.label,
-            words.meaning,
-            words.unit,
-            words.source,
-            {},
-            all,
-            choiceIn<member, names>,
-            setChoiceIn<member, names>,
-            {},
-            scopeOf<RuleOf<member>>};
-}
-
-/// A row that says which of two rules a variant of the config holds.
-template <auto variant, typename First, typename Second>
-Row alternative(const Words& words) {
-    const auto get = [](const AdaptiveOtfConfig& config) -> std::optional<ParameterValue> {
-        const bool first = std::holds_alternative<First>(config.*variant);
-        return std::string(first ? scopeOf<First>.choice : scopeOf<Second>.choice);
-    };
-    const auto set = [](AdaptiveOtfConfig& config, const ParameterValue& value) {
-        const auto* name = std::get_if<std::string>(&value);
-        const auto choose = [&]<typename Rule>(Rule rule) {
-            if (name == nullptr || *name != scopeOf<Rule>.choice) return false;
-            // What was set of the rule that is chosen already stays.
-            if (!std::holds_alternative<Rule>(config.*variant)) config.*variant = rule;
-            return true;
-        };
-        return choose(First{}) || choose(Second{});
-    };
-    return {words.name,
-            words.label,
-            words.meaning,
-            words.unit,
-            words.source,
-            {},
-            {scopeOf<First>.choice, scopeOf<Second>.choice},
-            get,
-            set};
-}
 
 /// a of the initial function where it has one: of a power its scale, of a linear curve its slope.
 Row opacityScale() {
