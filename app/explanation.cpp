@@ -119,7 +119,7 @@ QString lightSentence(const LightDirection& light) {
 
 /// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
 QStringList whatIsSeen(const PictureFacts& facts) {
-    switch (facts.mode) {
+    switch (facts.look.mode) {
         case RenderMode::direct: break;
         case RenderMode::maximum: return {tr("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
         case RenderMode::minimum: return {tr("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
@@ -129,8 +129,8 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     QStringList sentences{curveSentence(facts)};
     if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
-    if (facts.shaded) sentences << lightSentence(facts.light);
-    if (facts.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
+    if (facts.look.shaded) sentences << lightSentence(facts.look.light);
+    if (facts.look.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
     return sentences;
 }
 

@@ -5,8 +5,10 @@
 
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/picture/light_direction.h"
+#include "processing/picture/look.h"
 #include "processing/ray_caster.h"
+#include "processing/viewpoint.h"
+#include "processing/volume/volume.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/motion_mode.h"
 
@@ -20,10 +22,7 @@ struct PictureFacts {
     MotionOtf motion;        ///< which OTF the frames of a motion show
     Viewpoint view;
     CurveKind active;
-    RenderMode mode;
-    bool shaded;
-    LightDirection light;
-    bool depthColoured;
+    Look look;
     bool simulated;
 };
 

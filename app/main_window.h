@@ -82,7 +82,6 @@ private:
     // main_window_picture.cpp: the 3D view and its panel
     void connectPicture();
     void connectLook();
-    void showLook();
     void takeRenderer();
     void restoreLook();
     void keepLook();

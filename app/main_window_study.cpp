@@ -190,10 +190,7 @@ QString MainWindow::explanation() const {
                            .motion = m_motionPanel->otf(),
                            .view = m_volumeView->view(),
                            .active = m_otfEditor->state().active,
-                           .mode = m_viewPanel->mode(),
-                           .shaded = m_viewPanel->shaded(),
-                           .light = m_viewPanel->light(),
-                           .depthColoured = m_viewPanel->depthColoured(),
+                           .look = m_viewPanel->look(),
                            .simulated = m_session.isSimulatedScan()});
 }
 

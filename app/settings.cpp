@@ -2,7 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace echolucent {
@@ -12,14 +12,6 @@ constexpr auto recentFilesKey = "recent/files";
 constexpr auto lastFolderKey = "recent/folder";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
-constexpr auto colourMapKey = "picture/colourMap";
-constexpr auto interpolationKey = "picture/interpolation";
-constexpr auto projectionKey = "picture/projection";
-constexpr auto modeKey = "picture/mode";
-constexpr auto shadedKey = "picture/shaded";
-constexpr auto lightAzimuthKey = "picture/lightAzimuth";
-constexpr auto lightElevationKey = "picture/lightElevation";
-constexpr auto depthColouredKey = "picture/depthColoured";
 constexpr auto rendererKey = "picture/renderer";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
@@ -35,11 +27,19 @@ bool boolOr(const QVariant& value, bool otherwise) {
     return text == "false" ? false : otherwise;
 }
 
-/// A number of degrees within +- largest.
-double degreesOr(const QVariant& value, double largest, double otherwise) {
+QString keyOf(const Parameter<Look>& row) { return "picture/" + QString::fromStdString(camelCase(row.name)); }
+
+/// A stored value of the kind that the row has; none where it is not understood.
+std::optional<ParameterValue> valueOf(const QVariant& stored, const Parameter<Look>& row) {
+    const QString text = stored.toString();
+    const ParameterValue standard = *row.get(Look{});
+    if (std::holds_alternative<std::string>(standard)) return text.toStdString();
+    if (std::holds_alternative<bool>(standard))
+        return text == "true" || text == "false" ? std::optional<ParameterValue>(text == "true") : std::nullopt;
     bool understood = false;
-    const double degrees = value.toDouble(&understood);
-    return understood && std::abs(degrees) <= largest ? degrees : otherwise;
+    const double number = stored.toDouble(&understood);
+    if (!understood || !inRange(number, row.range)) return std::nullopt;
+    return number;
 }
 
 }  // namespace
@@ -83,51 +83,34 @@ void Settings::setWindowGeometry(const QByteArray& geometry) { m_store.setValue(
 QByteArray Settings::windowState() const { return m_store.value(stateKey).toByteArray(); }
 void Settings::setWindowState(const QByteArray& state) { m_store.setValue(stateKey, state); }
 
-ColourMap Settings::colourMap() const {
-    return colourMapFromName(m_store.value(colourMapKey).toString().toStdString()).value_or(ColourMap::sepia);
+Look Settings::look() const {
+    Look look = lookAtStart();
+    for (const Parameter<Look>& row : lookParameters()) {
+        if (!chosenByPersons(row)) continue;
+        // Files of before 0.2 know depth colours by another key.
+        const QVariant older = row.name == "depth_colouring" ? m_store.value("picture/depthColoured") : QVariant();
+        if (const auto value = valueOf(m_store.value(keyOf(row), older), row)) row.set(look, *value);
+    }
+    return look;
 }
-void Settings::setColourMap(ColourMap map) { m_store.setValue(colourMapKey, asText(nameOf(map))); }
-
-Interpolation Settings::interpolation() const {
-    return m_store.value(interpolationKey).toString() == "nearest" ? Interpolation::nearest : Interpolation::trilinear;
-}
-void Settings::setInterpolation(Interpolation interpolation) {
-    m_store.setValue(interpolationKey, interpolation == Interpolation::nearest ? "nearest" : "trilinear");
-}
-
-Projection Settings::projection() const {
-    return m_store.value(projectionKey).toString() == "perspective" ? Projection::perspective : Projection::parallel;
-}
-void Settings::setProjection(Projection projection) {
-    m_store.setValue(projectionKey, projection == Projection::perspective ? "perspective" : "parallel");
-}
-
-RenderMode Settings::mode() const {
-    return renderModeFromName(m_store.value(modeKey).toString().toStdString()).value_or(RenderMode::direct);
-}
-void Settings::setMode(RenderMode mode) { m_store.setValue(modeKey, asText(nameOf(mode))); }
-
-LightDirection Settings::light() const {
-    const LightDirection usual;
-    return {degreesOr(m_store.value(lightAzimuthKey), 180.0, usual.azimuthDegrees),
-            degreesOr(m_store.value(lightElevationKey), 90.0, usual.elevationDegrees)};
-}
-void Settings::setLight(const LightDirection& light) {
-    m_store.setValue(lightAzimuthKey, light.azimuthDegrees);
-    m_store.setValue(lightElevationKey, light.elevationDegrees);
+void Settings::setLook(const Look& look) {
+    for (const Parameter<Look>& row : lookParameters()) {
+        if (!chosenByPersons(row)) continue;
+        const ParameterValue value = *row.get(look);
+        if (const auto* flag = std::get_if<bool>(&value))
+            m_store.setValue(keyOf(row), *flag);
+        else if (const auto* choice = std::get_if<std::string>(&value))
+            m_store.setValue(keyOf(row), asText(*choice));
+        else
+            m_store.setValue(keyOf(row), *numberOf(value));
+    }
 }
 
-bool Settings::depthColoured() const { return boolOr(m_store.value(depthColouredKey), false); }
-void Settings::setDepthColoured(bool coloured) { m_store.setValue(depthColouredKey, coloured); }
-
-PreferredRenderer Settings::renderer() const {
-    return preferredRendererFromName(m_store.value(rendererKey).toString().toStdString())
-        .value_or(PreferredRenderer::automatic);
+RendererChoice Settings::renderer() const {
+    return rendererFromName(m_store.value(rendererKey).toString().toStdString()).value_or(RendererChoice::automatic);
 }
-void Settings::setRenderer(PreferredRenderer renderer) { m_store.setValue(rendererKey, asText(nameOf(renderer))); }
+void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererKey, asText(nameOf(renderer))); }
 
-bool Settings::shaded() const { return boolOr(m_store.value(shadedKey), true); }
-void Settings::setShaded(bool shaded) { m_store.setValue(shadedKey, shaded); }
 bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histogramKey), true); }
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }
 bool Settings::motionPingPong() const { return boolOr(m_store.value(pingPongKey), true); }

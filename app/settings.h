@@ -6,9 +6,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "processing/picture/light_direction.h"
-#include "processing/ray_caster.h"
-#include "widgets/panels/preferred_renderer.h"
+#include "processing/picture/look.h"
+#include "processing/picture/renderer_choice.h"
 
 namespace echolucent {
 
@@ -36,23 +35,11 @@ public:
     [[nodiscard]] QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
 
-    /// The picture's looks; a value that is not understood gives the default in brackets.
-    [[nodiscard]] ColourMap colourMap() const;  ///< [sepia]
-    void setColourMap(ColourMap map);
-    [[nodiscard]] Interpolation interpolation() const;  ///< [trilinear]
-    void setInterpolation(Interpolation interpolation);
-    [[nodiscard]] Projection projection() const;  ///< [parallel]
-    void setProjection(Projection projection);
-    [[nodiscard]] RenderMode mode() const;  ///< [direct]
-    void setMode(RenderMode mode);
-    [[nodiscard]] bool shaded() const;  ///< [true]
-    void setShaded(bool shaded);
-    [[nodiscard]] LightDirection light() const;  ///< [LightDirection{}], each angle by itself
-    void setLight(const LightDirection& light);
-    [[nodiscard]] bool depthColoured() const;  ///< [false]
-    void setDepthColoured(bool coloured);
-    [[nodiscard]] PreferredRenderer renderer() const;  ///< [automatic]
-    void setRenderer(PreferredRenderer renderer);
+    /// Each choice of the look by itself; one that is not understood is that of lookAtStart().
+    [[nodiscard]] Look look() const;
+    void setLook(const Look& look);
+    [[nodiscard]] RendererChoice renderer() const;  ///< [automatic]
+    void setRenderer(RendererChoice renderer);
     [[nodiscard]] bool histogramLogarithmic() const;  ///< [true]
     void setHistogramLogarithmic(bool logarithmic);
     [[nodiscard]] bool motionPingPong() const;  ///< [true]

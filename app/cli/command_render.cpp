@@ -1,12 +1,11 @@
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/look_options.h"
 #include "app/cli/picture_words.h"
 #include "io/output/picture_file.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/picture/light_direction.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {
@@ -17,59 +16,20 @@ struct RenderOptions {
     VolumeOptions volume;
     ViewOptions view;
     MethodOptions method;
+    LookOptions look;
     std::string otf = "adaptive";
     std::string size = "512x512";
-    std::string mode = "direct";
-    std::string colourMap = "sepia";
-    std::string interpolation = "trilinear";
     std::string background = "0,0,0";
     std::string output;
-    double step = 1.0;
-    std::string light;
-    bool shade = false;
-    bool depthColour = false;
-    bool perspective = false;
 };
 
 constexpr double largestPictureEdge = 16384;
 
-/// "AZ,EL" in degrees.
-Result<LightDirection> lightFrom(const std::string& text) {
-    const auto angles = parseNumbers(text, 2, "--light");
-    if (!angles) return tl::unexpected<Failure>(angles.error());
-    const double azimuth = (*angles)[0], elevation = (*angles)[1];
-    if (!(std::abs(azimuth) <= 180) || !(std::abs(elevation) <= 90))
-        return fail(FailureKind::wrongUsage, "", "--light",
-                    "must be an azimuth of -180 to 180 and an elevation of -90 "
-                    "to 90 degrees",
-                    "Write it as -33,33.");
-    return LightDirection{azimuth, elevation};
-}
-
-/// Mode, light and depth colours.
-Result<void> addAppearance(const RenderOptions& options, RayCastSettings& settings) {
-    const auto mode = renderModeFromName(options.mode);
-    if (!mode)
-        return fail(FailureKind::wrongUsage, "", "--mode", "is \"" + options.mode + "\"",
-                    "Use direct, maximum, minimum or mean.");
-    settings.mode = *mode;
-    const bool lit = options.shade || !options.light.empty();
-    if (settings.mode != RenderMode::direct && (lit || options.depthColour))
-        return fail(FailureKind::wrongUsage, "", "--shade, --light and --depth-colour", "need direct volume rendering",
-                    "Leave them out, or use --mode direct.");
-    if (lit) settings.shading = Shading{};
-    if (!options.light.empty()) {
-        const auto light = lightFrom(options.light);
-        if (!light) return tl::unexpected<Failure>(light.error());
-        settings.shading->towardsLight = towardsLight(*light);
-    }
-    if (options.depthColour) settings.depthColouring = DepthColouring{};
-    return {};
-}
-
-/// Size, step, colours and projection; the camera follows once the volume is there.
+/// Size and look; the camera follows once the volume is there.
 Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
-    RayCastSettings settings;
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
+    RayCastSettings settings = rayCastSettings(*look);
     const auto size = parseNumbers(options.size, 2, "--size");
     if (!size) return tl::unexpected<Failure>(size.error());
     for (const double edge : *size)
@@ -78,19 +38,6 @@ Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
                         "Write it as 512x512.");
     settings.width = static_cast<int>((*size)[0]);
     settings.height = static_cast<int>((*size)[1]);
-    if (!(options.step >= 1e-3 && options.step <= 100))
-        return fail(FailureKind::wrongUsage, "", "--step", "must be 0.001 to 100 units");
-    settings.step = options.step;
-    const auto map = colourMapFromName(options.colourMap);
-    if (!map)
-        return fail(FailureKind::wrongUsage, "", "--colour-map", "is \"" + options.colourMap + "\"",
-                    "Use sepia, grey or ice.");
-    settings.colourMap = *map;
-    if (options.interpolation != "trilinear" && options.interpolation != "nearest")
-        return fail(FailureKind::wrongUsage, "", "--interpolation", "is \"" + options.interpolation + "\"",
-                    "Use trilinear or nearest.");
-    settings.interpolation = options.interpolation == "nearest" ? Interpolation::nearest : Interpolation::trilinear;
-    if (const auto added = addAppearance(options, settings); !added) return tl::unexpected<Failure>(added.error());
     return settings;
 }
 
@@ -145,8 +92,9 @@ Result<void> render(const RenderOptions& options) {
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the picture may be wrong.\n");
     const auto view = options.view.get(**volume, *config);
     if (!view) return tl::unexpected<Failure>(view.error());
+    const Projection projection = settings->camera.projection;
     settings->camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
-    if (options.perspective) settings->camera.projection = Projection::perspective;
+    settings->camera.projection = projection;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
     const auto picture = castRays(**volume, curveFor(**volume, *view, named, *config), *settings);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
@@ -167,20 +115,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
         ->capture_default_str();
     options->view.addTo(command);
     options->method.addTo(command);
-    command.add_option("--mode", options->mode, "direct, maximum, minimum or mean; the OTF counts in direct only")
-        ->capture_default_str();
-    command.add_flag("--shade", options->shade, "Gradient shading: light from the upper left in front");
-    command
-        .add_option("--light", options->light,
-                    "Shades with a light so many degrees to the right of and above the viewer")
-        ->type_name("AZ,EL");
-    command.add_flag("--depth-colour", options->depthColour, "Tints what is near warm and what is far blue");
-    command.add_flag("--perspective", options->perspective, "Perspective instead of parallel projection");
+    options->look.addTo(command);
     command.add_option("--size", options->size, "Pixels")->type_name("WxH")->capture_default_str();
-    command.add_option("--step", options->step, "Units (smallest spacing) between samples on a ray")
-        ->capture_default_str();
-    command.add_option("--interpolation", options->interpolation, "trilinear or nearest")->capture_default_str();
-    command.add_option("--colour-map", options->colourMap, "sepia, grey or ice")->capture_default_str();
     command.add_option("--background", options->background, "Levels from 0 to 255")
         ->type_name("R,G,B")
         ->capture_default_str();

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/look_options.h"
 #include "app/cli/picture_words.h"
 #include "app/cli/sweep_report.h"
 #include "io/output/atomic_file.h"
@@ -20,9 +21,10 @@ struct SweepOptions {
     VolumeOptions volume;
     ViewOptions view;
     MethodOptions method;
+    LookOptions look;
     std::string axis = "y", smoothing = "least-flicker", object = "still", probe = "moving", size = "512x512";
     double from = -45, to = 45, step = 1, frameRate = 25;
-    bool oneOtf = false, pictureFlicker = false, shade = false;
+    bool oneOtf = false, pictureFlicker = false;
     std::string csv, json, movie;
 };
 
@@ -58,10 +60,11 @@ Result<RayCastSettings> settingsFrom(const SweepOptions& options) {
             return wrong("--size", "must be two whole numbers from 1 to 4096", "Write it as 512x512.");
     if (!(options.frameRate >= 1 && options.frameRate <= 1000))
         return wrong("--frame-rate", "must be 1 to 1000 a second");
-    RayCastSettings settings;
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
+    RayCastSettings settings = rayCastSettings(*look);
     settings.width = static_cast<int>((*size)[0]);
     settings.height = static_cast<int>((*size)[1]);
-    if (options.shade) settings.shading = Shading{};
     return settings;
 }
 
@@ -193,7 +196,7 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     command.add_option("--frame-rate", options.frameRate, "Frames a second of the movie")
         ->type_name("RATE")
         ->capture_default_str();
-    command.add_flag("--shade", options.shade, "Gradient shading: light from the upper left in front");
+    options.look.addTo(command, {"shaded"});
 }
 
 }  // namespace

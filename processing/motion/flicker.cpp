@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "processing/ray_caster.h"
+
 namespace echolucent {
 
 namespace {
@@ -39,19 +41,6 @@ double otfFlicker(std::span<const SampledCurve> otfs) {
         for (std::size_t i = 0; i < now.size(); ++i) squares.add(now[i] - 2.0 * before[i] + second[i]);
     }
     return squares.rms();
-}
-
-PictureDifference differenceOf(const Picture& left, const Picture& right) {
-    if (left.width != right.width || left.height != right.height)
-        throw std::invalid_argument("differenceOf: the pictures' sizes differ");
-    SquareSum squares;
-    addPixels(left, right, nullptr, squares);
-    PictureDifference difference{squares.rms(), 0.0};
-    for (std::size_t i = 0; i < left.rgba.size(); ++i)
-        if (i % channels != channels - 1)
-            difference.largest =
-                std::max(difference.largest, std::abs(static_cast<double>(left.rgba[i]) - right.rgba[i]));
-    return difference;
 }
 
 FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,

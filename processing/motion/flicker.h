@@ -8,7 +8,10 @@
 
 #include "processing/motion/otf_smoothing.h"
 #include "processing/motion/otf_sweep.h"
-#include "processing/ray_caster.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 
@@ -16,13 +19,6 @@ namespace echolucent {
 /// of opacity, alpha_k - 2 alpha_(k-1) + alpha_(k-2). A steady change counts for nothing. 0 for fewer than three
 /// frames. Throws std::invalid_argument where the numbers of samples differ.
 [[nodiscard]] double otfFlicker(std::span<const SampledCurve> otfs);
-
-/// Root of the mean squared difference over pixels and colours (red, green, blue over black, in [0,1]); largest: the
-/// largest absolute one. Throws std::invalid_argument where the sizes differ.
-struct PictureDifference {
-    double rms = 0.0, largest = 0.0;
-};
-[[nodiscard]] PictureDifference differenceOf(const Picture& left, const Picture& right);
 
 /// What the OTFs alone change in the pictures of a motion; each figure compares pictures of the same view of the same
 /// phase, so the rotation's and the object's own change are not in it. RMS over pixels, colours and frames.

@@ -1,8 +1,8 @@
+#include "processing/picture/colour_map.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "processing/ray_caster.h"
 
 namespace echolucent {
 

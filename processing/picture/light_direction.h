@@ -5,10 +5,11 @@
 
 namespace echolucent {
 
-/// As seen from what is looked at; (0, 0) is the viewer's own place.
+/// As seen from what is looked at; (0, 0) is the viewer's own place. The default is the direction (-0.45, -0.55, -0.7)
+/// in camera axes: upper left in front of the viewer.
 struct LightDirection {
-    double azimuthDegrees = -33.0;   ///< to the right of the viewer, [-180, 180]
-    double elevationDegrees = 33.0;  ///< above the viewer, [-90, 90]
+    double azimuthDegrees = -32.7352262721076;    ///< to the right of the viewer, [-180, 180]
+    double elevationDegrees = 33.46175054954344;  ///< above the viewer, [-90, 90]
     friend bool operator==(const LightDirection&, const LightDirection&) = default;
 };
 

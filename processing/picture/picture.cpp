@@ -1,29 +1,9 @@
-// What stands around a cast picture: the camera it starts with and the background behind it.
+#include "processing/picture/picture.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
-
-#include "processing/ray_caster.h"
 
 namespace echolucent {
-
-Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect) {
-    if (!(aspect > 0.0) || !std::isfinite(aspect)) throw std::invalid_argument("defaultCamera: aspect must be above 0");
-    constexpr double margin = 1.04;
-    Camera camera;
-    camera.focalPoint = geometry.centreMm();
-    camera.frame = frameOf(view);
-    const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
-    // The extent of a box along a direction is the sum of its edges' extents.
-    const auto extent = [&](const Vec3& direction) {
-        return std::abs(direction[0]) * size[0] + std::abs(direction[1]) * size[1] + std::abs(direction[2]) * size[2];
-    };
-    camera.heightMm = margin * std::max(extent(camera.frame.down), extent(camera.frame.right) / aspect);
-    const double halfAngle = camera.viewAngleDegrees * 0.5 * std::numbers::pi / 180.0;
-    camera.distanceMm = camera.heightMm * 0.5 / std::tan(halfAngle) + extent(camera.frame.forward) * 0.5;
-    return camera;
-}
 
 std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background) {
     const std::size_t pixels = picture.rgba.size() / 4;

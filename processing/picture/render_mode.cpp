@@ -1,7 +1,7 @@
+#include "processing/picture/render_mode.h"
+
 #include <algorithm>
 #include <array>
-
-#include "processing/ray_caster.h"
 
 namespace echolucent {
 

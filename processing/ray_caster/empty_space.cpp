@@ -13,9 +13,9 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// The voxels around the cells of a brick, on one axis: [first, second).
+/// The voxels around the cubes of a brick, on one axis: [first, second).
 std::pair<std::int64_t, std::int64_t> voxelsOf(std::int64_t brick, std::int64_t size) {
-    const std::int64_t first = brick * BrickGrid::edge - cellShift;
+    const std::int64_t first = brick * BrickGrid::edge - cubeShift;
     return {std::clamp<std::int64_t>(first, 0, size - 1), std::min(size, first + BrickGrid::edge + 1)};
 }
 
@@ -62,7 +62,7 @@ RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::arr
 }  // namespace
 
 BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
-    // Samples lie in cells 0 ... size.
+    // Samples lie in cubes 0 ... size.
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = geometry.size[axis] / edge + 1;
 }
 

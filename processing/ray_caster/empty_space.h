@@ -10,7 +10,7 @@
 
 namespace echolucent::ray_casting {
 
-/// A grid of bricks of 8 x 8 x 8 cells (see packed_voxels.h); brick b holds cells 8b ... 8b+7 on each axis.
+/// A grid of bricks of 8 x 8 x 8 cubes (see packed_voxels.h); brick b holds cubes 8b ... 8b+7 on each axis.
 struct BrickGrid {
     static constexpr int edge = 8, shift = 3;
     std::array<std::int64_t, 3> size{};
@@ -22,7 +22,7 @@ struct BrickGrid {
     }
 };
 
-/// The smallest and largest intensity around the cells of each brick, and whether voxels there lack data. One pass over
+/// The smallest and largest intensity around the cubes of each brick, and whether voxels there lack data. One pass over
 /// the volume, once.
 class BrickRanges {
 public:
@@ -32,7 +32,7 @@ public:
     /// Table positions; of a brick without any data the lowest is above the highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
-    /// 1 where a voxel of the brick's cells carries no data; empty: all do.
+    /// 1 where a voxel of the brick's cubes carries no data; empty: all do.
     [[nodiscard]] const std::vector<std::uint8_t>& missing() const { return m_missing; }
 
 private:

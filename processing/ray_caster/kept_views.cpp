@@ -42,27 +42,44 @@ std::size_t bytesOf(const KeptSamples& samples) {
 }  // namespace
 
 KeptSamples* KeptViews::samplesFor(const RayCastSettings& settings, const RayGeometry& rays, std::size_t memoryLimit) {
-    if (settings.mode != RenderMode::direct || settings.preIntegrated) return nullptr;
+    m_keeps = false;
+    m_casting = SampleUse::notKept;
+    if (settings.mode != RenderMode::direct) return nullptr;
     const RayCastSettings key = keyOf(settings);
     m_views.remove_if([&](const KeptView& view) { return view.key.camera != key.camera; });
     const auto found =
         std::find_if(m_views.begin(), m_views.end(), [&](const KeptView& view) { return view.key == key; });
     if (found == m_views.end()) {
-        m_views.push_front({key, {}});
+        m_views.push_front({key, {}, false});
         if (m_views.size() > mostViews) m_views.pop_back();
+        m_casting = SampleUse::taken;
         return nullptr;
     }
     m_views.splice(m_views.begin(), m_views, found);
     KeptSamples& samples = m_views.front().samples;
-    if (!samples.packets.empty()) return &samples;
+    if (!samples.packets.empty()) {
+        m_keeps = true;
+        m_casting = m_views.front().complete ? SampleUse::kept : SampleUse::taken;
+        return &samples;
+    }
     const PacketShape shape = packetShape();
     const double wanted = bytesOfView(settings, rays, shape);
     if (wanted > static_cast<double>(memoryLimit)) return nullptr;
     for (auto other = std::next(m_views.begin()); other != m_views.end(); ++other)
-        if (wanted + static_cast<double>(bytes()) > static_cast<double>(memoryLimit)) other->samples = {};
+        if (wanted + static_cast<double>(bytes()) > static_cast<double>(memoryLimit)) {
+            other->samples = {};
+            other->complete = false;
+        }
+    m_keeps = true;
+    m_casting = SampleUse::taken;
     samples.packets.resize(static_cast<std::size_t>(packetsAcross(settings.width, shape.columns)) *
                            static_cast<std::size_t>(packetsAcross(settings.height, shape.rows)));
     return &samples;
+}
+
+void KeptViews::finishPicture() {
+    if (m_keeps) m_views.front().complete = true;
+    m_finished = m_casting;
 }
 
 std::size_t KeptViews::bytes() const {

@@ -3,19 +3,23 @@
 
 #include <list>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
 #include "processing/ray_caster/kernel_job.h"
+#include "processing/ray_caster/sample_use.h"
 
 namespace echolucent::ray_casting {
 
-/// A view is kept from its second picture on; a move of the camera forgets all.
+/// Samples are kept from a view's second picture on; a move of the camera forgets all.
 class KeptViews {
 public:
     /// Where this view's samples go, or are already; null where the view is new or would not fit into memoryLimit
     /// bytes.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,
                                           std::size_t memoryLimit);
-    void clear() { m_views.clear(); }
+    /// The picture that samplesFor() was asked for is finished: from now on all of its samples are known.
+    void finishPicture();
+    /// Of the newest finished picture.
+    [[nodiscard]] SampleUse sampleUse() const { return m_finished; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -24,8 +28,11 @@ private:
     struct KeptView {
         RayCastSettings key;
         KeptSamples samples;
+        bool complete = false;  ///< the samples of a whole picture are there
     };
     std::list<KeptView> m_views;  // newest first
+    bool m_keeps = false;         // the picture being cast fills the samples of the newest view, or uses them
+    SampleUse m_casting = SampleUse::taken, m_finished = SampleUse::taken;
 };
 
 }  // namespace echolucent::ray_casting

@@ -6,29 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/render_mode.h"
+#include "processing/ray_caster/light_source.h"
 #include "processing/ray_caster/packed_voxels.h"
-#include "processing/ray_caster/pre_integration.h"
 #include "processing/ray_caster/ray_geometry.h"
 #include "processing/ray_caster/transfer_table.h"
 
 namespace echolucent::ray_casting {
-
-/// One directional light as Shading says it, and the gradient's reach.
-struct LightSource {
-    static constexpr int highlightIntervals = 1024;
-    /// A reference step is lit as a surface where it adds at least that much to its pixel's opacity.
-    static constexpr double worthGradient = 1.0 / 128;
-
-    std::array<float, 3> towardsLight{};  ///< unit, grid mm
-    std::array<double, 3> reach{};        ///< voxels
-    std::array<float, 3> unitsPerVoxel{};
-    float ambient = 0, diffuse = 0, evenLight = 0, wrap = 0, floorSquare = 0;
-    std::array<float, 3> shadowTint{};
-    std::array<float, highlightIntervals + 2> highlight{};  ///< over the cosine between normal and half vector
-};
-[[nodiscard]] LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, const ViewFrame& frame,
-                                      ColourMap colourMap);
 
 /// The two tints and the depths they belong to.
 struct DepthTint {
@@ -57,9 +42,8 @@ struct KernelJob {
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
-    const ColourBends* colourBends = nullptr;        ///< null: there is light, depth or pre-integration
+    const ColourBends* colourBends = nullptr;      ///< null: the picture has light, depth colours or depths
     const ByteOpacities* byteOpacities = nullptr;    ///< of bytes whose white level is not too low; else `table`
-    const PreIntegration* preIntegration = nullptr;  ///< null: opacities of points
     const LightSource* light = nullptr;              ///< null: no gradient is computed
     float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;

@@ -41,38 +41,38 @@ struct Source {
     }
 };
 
-/// Writes one row of cells; `rows` are offsets of the first voxels of the rows whose voxels each cell holds.
+/// Writes one row of cubes; `rows` are offsets of the first voxels of the rows whose voxels each cube holds.
 template <typename Out, typename Read>
-void packRow(const std::array<std::int64_t, voxelsPerCell>& rows, std::int64_t size, std::int64_t stride, Out* out,
+void packRow(const std::array<std::int64_t, voxelsPerCube>& rows, std::int64_t size, std::int64_t stride, Out* out,
              const Read& read) {
-    const auto write = [&](std::int64_t cell, std::int64_t x) {
-        for (std::size_t i = 0; i < voxelsPerCell; ++i)
-            out[static_cast<std::size_t>(cell) * voxelsPerCell + i] = read(rows[i] + x);
+    const auto write = [&](std::int64_t cube, std::int64_t x) {
+        for (std::size_t i = 0; i < voxelsPerCube; ++i)
+            out[static_cast<std::size_t>(cube) * voxelsPerCube + i] = read(rows[i] + x);
     };
     write(0, 0);
-    for (std::int64_t x = 0; x < size; ++x) write(x + cellShift, x);
+    for (std::int64_t x = 0; x < size; ++x) write(x + cubeShift, x);
     // The row's rest is read by no sample.
-    for (std::int64_t cell = size + 1; cell < stride; ++cell) write(cell, size - 1);
+    for (std::int64_t cube = size + 1; cube < stride; ++cube) write(cube, size - 1);
 }
 std::int64_t strideOf(std::int64_t columns) {
-    return (columns + extraCells + rowAlignment - 1) / rowAlignment * rowAlignment;
+    return (columns + extraCubes + rowAlignment - 1) / rowAlignment * rowAlignment;
 }
 
 template <typename Out, typename Voxel, typename Read>
 std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
-    const std::int64_t columns = strideOf(source.size[0]), rows = source.size[1] + extraCells,
+    const std::int64_t columns = strideOf(source.size[0]), rows = source.size[1] + extraCubes,
                        slices =
-                           source.size[2] + extraCells + 1;  // the last is read with weight 0 by what is rounded up
-    auto cells =
-        std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCell));
+                           source.size[2] + extraCubes + 1;  // the last is read with weight 0 by what is rounded up
+    auto cubes =
+        std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCube));
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
-            const std::int64_t y = row % rows - cellShift, z = row / rows - cellShift;
+            const std::int64_t y = row % rows - cubeShift, z = row / rows - cubeShift;
             packRow<Out>({source.rowOf(y, z), source.rowOf(y + 1, z)}, source.size[0], columns,
-                         cells.get() + row * columns * voxelsPerCell, read);
+                         cubes.get() + row * columns * voxelsPerCube, read);
         }
     });
-    return cells;
+    return cubes;
 }
 
 template <typename Voxel>
@@ -96,15 +96,15 @@ float PackedVoxels<Voxel>::toTable(double whiteLevel) {
 template <typename Voxel>
 PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
     : m_rowStride(strideOf(volume.geometry().size[0])),
-      m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCells)) {
+      m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCubes)) {
     const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
                                volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size,
                                TransferTable::intervals / volume.whiteLevel()};
     if (!anyMissing(source, volume.geometry().voxelCount())) {
-        m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
+        m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
         return;
     }
-    m_cells = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });
+    m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });
     m_mask = packAll<std::uint8_t>(
         source, [&](std::int64_t offset) { return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0); });
 }

@@ -9,18 +9,18 @@
 
 namespace echolucent::ray_casting {
 
-/// Cell (x,y,z) of the packed order is the space between voxels x-1 and x, y-1 and y, z-1 and z; voxels beyond the grid
-/// repeat its outermost ones. So a position p in voxels lies in cell floor(p) + 1, for all p in the volume's box. Each
-/// axis has size + 2 cells; the last one only ends the cell before it.
-inline constexpr int cellShift = 1;
-inline constexpr int extraCells = 2;
+/// Cube (x,y,z) of the packed order is the space between voxels x-1 and x, y-1 and y, z-1 and z; voxels beyond the grid
+/// repeat its outermost ones. So a position p in voxels lies in cube floor(p) + 1, for all p in the volume's box. Each
+/// axis has size + 2 cubes; the last one only ends the cube before it.
+inline constexpr int cubeShift = 1;
+inline constexpr int extraCubes = 2;
 
-/// Of each cell the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So
-/// one load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cell in one slice, of floats
+/// Of each cube the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So
+/// one load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cube in one slice, of floats
 /// two.
-inline constexpr int voxelsPerCell = 2;
+inline constexpr int voxelsPerCube = 2;
 
-/// Rows of cells are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
+/// Rows of cubes are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
 inline constexpr int rowAlignment = 16;
 
 /// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats
@@ -30,17 +30,17 @@ class PackedVoxels {
 public:
     explicit PackedVoxels(const Volume& volume);
 
-    [[nodiscard]] const Voxel* cells() const { return m_cells.get(); }
+    [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
     /// What brings a packed value to its table position.
     [[nodiscard]] static float toTable(double whiteLevel);
     /// Packed like bytes: 255 where there is data, else 0. Null: all voxels carry data.
     [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }
-    [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cells
-    [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cells
+    [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cubes
+    [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cubes
 
 private:
     std::int64_t m_rowStride, m_sliceStride;
-    std::unique_ptr<Voxel[]> m_cells;
+    std::unique_ptr<Voxel[]> m_cubes;
     std::unique_ptr<std::uint8_t[]> m_mask;
 };
 

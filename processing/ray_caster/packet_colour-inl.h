@@ -137,18 +137,18 @@ private:
         IntVector& low = componentOf<axis>(before);
         IntVector& high = componentOf<axis>(after);
         const auto corner = run.corner[axis];
-        const auto place = [&](std::int64_t cell) {
-            return set(static_cast<std::int32_t>(std::clamp<std::int64_t>(cell - corner, -32767, 32767) * oneCell));
+        const auto place = [&](std::int64_t cube) {
+            return set(static_cast<std::int32_t>(std::clamp<std::int64_t>(cube - corner, -32767, 32767) * oneCube));
         };
-        const auto first = place(cellShift), last = place(cellShift + m_geometry.size[axis] - 1);
+        const auto first = place(cubeShift), last = place(cubeShift + m_geometry.size[axis] - 1);
         const double farthest = 16000.0;
-        const auto reach = set(static_cast<std::int32_t>(std::min(m_source.reach[axis], farthest) * oneCell));
+        const auto reach = set(static_cast<std::int32_t>(std::min(m_source.reach[axis], farthest) * oneCube));
         low = hn::Min(hn::Max(hn::Sub(low, reach), first), last);
         high = hn::Min(hn::Max(hn::Add(high, reach), first), last);
         const Sample a = sampleAt(run.volume, before, active), b = sampleAt(run.volume, after, active);
         complete = hn::Min(complete, hn::Min(a.weight, b.weight));
         const auto units =
-            hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)), set(m_source.unitsPerVoxel[axis] / oneCell));
+            hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)), set(m_source.unitsPerVoxel[axis] / oneCube));
         const auto difference =
             hn::Mul(hn::Sub(b.value, a.value), set(m_toTable / static_cast<float>(TransferTable::intervals)));
         const auto some = hn::Gt(units, set(0.0f));

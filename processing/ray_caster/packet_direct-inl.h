@@ -3,7 +3,6 @@
 
 #include "processing/ray_caster/packet_gathered-inl.h"
 #include "processing/ray_caster/packet_plain-inl.h"
-#include "processing/ray_caster/packet_segment-inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -23,7 +22,6 @@ public:
     explicit DirectKernel(const KernelJob<Voxel>& job) : m_job(job), m_colours(job.table->colours()) {
         std::fill_n(m_half, lanes, 2.0f);
         m_rich = job.light != nullptr || job.depthTint != nullptr || !job.picture->depthMm.empty();
-        if (job.preIntegration != nullptr) m_segments.emplace(*job.preIntegration, job.table->opacities(), m_colours);
     }
 
     void cast(DirectRays<Voxel>& rays) {
@@ -103,8 +101,6 @@ private:
         if (m_job.colourBends != nullptr) return castPlainly(run, stored);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
         const auto limit = hn::Load(floats, m_limit);
-        auto before = set(-1.0f);
-        if (m_job.preIntegration != nullptr) before = endPosition(run, set(-0.5f), run.inRange(set(0.0f)));
         std::int64_t block = 0;
         for (; block < run.count; block += blockSize) {
             const auto alive = hn::Lt(blend.opacity, limit);
@@ -112,10 +108,6 @@ private:
             if (endsAt(run, block)) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
             for (std::int64_t i = block; i < last; ++i) {
-                if (m_job.preIntegration != nullptr) {
-                    blendSegment(run, i, alive, before, blend);
-                    continue;
-                }
                 const auto number = set(static_cast<float>(i));
                 const auto position = positionOf(run, i, number, stored);
                 blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
@@ -213,7 +205,7 @@ private:
             const double limit = 1.0 - m_job.endTransmittance / (ended ? 1.0 : transmittance[i]);
             m_limit[i] = static_cast<float>(ended ? -1.0 : limit);
         }
-        if (!m_rich && m_job.preIntegration == nullptr) return;
+        if (!m_rich) return;
         const RayBundle<lanes>& rays = m_rays->packet.rays();
         for (int i = 0; i < lanes; ++i) {
             m_half[i] = transmittance[i] > 0.5 ? static_cast<float>(1.0 - 0.5 / transmittance[i]) : 2.0f;
@@ -259,23 +251,13 @@ private:
     /// Table positions of sample i, -1 where there is no data.
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
         if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
-        const Floats floats;
-        const Ints ints;
-        const hn::Rebind<std::uint16_t, Floats> words;
         std::uint16_t* const kept = keptAt(run, i);
-        if (stored) {
-            const auto value = hn::PromoteTo(ints, hn::LoadU(words, kept));
-            // Plain pictures keep what is brighter than white as it is.
-            const auto position = hn::Min(hn::Mul(hn::ConvertTo(floats, value), set(1.0f / m_job.keptPerPosition)),
-                                          set(static_cast<float>(TransferTable::intervals)));
-            return hn::IfThenElse(hn::RebindMask(floats, hn::Eq(value, set(std::int32_t{KeptSamples::noData}))),
-                                  set(-1.0f), position);
-        }
+        // Plain pictures keep what is brighter than white as it is.
+        if (stored)
+            return hn::Min(keptValue<true>(kept, m_job.keptPerPosition),
+                           set(static_cast<float>(TransferTable::intervals)));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        const auto value = hn::NearestInt(hn::Mul(position, set(m_job.keptPerPosition)));
-        const auto none = hn::RebindMask(ints, hn::Lt(position, set(0.0f)));
-        const auto known = hn::IfThenElse(none, set(std::int32_t{KeptSamples::noData}), value);
-        hn::StoreU(hn::DemoteTo(words, known), words, kept);
+        keepValue<true>(position, m_job.keptPerPosition, kept);
         return position;
     }
 
@@ -330,42 +312,6 @@ private:
         colour = {tinted(colour.red, 0), tinted(colour.green, 1), tinted(colour.blue, 2)};
     }
 
-    /// Table position at an end of a sample's segment, within the volume's box.
-    HWY_INLINE FloatVector endPosition(const Run<Voxel>& run, FloatVector number, LaneMask active) const {
-        Position at = run.at(number);
-        IntVector* const components[3] = {&at.x, &at.y, &at.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double corner = static_cast<double>(run.corner[axis]);
-            const auto place = [&](double cell) {
-                return set(static_cast<std::int32_t>(std::clamp(cell - corner, -32767.0, 32767.0) * oneCell));
-            };
-            const double size = static_cast<double>(m_job.geometry.size[axis]);
-            *components[axis] = hn::Min(hn::Max(*components[axis], place(0.5)), place(size + 0.5 - 1e-4));
-        }
-        return sampled(run, at, active);
-    }
-
-    HWY_INLINE void blendSegment(const Run<Voxel>& run, std::int64_t i, LaneMask alive, FloatVector& before,
-                                 Blend& blend) {
-        const auto number = set(static_cast<float>(i)), next = set(static_cast<float>(i + 1));
-        const auto behind =
-            endPosition(run, hn::Add(number, set(0.5f)), hn::Or(run.inRange(number), run.inRange(next)));
-        const auto zero = set(0.0f);
-        const auto frontData = hn::Ge(before, zero), backData = hn::Ge(behind, zero);
-        const auto front = hn::Max(hn::IfThenElse(frontData, before, behind), zero);
-        const auto back = hn::Max(hn::IfThenElse(backData, behind, before), zero);
-        const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Or(frontData, backData));
-        Colour colour{zero, zero, zero};
-        const auto whole = m_segments->opacity(front, back, colour);
-        // The half of a step towards an end without data shows nothing.
-        const auto half = hn::Sub(set(1.0f), hn::Sqrt(hn::Sub(set(1.0f), whole)));
-        const auto opacity = hn::IfThenElseZero(active, hn::IfThenElse(hn::And(frontData, backData), whole, half));
-        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
-        if (m_job.depthTint != nullptr) tint(number, colour);
-        addSample(added, colour, number, blend);
-        before = behind;
-    }
-
     /// Puts a run behind what the rays have gathered.
     void add(const Blend& blend) {
         const Floats floats;
@@ -380,7 +326,7 @@ private:
                     m_rays->gathered.transmittance[i] * static_cast<double>(colour[channel][i]);
         for (int i = 0; i < lanes; ++i)
             m_rays->gathered.transmittance[i] -= m_rays->gathered.transmittance[i] * static_cast<double>(opacity[i]);
-        if (!m_rich && m_job.preIntegration == nullptr) return;
+        if (!m_rich) return;
         hn::Store(blend.half, floats, half);
         for (int i = 0; i < lanes; ++i)
             if (half[i] >= 0.0f)
@@ -390,7 +336,6 @@ private:
 
     const KernelJob<Voxel>& m_job;
     Colours m_colours;
-    std::optional<SegmentLook> m_segments;  ///< of pre-integrated pictures
     bool m_rich = false;
     DirectRays<Voxel>* m_rays = nullptr;
     alignas(64) float m_limit[lanes], m_half[lanes], m_before[lanes], m_tintStart[lanes], m_tintStep[lanes];

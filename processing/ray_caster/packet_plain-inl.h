@@ -110,7 +110,7 @@ HWY_INLINE Position placeOf(const PlainRun<Voxel>& from, std::int64_t i, const P
 
 /// Within the table.
 template <typename Voxel>
-HWY_INLINE FloatVector limited(const PlainRun<Voxel>&, FloatVector value) {
+HWY_INLINE FloatVector limited(FloatVector value) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
     const float highest = bytes ? 255.0f * byteScale : static_cast<float>(TransferTable::intervals);
     return hn::Max(hn::Min(value, set(highest)), set(0.0f));
@@ -122,18 +122,18 @@ template <bool all, bool masked, int group, bool cut, typename Voxel>
 HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                           Position& at, FloatVector (&value)[group]) {
     const Position begin = at;
-    const Cells<Voxel>& volume = from.run.volume;
+    const Cubes<Voxel>& volume = from.run.volume;
     const auto lanesToRead = [&](int k) {
         const auto present = in.template present<cut>(from.run, i + k);
         return all ? present : hn::And(present, in.alive);
     };
     if constexpr (std::is_same_v<Voxel, std::uint8_t>) {
-        CellOfBytes cell[group];
+        CubeOfBytes cube[group];
         for (int k = 0; k < group; ++k, at = at + step) {
             const Position place = placeOf(from, i + k, at);
-            cell[k] = cellOfBytes(volume.cells, volume.sliceStride, volume.offsetOf(place), place, lanesToRead(k));
+            cube[k] = cubeOfBytes(volume.cubes, volume.sliceStride, volume.offsetOf(place), place, lanesToRead(k));
         }
-        for (int k = 0; k < group; ++k) value[k] = meanOf(cell[k]);
+        for (int k = 0; k < group; ++k) value[k] = meanOf(cube[k]);
     } else {
         for (int k = 0; k < group; ++k, at = at + step) {
             const Position place = placeOf(from, i + k, at);
@@ -148,10 +148,10 @@ HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std
             const auto weight = weightAt(volume, volume.offsetOf(place), place, lanesToRead(k));
             const auto enough = hn::Ge(weight, set(0.5f));
             value[k] = hn::Div(value[k], hn::IfThenElse(enough, weight, set(1.0f)));
-            value[k] = hn::IfThenElse(enough, limited(from, value[k]), set(-1.0f));
+            value[k] = hn::IfThenElse(enough, limited<Voxel>(value[k]), set(-1.0f));
         }
     } else if constexpr (!std::is_same_v<Voxel, std::uint8_t>) {
-        for (int k = 0; k < group; ++k) value[k] = limited(from, value[k]);
+        for (int k = 0; k < group; ++k) value[k] = limited<Voxel>(value[k]);
     }
 }
 

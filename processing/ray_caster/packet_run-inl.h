@@ -27,9 +27,9 @@ template <typename Voxel>
 struct Run {
     HWY_INLINE Run() {}  // of this instruction set, as what it calls: an implied one would be of none
     std::int64_t first, count;
-    Cells<Voxel> volume;
-    std::array<std::int64_t, 3> corner;                       ///< cell
-    FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cells
+    Cubes<Voxel> volume;
+    std::array<std::int64_t, 3> corner;                       ///< cube
+    FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cubes
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
     bool near = true;  ///< of cut steps: all lie near enough to the corner to be counted from it
 
@@ -81,7 +81,7 @@ HWY_INLINE FloatVector inFloats(const From& from) {
 #endif
 }
 
-/// Between which positions and steps, in cells, the rays of neighbouring pixels lie.
+/// Between which positions and steps, in cubes, the rays of neighbouring pixels lie.
 struct Extent {
     double lowOrigin[3], highOrigin[3], lowStep[3], highStep[3];  ///< origins: at sample -0.5
 
@@ -129,9 +129,9 @@ public:
                         m_extent.lowStep[axis] * (number + (m_extent.lowStep[axis] < 0.0 ? 1.0 : 0.0));
             high[axis] = m_extent.highOrigin[axis] +
                          m_extent.highStep[axis] * (number + (m_extent.highStep[axis] < 0.0 ? 0.0 : 1.0));
-            const auto cell = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
+            const auto cube = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
             brick[axis] =
-                std::clamp<std::int64_t>(cell >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
+                std::clamp<std::int64_t>(cube >> BrickGrid::shift, 0, m_job.bricks[static_cast<std::size_t>(axis)] - 1);
         }
         const std::int64_t distance =
             m_job.distances[brick[0] + m_job.bricks[0] * (brick[1] + m_job.bricks[1] * brick[2])];
@@ -179,7 +179,7 @@ public:
             };
             const auto place = [&](int i) {
                 const auto steps = hn::Mul(load(m_rays.step[axis] + i), load(cut.at + i));
-                return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cellShift));
+                return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cubeShift));
             };
             findRange(chosen, place, low[axis], high[axis]);
             // Where no ray is cut nothing is read; the corner must be one all the same.
@@ -189,12 +189,12 @@ public:
         }
         locate(run, low, high);
         const auto along = [&](int axis) {
-            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            const double shift = static_cast<double>(cubeShift - run.corner[static_cast<std::size_t>(axis)]);
             return inFloats([&](auto doubles, int i) {
                 const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
                 const auto steps = hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Load(doubles, cut.at + i));
                 return hn::Mul(hn::Add(hn::Add(origin, steps), hn::Set(doubles, shift)),
-                               hn::Set(doubles, double{oneCell}));
+                               hn::Set(doubles, double{oneCube}));
             });
         };
         run.startX = along(0);
@@ -232,9 +232,9 @@ private:
             m_last = (static_cast<std::int64_t>(last) + blockSize - 1) / blockSize * blockSize;
         }
         for (int axis = 0; axis < 3; ++axis) {
-            // In cells, at the begin of step 0.
+            // In cubes, at the begin of step 0.
             findRange(
-                isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cellShift)); },
+                isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cubeShift)); },
                 m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
             m_extent.lowStep[axis] = m_extent.highStep[axis] = m_rays.step[axis][0];
             if (!m_job.rays->parallel())
@@ -249,12 +249,12 @@ private:
         m_longestRun = runWithin(widest);
     }
 
-    /// Cells along each axis that positions and offsets can be counted in.
+    /// Cubes along each axis that positions and offsets can be counted in.
     [[nodiscard]] double roomFromCorner() const {
         return std::min(16000.0, 0x1p29 / static_cast<double>(m_job.voxels->sliceStride()));
     }
 
-    /// Whole blocks whose samples, together with rays `widest` cells apart, stay near enough to a corner.
+    /// Whole blocks whose samples, together with rays `widest` cubes apart, stay near enough to a corner.
     [[nodiscard]] std::int64_t runWithin(double widest) const {
         double fastest = 1e-9;
         for (int axis = 0; axis < 3; ++axis)
@@ -265,48 +265,48 @@ private:
         return most >= blockSize ? most / blockSize * blockSize : most;
     }
 
-    /// A box, in cells, that holds all samples of a run.
+    /// A box, in cubes, that holds all samples of a run.
     void findBox(std::int64_t first, int lane, std::int64_t count, double (&low)[3], double (&high)[3]) const {
         const double a = static_cast<double>(first), b = static_cast<double>(first + count);
         m_extent.findBox(a, b, low, high);
         for (int axis = 0; axis < 3; ++axis) {
             if (lane >= 0) {
-                const double origin = m_rays.origin[axis][lane] + cellShift, step = m_rays.step[axis][lane];
+                const double origin = m_rays.origin[axis][lane] + cubeShift, step = m_rays.step[axis][lane];
                 low[axis] = origin + std::min(step * a, step * b);
                 high[axis] = origin + std::max(step * a, step * b);
             }
-            // Nothing is sampled outside; the last cell that samples lie in is number size, and its corner can be read.
-            const double cells = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)]);
-            low[axis] = std::clamp(low[axis], 0.0, cells);
-            high[axis] = std::clamp(high[axis], 0.0, cells + 1.0);
+            // Nothing is sampled outside; the last cube that samples lie in is number size, and its corner can be read.
+            const double cubes = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)]);
+            low[axis] = std::clamp(low[axis], 0.0, cubes);
+            high[axis] = std::clamp(high[axis], 0.0, cubes + 1.0);
         }
     }
 
-    /// The corner from which a run in a box, in cells, is counted.
+    /// The corner from which a run in a box, in cubes, is counted.
     void locate(Run<Voxel>& run, const double (&low)[3], const double (&high)[3]) const {
         for (std::size_t axis = 0; axis < 3; ++axis)
             run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
         const PackedVoxels<Voxel>& voxels = *m_job.voxels;
         const std::int64_t offset =
             run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
-        run.volume = {voxels.cells() + offset * voxelsPerCell, nullptr, voxels.rowStride(), voxels.sliceStride()};
+        run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
         if (m_job.missing != nullptr && touchesMissing(low, high))
-            run.volume.mask = voxels.mask() + offset * voxelsPerCell;
+            run.volume.mask = voxels.mask() + offset * voxelsPerCube;
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {
         const Floats floats;
         const auto along = [&](int axis, FloatVector& start, FloatVector& step) {
-            const double shift = static_cast<double>(cellShift - run.corner[static_cast<std::size_t>(axis)]);
+            const double shift = static_cast<double>(cubeShift - run.corner[static_cast<std::size_t>(axis)]);
             start = inFloats([&](auto doubles, int i) {
                 const auto origin = hn::Load(doubles, m_rays.origin[axis] + i);
                 const auto perSample = hn::Load(doubles, m_rays.step[axis] + i);
                 const auto number = hn::Set(doubles, static_cast<double>(run.first) + 0.5);
-                const auto cells = hn::Add(hn::Add(origin, hn::Mul(perSample, number)), hn::Set(doubles, shift));
-                return hn::Mul(cells, hn::Set(doubles, double{oneCell}));
+                const auto cubes = hn::Add(hn::Add(origin, hn::Mul(perSample, number)), hn::Set(doubles, shift));
+                return hn::Mul(cubes, hn::Set(doubles, double{oneCube}));
             });
             step = inFloats([&](auto doubles, int i) {
-                return hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Set(doubles, double{oneCell}));
+                return hn::Mul(hn::Load(doubles, m_rays.step[axis] + i), hn::Set(doubles, double{oneCube}));
             });
         };
         along(0, run.startX, run.stepX);
@@ -329,10 +329,10 @@ private:
         std::int64_t first[3], last[3];
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<std::size_t>(axis);
-            // A gradient reads farther, and one cell is for rounding.
+            // A gradient reads farther, and one cube is for rounding.
             const double reach = (m_job.light != nullptr ? m_job.light->reach[i] : 0.0) + 1.0;
-            const auto brick = [&](double cell) {
-                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(cell)) >> BrickGrid::shift, 0,
+            const auto brick = [&](double cube) {
+                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(cube)) >> BrickGrid::shift, 0,
                                                 m_job.bricks[i] - 1);
             };
             first[axis] = brick(low[axis] - reach);

@@ -58,7 +58,7 @@ HWY_INLINE IntVector rounded(FloatVector value) {
 #endif
 }
 
-/// Positions in 1/65536 of a cell from a corner, at or after it.
+/// Positions in 1/65536 of a cube from a corner, at or after it.
 struct Position {
     IntVector x, y, z;
 
@@ -66,7 +66,7 @@ struct Position {
         return {hn::Add(x, way.x), hn::Add(y, way.y), hn::Add(z, way.z)};
     }
 };
-constexpr std::int32_t oneCell = 1 << 16;
+constexpr std::int32_t oneCube = 1 << 16;
 
 /// Two dwords for each lane, which stand beside each other in memory, `offset` times 2^shift bytes after `base`.
 struct DwordPair {
@@ -82,7 +82,7 @@ HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector 
 constexpr float byteScale = 127.0f * 32767.0f;
 
 HWY_INLINE FloatVector shareOf(IntVector position) {
-    return hn::Mul(hn::ConvertTo(Floats(), hn::And(position, set(oneCell - 1))), set(1.0f / oneCell));
+    return hn::Mul(hn::ConvertTo(Floats(), hn::And(position, set(oneCube - 1))), set(1.0f / oneCube));
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -96,32 +96,32 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-/// Four bytes of each lane, of the cell `offset` cells after the first and the one behind it.
-HWY_INLINE IntVector fourBytes(const std::uint8_t* cells, IntVector offset, LaneMask active) {
+/// Four bytes of each lane, of the cube `offset` cubes after the first and the one behind it.
+HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
     const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     std::int32_t four;
-    std::memcpy(&four, cells + first * voxelsPerCell, sizeof(four));
+    std::memcpy(&four, cubes + first * voxelsPerCube, sizeof(four));
     return set(four);
 }
 
-struct CellOfBytes {
+struct CubeOfBytes {
     const std::uint8_t *near, *far;
     int shareX, shareY, shareZ;
 };
-HWY_INLINE CellOfBytes cellOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                    const Position& at, LaneMask active) {
     const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     const auto share = [](IntVector position) { return (position.raw & 0xFFFF) >> 1; };
-    const std::uint8_t* const near = cells + first * voxelsPerCell;
-    return {near, near + sliceStride * voxelsPerCell, share(at.x), share(at.y) >> 8, share(at.z)};
+    const std::uint8_t* const near = cubes + first * voxelsPerCube;
+    return {near, near + sliceStride * voxelsPerCube, share(at.x), share(at.y) >> 8, share(at.z)};
 }
-HWY_INLINE FloatVector meanOf(const CellOfBytes& cell) {
-    const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - cell.shareY) + two[1] * cell.shareY; };
+HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
+    const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - cube.shareY) + two[1] * cube.shareY; };
     const auto alongZ = [&](int voxel) {
-        const int near = alongY(cell.near + voxel), far = alongY(cell.far + voxel);
-        return near + (((far - near) * cell.shareZ + (1 << 14)) >> 15);
+        const int near = alongY(cube.near + voxel), far = alongY(cube.far + voxel);
+        return near + (((far - near) * cube.shareZ + (1 << 14)) >> 15);
     };
-    return set(static_cast<float>(alongZ(0) * (32767 - cell.shareX) + alongZ(voxelsPerCell) * cell.shareX));
+    return set(static_cast<float>(alongZ(0) * (32767 - cube.shareX) + alongZ(voxelsPerCube) * cube.shareX));
 }
 
 #else
@@ -185,56 +185,56 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
     const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
     return hn::RearrangeToOddPlusEven(sum, rest);
 }
-/// Four bytes of each active lane, of the cells `offset` cells after the first; 0 of the others, which read nothing.
-HWY_INLINE hn::Vec<Bytes> gatherCells(const std::uint8_t* cells, IntVector offset, LaneMask active) {
+/// Four bytes of each active lane, of the cubes `offset` cubes after the first; 0 of the others, which read nothing.
+HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return hn::Vec<Bytes>{
-        _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cells, voxelsPerCell)};
+        _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cubes, voxelsPerCube)};
 #elif HWY_TARGET == HWY_AVX2
     return hn::Vec<Bytes>{
-        _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cells), offset.raw,
-                                    hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCell)};
+        _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cubes), offset.raw,
+                                    hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCube)};
 #else
     const auto bytes = hn::IfThenElseZero(hn::RebindMask(Ints(), active), hn::ShiftLeft<1>(offset));
-    return hn::BitCast(Bytes(), hn::GatherOffset(Ints(), reinterpret_cast<const std::int32_t*>(cells), bytes));
+    return hn::BitCast(Bytes(), hn::GatherOffset(Ints(), reinterpret_cast<const std::int32_t*>(cubes), bytes));
 #endif
 }
-HWY_INLINE IntVector fourBytes(const std::uint8_t* cells, IntVector offset, LaneMask active) {
-    return hn::BitCast(Ints(), gatherCells(cells, offset, active));
+HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
+    return hn::BitCast(Ints(), gatherCubes(cubes, offset, active));
 }
 
 /// The eight bytes around a position in each lane, and their shares.
-struct CellOfBytes {
-    HWY_INLINE CellOfBytes() {}  // see Run
+struct CubeOfBytes {
+    HWY_INLINE CubeOfBytes() {}  // see Run
     hn::Vec<Bytes> near, far, shareY;
     hn::Vec<Words> shareX, shareZ;
 };
-HWY_INLINE CellOfBytes cellOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                    const Position& at, LaneMask active) {
-    static_assert(voxelsPerCell == 2);
-    CellOfBytes cell;
-    cell.near = gatherCells(cells, offset, active);
-    cell.far = gatherCells(cells + sliceStride * voxelsPerCell, offset, active);
-    cell.shareX = hn::Xor(wordShares(at.x), hn::BitCast(Words(), hn::Set(Ints(), 0x00007FFF)));
-    cell.shareY = byteShares(at.y);
-    cell.shareZ = wordShares(at.z);
-    return cell;
+    static_assert(voxelsPerCube == 2);
+    CubeOfBytes cube;
+    cube.near = gatherCubes(cubes, offset, active);
+    cube.far = gatherCubes(cubes + sliceStride * voxelsPerCube, offset, active);
+    cube.shareX = hn::Xor(wordShares(at.x), hn::BitCast(Words(), hn::Set(Ints(), 0x00007FFF)));
+    cube.shareY = byteShares(at.y);
+    cube.shareZ = wordShares(at.z);
+    return cube;
 }
-HWY_INLINE FloatVector meanOf(const CellOfBytes& cell) {
-    const auto near = pairSums(cell.near, cell.shareY), far = pairSums(cell.far, cell.shareY);
+HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
+    const auto near = pairSums(cube.near, cube.shareY), far = pairSums(cube.far, cube.shareY);
     // The low half of each dword is of x, the high one of x + 1.
-    const auto slices = hn::Add(near, hn::MulFixedPoint15(hn::Sub(far, near), cell.shareZ));
-    return hn::ConvertTo(Floats(), pairSums(slices, cell.shareX));
+    const auto slices = hn::Add(near, hn::MulFixedPoint15(hn::Sub(far, near), cube.shareZ));
+    return hn::ConvertTo(Floats(), pairSums(slices, cube.shareX));
 }
 
 #endif
 
-HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                    const Position& at, LaneMask active) {
-    return meanOf(cellOfBytes(cells, sliceStride, offset, at, active));
+    return meanOf(cubeOfBytes(cubes, sliceStride, offset, at, active));
 }
 /// The same with the shares that means of other voxels have.
-HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cells, std::int64_t sliceStride, IntVector offset,
+HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                        const Position& at, LaneMask active) {
     const Floats floats;
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y), shareZ = shareOf(at.z);
@@ -245,19 +245,19 @@ HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cells, std::int64_t s
         const auto right = between(byte(hn::ShiftRight<16>(four)), byte(hn::ShiftRight<24>(four)), shareY);
         return between(left, right, shareX);
     };
-    const auto mean = between(slice(cells), slice(cells + sliceStride * voxelsPerCell), shareZ);
+    const auto mean = between(slice(cubes), slice(cubes + sliceStride * voxelsPerCube), shareZ);
     return hn::Mul(mean, set(byteScale));
 }
 
-/// A volume's cells counted from a corner.
+/// A volume's cubes counted from a corner.
 template <typename Voxel>
-struct Cells {
-    const Voxel* cells;
+struct Cubes {
+    const Voxel* cubes;
     const std::uint8_t* mask;  ///< null: all voxels around carry data
     std::int64_t rowStride, sliceStride;
 
     HWY_INLINE IntVector offsetOf(const Position& at) const {
-        const auto cell = hn::ShiftRight<16>(at.x);
+        const auto cube = hn::ShiftRight<16>(at.x);
 #if HWY_TARGET != HWY_SCALAR
         static_assert(rowAlignment == 1 << 4);
         if (sliceStride <= rowAlignment * 32767) {
@@ -267,45 +267,45 @@ struct Cells {
                 hn::OddEven(hn::BitCast(words, at.z), hn::BitCast(words, hn::ShiftRight<16>(at.y)));
             const auto strides =
                 set(static_cast<std::int32_t>(sliceStride / rowAlignment << 16 | rowStride / rowAlignment));
-            return hn::Add(hn::ShiftLeft<4>(pairSums(rowAndSlice, hn::BitCast(words, strides))), cell);
+            return hn::Add(hn::ShiftLeft<4>(pairSums(rowAndSlice, hn::BitCast(words, strides))), cube);
         }
 #endif
         const auto row = hn::Mul(hn::ShiftRight<16>(at.y), set(static_cast<std::int32_t>(rowStride)));
         const auto slice = hn::Mul(hn::ShiftRight<16>(at.z), set(static_cast<std::int32_t>(sliceStride)));
-        return hn::Add(hn::Add(row, slice), cell);
+        return hn::Add(hn::Add(row, slice), cube);
     }
 };
 
-HWY_INLINE FloatVector meanOf(const Cells<std::uint8_t>& volume, IntVector offset, const Position& at,
+HWY_INLINE FloatVector meanOf(const Cubes<std::uint8_t>& volume, IntVector offset, const Position& at,
                               LaneMask active) {
-    return hn::Mul(meanOfBytes(volume.cells, volume.sliceStride, offset, at, active), set(1.0f / byteScale));
+    return hn::Mul(meanOfBytes(volume.cubes, volume.sliceStride, offset, at, active), set(1.0f / byteScale));
 }
 /// Lanes without a sample here read the corner itself.
 HWY_INLINE IntVector withinVolume(IntVector offset, LaneMask active) {
     return hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset);
 }
-HWY_INLINE FloatVector meanOf(const Cells<std::uint16_t>& volume, IntVector offset, const Position& at,
+HWY_INLINE FloatVector meanOf(const Cubes<std::uint16_t>& volume, IntVector offset, const Position& at,
                               LaneMask active) {
     offset = withinVolume(offset, active);
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto slice = [&](std::int64_t first) {
-        const DwordPair cell = loadPairs<2>(volume.cells + first * voxelsPerCell, offset);
+        const DwordPair cube = loadPairs<2>(volume.cubes + first * voxelsPerCube, offset);
         const auto above = [](IntVector two) { return hn::ConvertTo(Floats(), hn::And(two, set(0xFFFF))); };
         const auto below = [](IntVector two) {
             const hn::RebindToUnsigned<Ints> bits;
             return hn::ConvertTo(Floats(), hn::BitCast(Ints(), hn::ShiftRight<16>(hn::BitCast(bits, two))));
         };
-        return between(between(above(cell.low), above(cell.high), shareX),
-                       between(below(cell.low), below(cell.high), shareX), shareY);
+        return between(between(above(cube.low), above(cube.high), shareX),
+                       between(below(cube.low), below(cube.high), shareX), shareY);
     };
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
-HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, const Position& at, LaneMask active) {
+HWY_INLINE FloatVector meanOf(const Cubes<float>& volume, IntVector offset, const Position& at, LaneMask active) {
     offset = withinVolume(offset, active);
     const auto shareX = shareOf(at.x), shareY = shareOf(at.y);
     const auto column = [&](std::int64_t first) {
-        const DwordPair cell = loadPairs<3>(volume.cells + first * voxelsPerCell, offset);
-        return between(hn::BitCast(Floats(), cell.low), hn::BitCast(Floats(), cell.high), shareY);
+        const DwordPair cube = loadPairs<3>(volume.cubes + first * voxelsPerCube, offset);
+        return between(hn::BitCast(Floats(), cube.low), hn::BitCast(Floats(), cube.high), shareY);
     };
     const auto slice = [&](std::int64_t first) { return between(column(first), column(first + 1), shareX); };
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
@@ -313,7 +313,7 @@ HWY_INLINE FloatVector meanOf(const Cells<float>& volume, IntVector offset, cons
 
 /// The share of the weight that is on voxels with data, from the same shares as the mean.
 template <typename Voxel>
-HWY_INLINE FloatVector weightAt(const Cells<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
+HWY_INLINE FloatVector weightAt(const Cubes<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
     const auto sum = bytes ? meanOfBytes(volume.mask, volume.sliceStride, offset, at, active)
                            : fineMeanOfBytes(volume.mask, volume.sliceStride, offset, at, active);
@@ -325,22 +325,22 @@ struct Sample {
     FloatVector value, weight;
 };
 template <typename Voxel>
-HWY_INLINE Sample sampleAt(const Cells<Voxel>& volume, const Position& at, LaneMask active) {
+HWY_INLINE Sample sampleAt(const Cubes<Voxel>& volume, const Position& at, LaneMask active) {
     const auto offset = volume.offsetOf(at);
     Sample sample{meanOf(volume, offset, at, active), set(1.0f)};
     if (volume.mask != nullptr) sample.weight = weightAt(volume, offset, at, active);
     return sample;
 }
 
-/// Each component on the nearest voxel: in the cell of that number it is the lower one.
+/// Each component on the nearest voxel: in the cube of that number it is the lower one.
 HWY_INLINE Position nearestVoxel(const Position& at) {
-    const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCell / 2)), set(~(oneCell - 1))); };
+    const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCube / 2)), set(~(oneCube - 1))); };
     return {round(at.x), round(at.y), round(at.z)};
 }
 
 /// Table positions; -1 where less than half the weight is on voxels with data.
 template <typename Voxel>
-HWY_INLINE FloatVector tablePositionAt(const Cells<Voxel>& volume, const Position& at, float toTable, LaneMask active) {
+HWY_INLINE FloatVector tablePositionAt(const Cubes<Voxel>& volume, const Position& at, float toTable, LaneMask active) {
     Sample sample = sampleAt(volume, at, active);
     const auto highest = set(static_cast<float>(TransferTable::intervals));
     if (volume.mask == nullptr) {

@@ -60,7 +60,6 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_forward(settings.camera.frame.forward),
       m_right(settings.camera.frame.right),
       m_down(settings.camera.frame.down),
-      m_jittered(settings.jittered),
       m_opaqueDepth(settings.opaqueDepth) {
     requireSensible(settings);
     const Camera& camera = settings.camera;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
@@ -134,22 +134,9 @@ private:
     Vec3 m_inverseSpacing;
     Vec3 m_step, m_perStep;  ///< parallel: every ray's step, voxels, and 1 / step
     Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
-    bool m_jittered;
     std::vector<HalfSpace> m_halfSpaces;
     std::shared_ptr<const DepthMap> m_opaqueDepth;
 };
-
-/// A share of a step in [-0.5, 0.5) for a pixel, the same run after run.
-__attribute__((always_inline)) inline double jitterOf(int column, int row) {
-    std::uint32_t bits =
-        static_cast<std::uint32_t>(column) * 0x9E3779B1u ^ static_cast<std::uint32_t>(row) * 0x85EBCA77u;
-    bits ^= bits >> 15;
-    bits *= 0x2C1B3C6Du;
-    bits ^= bits >> 12;
-    bits *= 0x297A2D39u;
-    bits ^= bits >> 15;
-    return static_cast<double>(bits >> 8) * 0x1p-24 - 0.5;
-}
 
 template <int lanes>
 inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const {
@@ -195,13 +182,6 @@ inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int
         aimParallel(bundle, column, row, columns);
     else
         aimPerspective(bundle, column, row, columns);
-    if (m_jittered)
-        for (int i = 0; i < lanes; ++i) {
-            const double shift = jitterOf(column + i % columns, row + i / columns);
-            for (int axis = 0; axis < 3; ++axis) bundle.origin[axis][i] += bundle.step[axis][i] * shift;
-            bundle.depthMm[i] += bundle.depthStepMm[i] * shift;
-            bundle.enter[i] -= shift;
-        }
     clip(bundle);
     if (!m_halfSpaces.empty()) clipAtHalfSpaces(bundle);
     if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/opacity_curve.h"
-#include "processing/ray_caster.h"
+#include "processing/picture/colour_map.h"
 
 namespace echolucent::ray_casting {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/picture.h"
 
 namespace echolucent {
 

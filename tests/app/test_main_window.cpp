@@ -22,6 +22,7 @@
 #include "io/output/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
+#include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"

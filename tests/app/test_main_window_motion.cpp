@@ -6,6 +6,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_sweep.h"
+#include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/motion/otf_curves_canvas.h"

@@ -20,33 +20,30 @@ private slots:
         QVERIFY(settings.lastFolder().isEmpty());
         QVERIFY(settings.windowGeometry().isEmpty());
         QVERIFY(settings.windowState().isEmpty());
-        QCOMPARE(settings.colourMap(), ColourMap::sepia);
-        QCOMPARE(settings.interpolation(), Interpolation::trilinear);
-        QCOMPARE(settings.projection(), Projection::parallel);
-        QVERIFY(settings.shaded() && settings.histogramLogarithmic() && settings.motionPingPong());
-        QCOMPARE(settings.mode(), RenderMode::direct);
-        QCOMPARE(settings.light(), LightDirection{});
-        QCOMPARE(settings.depthColoured(), false);
-        QCOMPARE(settings.renderer(), PreferredRenderer::automatic);
+        QVERIFY(settings.histogramLogarithmic() && settings.motionPingPong());
+        QCOMPARE(settings.look(), lookAtStart());
+        QVERIFY(settings.look().shaded);
+        QCOMPARE(settings.renderer(), RendererChoice::automatic);
     }
 
     void everythingComesBackFromTheFile() {
         const QByteArray bytes = QByteArray("\x00\xff\x01;,=\"\n", 8);
         const QString file = fileNamed("größe, 1.mha");
+        const Look chosen{.mode = RenderMode::mean,
+                          .shaded = false,
+                          .light = {71, -12.5},
+                          .depthColoured = true,
+                          .colourMap = ColourMap::ice,
+                          .projection = Projection::perspective,
+                          .interpolation = Interpolation::nearest};
         {
             Settings settings(store());
             settings.addRecentFile(file);
             settings.setLastFolder("/some/where");
             settings.setWindowGeometry(bytes);
             settings.setWindowState(bytes + bytes);
-            settings.setColourMap(ColourMap::ice);
-            settings.setInterpolation(Interpolation::nearest);
-            settings.setProjection(Projection::perspective);
-            settings.setShaded(false);
-            settings.setMode(RenderMode::mean);
-            settings.setLight({71, -12.5});
-            settings.setDepthColoured(true);
-            settings.setRenderer(PreferredRenderer::graphicsCard);
+            settings.setLook(chosen);
+            settings.setRenderer(RendererChoice::graphicsCard);
             settings.setHistogramLogarithmic(false);
             settings.setMotionPingPong(false);
             QVERIFY(settings.save());
@@ -56,14 +53,9 @@ private slots:
         QCOMPARE(settings.lastFolder(), "/some/where");
         QCOMPARE(settings.windowGeometry(), bytes);
         QCOMPARE(settings.windowState(), bytes + bytes);
-        QCOMPARE(settings.colourMap(), ColourMap::ice);
-        QCOMPARE(settings.interpolation(), Interpolation::nearest);
-        QCOMPARE(settings.projection(), Projection::perspective);
-        QVERIFY(!settings.shaded() && !settings.histogramLogarithmic() && !settings.motionPingPong());
-        QCOMPARE(settings.mode(), RenderMode::mean);
-        QCOMPARE(settings.light(), (LightDirection{71, -12.5}));
-        QCOMPARE(settings.depthColoured(), true);
-        QCOMPARE(settings.renderer(), PreferredRenderer::graphicsCard);
+        QVERIFY(!settings.histogramLogarithmic() && !settings.motionPingPong());
+        QCOMPARE(settings.look(), chosen);
+        QCOMPARE(settings.renderer(), RendererChoice::graphicsCard);
     }
 
     void whatIsNotUnderstoodGivesTheDefault() {
@@ -75,14 +67,26 @@ private slots:
                 "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
         }
         const Settings settings(store());
-        QCOMPARE(settings.colourMap(), ColourMap::sepia);
-        QCOMPARE(settings.interpolation(), Interpolation::trilinear);
-        QCOMPARE(settings.projection(), Projection::parallel);
-        QCOMPARE(settings.shaded(), true);
-        QCOMPARE(settings.mode(), RenderMode::direct);
-        QCOMPARE(settings.light(), LightDirection{});
-        QCOMPARE(settings.depthColoured(), false);
-        QCOMPARE(settings.renderer(), PreferredRenderer::automatic);
+        QCOMPARE(settings.look(), lookAtStart());
+        QCOMPARE(settings.renderer(), RendererChoice::automatic);
+    }
+
+    void theLookOfAnOlderFileIsRead() {
+        {
+            QFile file(store());
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(
+                "[picture]\ncolourMap=ice\ninterpolation=nearest\nprojection=perspective\nshaded=false\n"
+                "mode=mean\nlightAzimuth=71\nlightElevation=-12.5\ndepthColoured=true\n");
+        }
+        const Look expected{.mode = RenderMode::mean,
+                            .shaded = false,
+                            .light = {71, -12.5},
+                            .depthColoured = true,
+                            .colourMap = ColourMap::ice,
+                            .projection = Projection::perspective,
+                            .interpolation = Interpolation::nearest};
+        QCOMPARE(Settings(store()).look(), expected);
     }
 
     void recentFilesAreNewestFirstWithoutDoubles() {
@@ -136,7 +140,7 @@ private slots:
     void aFolderThatCannotBeWrittenIsSaid() {
         fileNamed("plain");
         Settings settings(m_folder->filePath("plain/settings.ini"));
-        settings.setShaded(false);
+        settings.setMotionPingPong(false);
         QVERIFY(!settings.save());
     }
 

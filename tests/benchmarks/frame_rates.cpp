@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"
@@ -21,17 +22,15 @@ struct Level {
     double reduction;
     double step;
     double terminationTransmittance = 1.0 / 128;
-    bool preIntegrated = false;
 };
 
 /// The program's (widgets/volume_view/quality_levels.h), and some beside them.
-constexpr std::array<Level, 10> levels{{
+constexpr std::array<Level, 9> levels{{
     {1.0, 0.25, 1.0 / 2048},
     {1.0, 0.5, 1.0 / 512},
     {1.0, 0.75},
     {1.0, 1.0},
     {1.0, 1.5},
-    {1.0, 2.0, 1.0 / 128, true},
     {1.5, 1.5},
     {2.0, 1.5},
     {2.0, 2.0},
@@ -73,7 +72,6 @@ private:
         const int pixels = static_cast<int>(size / level.reduction + 0.5);
         RayCastSettings look;
         look.step = level.step;
-        look.preIntegrated = level.preIntegrated;
         look.terminationTransmittance = level.terminationTransmittance;
         const auto turned = [&](int frame) {
             return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame);
@@ -86,7 +84,6 @@ private:
         row["reduction"] = level.reduction;
         row["step"] = level.step;
         row["ends_at"] = level.terminationTransmittance;
-        row["pre_integrated"] = level.preIntegrated;
         addError(row, "ours", errorOf(pixels == size ? rgbOf(*picture) : enlarged(*picture, size), reference, window));
         return row;
     }

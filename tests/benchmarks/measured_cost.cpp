@@ -2,10 +2,10 @@
 
 #include <time.h>
 
-#include <algorithm>
 #include <chrono>
-#include <limits>
 #include <thread>
+
+#include "app/measuring/measures/median.h"
 
 namespace echolucent::bench {
 
@@ -34,20 +34,13 @@ Cost costOf(const std::function<void()>& work) {
     return cost;
 }
 
-double medianOf(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 Cost medianOf(const std::vector<Cost>& costs) {
     std::vector<double> wall, cpu;
     for (const Cost& cost : costs) {
         wall.push_back(cost.wallMs);
         cpu.push_back(cost.cpuMs);
     }
-    return {medianOf(wall), medianOf(cpu)};
+    return {echolucent::medianOf(wall), echolucent::medianOf(cpu)};
 }
 
 }  // namespace echolucent::bench

@@ -20,8 +20,6 @@ struct Cost {
 /// oneTBB's look for more work for a while, and that must be charged to who woke them, not to who is measured next.
 [[nodiscard]] Cost costOf(const std::function<void()>& work);
 
-/// The middle value (of an even number the upper of the two); NaN where there is none.
-[[nodiscard]] double medianOf(std::vector<double> values);
 /// Medians of wall and CPU time, each by itself.
 [[nodiscard]] Cost medianOf(const std::vector<Cost>& costs);
 

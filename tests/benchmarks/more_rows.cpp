@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "tests/benchmarks/render_bench.h"
+#include "processing/ray_caster.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"
 

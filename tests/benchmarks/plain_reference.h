@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::bench {
 
@@ -19,10 +22,8 @@ struct ReferencePicture {
 /// Step of the reference, units.
 inline constexpr double referenceStep = 0.1;
 
-/// Eqs. 2 and 3 of Petersch 2005, each sample's opacity straight from the curve (opacityForStep), colours straight from
-/// colourOf(), trilinear, all in double, every sample lit where the settings have shading (see Shading), until less
-/// than 1e-6 of the light is left. Of the settings it takes size, camera (parallel), near plane, box, colour map and
-/// shading; the step is referenceStep, cut where the ray enters and leaves the box. Every voxel counts as data.
+/// Pixels by PlainCaster (processing/ray_caster/plain/plain_caster.h) with the step referenceStep, until less than 1e-6
+/// of the light is left. Every voxel counts as data.
 [[nodiscard]] ReferencePicture referencePicture(const Volume& volume, const OpacityCurve& curve,
                                                 const RayCastSettings& settings, int stride);
 

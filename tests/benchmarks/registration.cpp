@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/benchmarks/plain_reference.h"
+#include "processing/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/side_by_side.h"
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
+#include "app/measuring/measures/median.h"
 #include "io/output/atomic_file.h"
 #include "tests/benchmarks/measured_cost.h"
 
@@ -30,7 +32,7 @@ double ratioOf(const ordered_json& rows, bool shaded, const char* key, bool leas
     for (const auto& row : rows)
         if (row["shaded"] == shaded) ratios.push_back(row[key].get<double>());
     if (least && !ratios.empty()) return *std::min_element(ratios.begin(), ratios.end());
-    return medianOf(ratios);
+    return ratios.empty() ? std::numeric_limits<double>::quiet_NaN() : echolucent::medianOf(ratios);
 }
 
 Table machineTable(const ordered_json& report) {
@@ -128,16 +130,14 @@ Table threadsTable(const ordered_json& rows) {
 }
 
 Table levelsTable(const ordered_json& rows) {
-    Table table{
-        "levels",
-        "Ours on two threads: levels of quality",
-        {"volume", "OTF", "window", "reduction", "step", "pre-integrated", "wall ms", "pictures/s", "RMSE", "max"},
-        {}};
+    Table table{"levels",
+                "Ours on two threads: levels of quality",
+                {"volume", "OTF", "window", "reduction", "step", "wall ms", "pictures/s", "RMSE", "max"},
+                {}};
     for (const auto& row : rows)
         if (row["what"] == "level")
             table.rows.push_back({row["volume"].get<std::string>(), row["otf"].get<std::string>(), row["size"].dump(),
-                                  fixed(row, "reduction", 1), fixed(row, "step", 1),
-                                  row["pre_integrated"].get<bool>() ? "yes" : "", fixed(row, "ours_wall_ms", 1),
+                                  fixed(row, "reduction", 1), fixed(row, "step", 2), fixed(row, "ours_wall_ms", 1),
                                   fixed(row, "frames_per_second", 0), fixed(row, "ours_rmse", 2),
                                   fixed(row, "ours_max", 1)});
     return table;
@@ -208,7 +208,7 @@ ordered_json summaryOf(const ordered_json& rows) {
                    {"cpu_ratio_least", ratioOf(rows, shaded, "cpu_ratio", true)},
                    {"wall_ratio_median", ratioOf(rows, shaded, "wall_ratio", false)},
                    {"rows", count}};
-        if (!masked.empty()) figures["masked_cpu_ratio_median"] = medianOf(masked);
+        if (!masked.empty()) figures["masked_cpu_ratio_median"] = echolucent::medianOf(masked);
         if (!shaded) figures["ours_rmse_not_larger"] = notLarger;  // shaded, each has another reference
     }
     return summary;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/output/picture_file.h"
+#include "processing/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "processing/ray_caster.h"
+
 namespace echolucent::bench {
 
 namespace {
@@ -21,7 +23,6 @@ RayCastSettings turnedSettings(const BenchVolume& volume, const RayCastSettings&
     settings.terminationTransmittance = look.terminationTransmittance;
     settings.shading = look.shading;
     settings.colourMap = look.colourMap;
-    settings.preIntegrated = look.preIntegrated;
     return settings;
 }
 

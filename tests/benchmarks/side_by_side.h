@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/benchmarks/bench_scene.h"
+#include "processing/ray_caster.h"
 #include "tests/benchmarks/measured_cost.h"
 #include "tests/benchmarks/vtk_scene.h"
 

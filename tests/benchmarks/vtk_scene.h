@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
 #include "tests/benchmarks/measured_cost.h"
 
 class vtkRenderWindow;

@@ -87,7 +87,6 @@ TEST(StudyRender, WritesPagePlotAndSentences) {
     const Outcome outcome = runProgram(tiny + "\"" + folder / "out" + "\" --shade");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find("The front of the kernel's settings"), std::string::npos);
-    EXPECT_EQ(outcome.output.find("pre-integrated"), std::string::npos) << "shaded pictures have none";
     const std::string page = contentsOf(folder / "out/render.html");
     EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
     for (const char* part :
@@ -163,7 +162,6 @@ TEST(StudyRender, NoSettingStandsTwice) {
             for (std::size_t k = 0; k < i; ++k)
                 EXPECT_FALSE(variants[i].settings == variants[k].settings && variants[i].plain == variants[k].plain)
                     << variants[i].name() << " and " << variants[k].name();
-            EXPECT_FALSE(shaded && variants[i].settings.preIntegrated);
         }
     }
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/shading.h"
 
 namespace echolucent {
 namespace {

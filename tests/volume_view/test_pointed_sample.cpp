@@ -1,6 +1,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "processing/ray_caster.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/camera_pose.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
@@ -67,6 +68,49 @@ private slots:
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 100 / 255.0);
         QVERIFY(std::abs(sample->gridMm[2] - 20) <= 0.5);
+    }
+
+    // The picture says at which depth a pixel's opacity reaches one half: that is the sample pointed at, for every
+    // step, projection and cut, and so is the brightest one.
+    void theRayStepsAsThePictureDoes_data() {
+        QTest::addColumn<Projection>("projection");
+        QTest::addColumn<double>("step");
+        QTest::addColumn<RenderMode>("mode");
+        for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::mean})
+            for (const double step : {0.4, 1.0, 2.3}) {
+                const QByteArray name = QByteArray::number(step) + QByteArray(nameOf(mode).data());
+                QTest::newRow(name + " parallel") << Projection::parallel << step << mode;
+                QTest::newRow(name + " perspective") << Projection::perspective << step << mode;
+            }
+    }
+    void theRayStepsAsThePictureDoes() {
+        QFETCH(Projection, projection);
+        QFETCH(double, step);
+        QFETCH(RenderMode, mode);
+        const auto volume = volumeOf(geometryOf(24, 21, 26, {1, 1.2, 0.9}),
+                                     [](double x, double y, double z) { return 90 + 6 * x - 3 * y + 2 * z; });
+        PictureRequest request = requestFor(volume, PowerCurve{1, 0.3}, {BeamAxis::plusZ, 31, -17, 4, 3.3}, projection);
+        request.settings.width = 30;
+        request.settings.height = 20;
+        request.settings.step = step;
+        request.settings.mode = mode;
+        request.settings.findDepth = true;
+        request.settings.terminationTransmittance = 0;
+        request.settings.box = RenderBox{{2.1, 1.7, 3.4}, {19, 22, 20}};
+        const auto picture = castRays(*volume, request.curve, request.settings);
+        int compared = 0;
+        for (int row = 0; row < 20; ++row)
+            for (int column = 0; column < 30; ++column) {
+                const float depth = picture->depthMm[static_cast<std::size_t>(row * 30 + column)];
+                if (!std::isfinite(depth)) continue;
+                const auto sample = samplePointedAt(request, column + 0.7, row + 0.2);
+                QVERIFY(sample);
+                const double pointed = sample->gridMm.dot(request.settings.camera.frame.forward);
+                QVERIFY2(std::abs(pointed - static_cast<double>(depth)) < 2e-3,
+                         qPrintable(QString("%1 and %2").arg(pointed).arg(depth)));
+                ++compared;
+            }
+        QVERIFY(compared > 60);
     }
 
     void nearCutHidesWhatLiesBeforeIt() {

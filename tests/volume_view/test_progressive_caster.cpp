@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/volume_view/test_volumes.h"
+#include "processing/ray_caster.h"
 #include "widgets/volume_view/progressive_caster.h"
 
 using namespace echolucent;

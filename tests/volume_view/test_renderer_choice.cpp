@@ -7,13 +7,7 @@
 #include "widgets/volume_view/scene/vtk_volume_image.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::DrawnScene;
-using echolucent::testing::geometryOf;
-using echolucent::testing::Level;
-using echolucent::testing::plainPicture;
-using echolucent::testing::volumeOf;
+using namespace echolucent::testing;
 
 class RendererChoiceTest : public QObject {
     Q_OBJECT

@@ -10,17 +10,11 @@
 #include <limits>
 #include <numbers>
 
+#include "processing/ray_caster.h"
 #include "tests/volume_view/drawn_scene.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::DrawnScene;
-using echolucent::testing::geometryOf;
-using echolucent::testing::Level;
-using echolucent::testing::plainPicture;
-using echolucent::testing::sphereAt;
-using echolucent::testing::volumeOf;
+using namespace echolucent::testing;
 
 namespace {
 
@@ -257,15 +251,6 @@ private slots:
         QVERIFY(!drawn.scene.opaqueDepth(camera, 50, 50));
         QCOMPARE(drawn.scene.depthReads(), 0);
 
-        vtkNew<vtkActor> glass = sphereAt({5, 5, 5}, 3, {1, 1, 1});
-        glass->GetProperty()->SetOpacity(0.5);
-        drawn.scene.renderer()->AddActor(glass);
-        QVERIFY(!drawn.scene.hasOpaqueProps());
-        QVERIFY(drawn.scene.wantsDepth());  // the volume's surface hides what is translucent
-        QVERIFY(!drawn.scene.opaqueDepth(camera, 50, 50));
-        drawn.draw();
-        QCOMPARE(drawn.scene.depthReads(), 0);
-        drawn.scene.renderer()->RemoveActor(glass);
         drawn.scene.setDepthWanted(true);
         QVERIFY(drawn.scene.wantsDepth());
     }

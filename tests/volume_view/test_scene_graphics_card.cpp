@@ -13,17 +13,11 @@
 #include <cmath>
 
 #include "processing/phantom/phantom.h"
+#include "processing/ray_caster.h"
 #include "tests/volume_view/drawn_scene.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::DrawnScene;
-using echolucent::testing::geometryOf;
-using echolucent::testing::Level;
-using echolucent::testing::plainPicture;
-using echolucent::testing::sphereAt;
-using echolucent::testing::volumeOf;
+using namespace echolucent::testing;
 
 namespace {
 

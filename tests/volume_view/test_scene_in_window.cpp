@@ -12,10 +12,7 @@
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::plainPicture;
-using echolucent::testing::sphereAt;
+using namespace echolucent::testing;
 
 class SceneInWindowTest : public QObject {
     Q_OBJECT

@@ -19,12 +19,7 @@
 #include "widgets/volume_view/scene/window_depth.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::DrawnScene;
-using echolucent::testing::Level;
-using echolucent::testing::plainPicture;
-using echolucent::testing::sphereAt;
+using namespace echolucent::testing;
 
 namespace {
 
@@ -108,32 +103,6 @@ private slots:
                          cameraOn(*volume, {}));
         drawn.draw();
         QCOMPARE(drawn.windowDepthAt(20, 20), 1.0);
-    }
-
-    void theSurfaceHidesTranslucentActorsBehindItOnly() {
-        const auto volume = ballInTheCorner();
-        const Vec3 centre = volume->geometry().centreMm();
-        DrawnScene drawn(64, 64);
-        drawn.scene.setVolume(volume);
-        vtkNew<vtkActor> glass = sphereAt(centre, 6, {0, 1, 0});
-        glass->GetProperty()->SetOpacity(0.5);
-        glass->GetProperty()->BackfaceCullingOn();
-        drawn.scene.renderer()->AddActor(glass);
-        // The ball's front is at 9.5 mm, the surface in the left half before it, then behind it; seen a little left of
-        // the middle and a little right of it, where there is no surface.
-        for (const auto& [surface, seenLeft] :
-             {std::pair{5.0, Level{200, 0, 0}}, std::pair{12.0, Level{100, 128, 0}}}) {
-            ScreenPicture picture = tiltedSurface(64, surface, 0.0);
-            picture.endsAtOpaqueProps = true;  // so that no depth test would hide that it is drawn twice
-            drawn.scene.show(std::make_shared<const ScreenPicture>(std::move(picture)), cameraOn(*volume, {}));
-            drawn.draw();
-            const Level left = drawn.at(30, 32), right = drawn.at(33, 32);
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                QVERIFY2(std::abs(left[channel] - seenLeft[channel]) <= 2,
-                         qPrintable(QString("%1 instead of %2").arg(left[channel]).arg(seenLeft[channel])));
-            }
-            QVERIFY(std::abs(right[1] - 128) <= 2 && right[0] == 0);
-        }
     }
 
     void pickersFindTheVolumeOrTheActorThatIsSeen() {

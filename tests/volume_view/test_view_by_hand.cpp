@@ -129,8 +129,8 @@ private slots:
         QVERIFY(s.ready);
         Look lit = s.view.look();
         lit.shaded = true;
+        lit.light = {-30, 20};
         s.view.setLook(lit);
-        s.view.setLight({-30, 20});
         QVERIFY(s.awaitIdle());
         const Viewpoint view = s.view.view();
         QSignalSpy camera(&s.view, &VolumeViewWidget::cameraChanged);
@@ -138,9 +138,9 @@ private slots:
         const auto before = s.view.picture();
         s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
         QVERIFY(light.size() > 0);
-        QVERIFY(std::abs(s.view.light().azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);   // to the right
-        QVERIFY(std::abs(s.view.light().elevationDegrees - (20 - 180.0 * 25 / 250)) < 1e-9);  // down
-        QVERIFY(length(s.view.settings().shading->towardsLight - towardsLight(s.view.light())) < 1e-12);
+        QVERIFY(std::abs(s.view.look().light.azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);   // to the right
+        QVERIFY(std::abs(s.view.look().light.elevationDegrees - (20 - 180.0 * 25 / 250)) < 1e-9);  // down
+        QVERIFY(length(s.view.settings().shading->towardsLight - towardsLight(s.view.look().light)) < 1e-12);
         QVERIFY(s.awaitIdle());
         QVERIFY(s.view.picture()->rgba != before->rgba);
         QCOMPARE(s.view.view(), view);

@@ -4,10 +4,9 @@
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTest>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
+#include "processing/ray_caster.h"
 #include "tests/volume_view/shown_view.h"
 
 using namespace echolucent;
@@ -332,36 +331,6 @@ private slots:
         QVERIFY(libraries.contains("libQt6Widgets"));
         QVERIFY(libraries.contains("libvtkRenderingOpenGL2"));
         QVERIFY2(!libraries.contains("libQt5"), "Qt 5 is loaded beside Qt 6");
-    }
-
-    void timeOnTheWayToTheScreen_data() {
-        QTest::addColumn<int>("edge");
-        QTest::newRow("512") << 512;
-        QTest::newRow("1000") << 1000;
-    }
-    /// Prints figures; asserts only that every frame came. Nothing is visible, so that next to nothing is cast.
-    void timeOnTheWayToTheScreen() {
-        QFETCH(int, edge);
-        constexpr int wanted = 60;
-        ShownView s;
-        s.view.setCurve(ManualCurve{});
-        s.view.resize(edge, edge);
-        QVERIFY(QTest::qWaitFor([&] { return s.view.settings().width == edge && !s.view.busy(); }, patience));
-        int frames = 0;
-        double castMilliseconds = 0;
-        connect(&s.view, &VolumeViewWidget::pictureDelivered, this, [&](const PictureReport& report) {
-            castMilliseconds += report.castMilliseconds;
-            if (++frames < wanted) s.view.setView({BeamAxis::plusZ, 0.5 * frames, 0, 0, 0});
-        });
-        const auto begin = std::chrono::steady_clock::now();
-        const auto processorBegin = std::clock();
-        s.view.setView({BeamAxis::plusZ, 45, 0, 0, 0});
-        QTRY_VERIFY_WITH_TIMEOUT(frames >= wanted && !s.view.busy(), patience);
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-        const double processor = 1000.0 * static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC;
-        disconnect(&s.view, &VolumeViewWidget::pictureDelivered, this, nullptr);
-        qInfo("%d x %d: %.1f ms a frame, %.1f ms of it casting; %.1f ms of processor time", edge, edge,
-              taken.count() / frames, castMilliseconds / frames, processor / frames);
     }
 };
 

@@ -35,7 +35,7 @@ private slots:
         const QImage cast = s.view.screenImage();
         QList<PictureReport> reports;
         connect(&s.view, &VolumeViewWidget::pictureDelivered, this, [&](const PictureReport& r) { reports << r; });
-        s.view.setRenderer(PreferredRenderer::graphicsCard);
+        s.view.setRenderer(RendererChoice::graphicsCard);
         QTRY_COMPARE_WITH_TIMEOUT(s.view.rendererName(), "graphics card", patience);
         QVERIFY(s.awaitIdle());
         QVERIFY(s.view.pictureIsCurrent() && !s.view.picture());
@@ -59,7 +59,7 @@ private slots:
         QCOMPARE(reports.size(), 2);
         QVERIFY(s.view.screenImage() != drawn);
         s.view.setNearCut(0);
-        s.view.setRenderer(PreferredRenderer::software);
+        s.view.setRenderer(RendererChoice::software);
         QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.awaitIdle(), patience);
         QCOMPARE(s.view.rendererName(), "software renderer");
         QCOMPARE(s.view.screenImage(), cast);

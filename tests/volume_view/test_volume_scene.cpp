@@ -12,19 +12,13 @@
 #include <array>
 #include <cmath>
 
+#include "processing/ray_caster.h"
 #include "tests/volume_view/drawn_scene.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
 
 using namespace echolucent;
-using echolucent::testing::ballInTheCorner;
-using echolucent::testing::cameraOn;
-using echolucent::testing::DrawnScene;
-using echolucent::testing::geometryOf;
-using echolucent::testing::Level;
-using echolucent::testing::plainPicture;
-using echolucent::testing::sphereAt;
-using echolucent::testing::volumeOf;
+using namespace echolucent::testing;
 
 namespace {
 

@@ -108,21 +108,20 @@ private slots:
 
     void choicesSayWhatTheyShow() {
         ViewPanel panel;
-        QCOMPARE(panel.colourMap(), ColourMap::sepia);
-        QCOMPARE(panel.interpolation(), Interpolation::trilinear);
-        QCOMPARE(panel.projection(), Projection::parallel);
+        QCOMPARE(panel.look(), lookAtStart());
         QCOMPARE(panel.beamAxis(), BeamAxis::plusZ);
-        QSignalSpy colour(&panel, &ViewPanel::colourMapChanged);
-        QSignalSpy interpolation(&panel, &ViewPanel::interpolationChanged);
-        QSignalSpy projection(&panel, &ViewPanel::projectionChanged);
+        QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QSignalSpy beam(&panel, &ViewPanel::beamAxisChanged);
         QTest::keyClicks(child<QComboBox>(panel, "view.colourMap"), "I");
         QTest::keyClicks(child<QComboBox>(panel, "view.interpolation"), "N");
         QTest::keyClicks(child<QComboBox>(panel, "view.projection"), "Pe");
         QTest::keyClicks(child<QComboBox>(panel, "view.beamAxis"), "+y");
-        QCOMPARE(colour.last().first().value<ColourMap>(), ColourMap::ice);
-        QCOMPARE(interpolation.last().first().value<Interpolation>(), Interpolation::nearest);
-        QCOMPARE(projection.last().first().value<Projection>(), Projection::perspective);
+        Look expected = lookAtStart();
+        expected.colourMap = ColourMap::ice;
+        expected.interpolation = Interpolation::nearest;
+        expected.projection = Projection::perspective;
+        QCOMPARE(look.last().first().value<Look>(), expected);
+        QCOMPARE(panel.look(), expected);
         QCOMPARE(beam.last().first().value<BeamAxis>(), BeamAxis::plusY);
     }
 
@@ -139,15 +138,29 @@ private slots:
         }
     }
 
+    void everyChoiceOfTheLookHasAControl() {
+        ViewPanel panel;
+        panel.show();
+        for (const Parameter<Look>& row : lookParameters()) {
+            if (!chosenByPersons(row)) continue;
+            const std::string name = "view." + camelCase(row.name);
+            auto* control = child<QWidget>(panel, name.c_str());
+            QVERIFY2(control && control->isVisible(), name.c_str());
+            QCOMPARE(control->accessibleName().toStdString(), std::string(row.label));
+            if (const auto* choices = qobject_cast<QComboBox*>(control))
+                QCOMPARE(static_cast<std::size_t>(choices->count()), row.choices.size());
+        }
+    }
+
     void lightAndButtons() {
         ViewPanel panel;
         AllSignals all(panel);
-        QSignalSpy light(&panel, &ViewPanel::shadedChanged);
+        QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QSignalSpy reset(&panel, &ViewPanel::resetRequested);
         QSignalSpy save(&panel, &ViewPanel::savePictureRequested);
         QSignalSpy suggest(&panel, &ViewPanel::nearCutSuggestionRequested);
         QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
-        QCOMPARE(light.takeFirst().first().toBool(), false);
+        QVERIFY(!look.takeFirst().first().value<Look>().shaded);
         QTest::mouseClick(child<QPushButton>(panel, "view.reset"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.savePicture"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.nearCut.suggest"), Qt::LeftButton);
@@ -159,22 +172,28 @@ private slots:
 
     void lightDirectionByTwoSliders() {
         ViewPanel panel;
-        QCOMPARE(panel.light(), LightDirection{});
         AllSignals all(panel);
-        QSignalSpy light(&panel, &ViewPanel::lightChanged);
+        QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QTest::keyClick(child<QSlider>(panel, "view.lightAzimuth"), Qt::Key_Right);
-        LightDirection expected;
+        LightDirection expected = lookAtStart().light;
         ++expected.azimuthDegrees;
-        QCOMPARE(light.takeFirst().first().value<LightDirection>(), expected);
+        QCOMPARE(look.takeFirst().first().value<Look>().light, expected);
         QTest::keyClick(child<QSlider>(panel, "view.lightElevation"), Qt::Key_Home);
         expected.elevationDegrees = -90;
-        QCOMPARE(light.takeFirst().first().value<LightDirection>(), expected);
+        QCOMPARE(look.takeFirst().first().value<Look>().light, expected);
         QTest::keyClick(child<QSlider>(panel, "view.lightAzimuth"), Qt::Key_End);
-        QCOMPARE(panel.light().azimuthDegrees, 180.0);
+        QCOMPARE(panel.look().light.azimuthDegrees, 180.0);
         QCOMPARE(all.count(), 3);
-        panel.setLight({12.4, -7.6});
-        QCOMPARE(panel.light(), (LightDirection{12, -8}));
+        Look moved = panel.look();
+        moved.light = {12.4, -7.6};
+        panel.setLook(moved);
+        QCOMPARE(panel.look(), moved);
+        QCOMPARE(child<QDoubleSpinBox>(panel, "view.lightAzimuth.value")->value(), 12.0);
+        QCOMPARE(child<QDoubleSpinBox>(panel, "view.lightElevation.value")->value(), -8.0);
         QCOMPARE(all.count(), 3);
+        // Another control leaves the light as exact as it was.
+        QTest::keyClick(child<QCheckBox>(panel, "view.depthColouring"), Qt::Key_Space);
+        QCOMPARE(panel.look().light, moved.light);
     }
 
     void theLightIsMovedOnlyWhereThereIsOne() {
@@ -183,12 +202,15 @@ private slots:
         QVERIFY(enabled("view.lightAzimuth") && enabled("view.lightElevation.value"));
         QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
         QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.lightElevation.value"));
-        panel.setShaded(true);
+        Look look = lookAtStart();
+        panel.setLook(look);
         QVERIFY(enabled("view.lightAzimuth"));
-        panel.setMode(RenderMode::mean);
+        look.mode = RenderMode::mean;
+        panel.setLook(look);
         QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.shaded") && !enabled("view.depthColouring"));
-        QVERIFY(panel.shaded());  // as it was, for the way back
-        panel.setMode(RenderMode::direct);
+        QVERIFY(panel.look().shaded);  // as it was, for the way back
+        look.mode = RenderMode::direct;
+        panel.setLook(look);
         QVERIFY(enabled("view.lightAzimuth") && enabled("view.shaded") && enabled("view.depthColouring"));
     }
 
@@ -197,23 +219,23 @@ private slots:
         panel.show();
         auto* remark = child<QLabel>(panel, "view.mode.remark");
         QVERIFY(!remark->isVisible());
-        QSignalSpy mode(&panel, &ViewPanel::modeChanged);
+        QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QTest::keyClicks(child<QComboBox>(panel, "view.mode"), "Max");
-        QCOMPARE(mode.takeFirst().first().value<RenderMode>(), RenderMode::maximum);
+        QCOMPARE(look.takeFirst().first().value<Look>().mode, RenderMode::maximum);
         QVERIFY(remark->isVisible());
         QVERIFY(remark->text().contains("curve"));
-        panel.setMode(RenderMode::direct);
+        panel.setLook(lookAtStart());
         QVERIFY(!remark->isVisible());
-        QCOMPARE(mode.count(), 0);
+        QCOMPARE(look.count(), 0);
     }
 
     void depthColours() {
         ViewPanel panel;
-        QVERIFY(!panel.depthColoured());
-        QSignalSpy coloured(&panel, &ViewPanel::depthColouredChanged);
+        QVERIFY(!panel.look().depthColoured);
+        QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QTest::keyClick(child<QCheckBox>(panel, "view.depthColouring"), Qt::Key_Space);
-        QCOMPARE(coloured.takeFirst().first().toBool(), true);
-        QVERIFY(panel.depthColoured());
+        QVERIFY(look.takeFirst().first().value<Look>().depthColoured);
+        QVERIFY(panel.look().depthColoured);
     }
 
     void aGraphicsCardIsChosenOnlyWhereThereIsOne() {
@@ -221,13 +243,13 @@ private slots:
         QSignalSpy renderer(&panel, &ViewPanel::rendererChanged);
         auto* comboBox = child<QComboBox>(panel, "view.renderer");
         QTest::keyClick(comboBox, Qt::Key_End);
-        QCOMPARE(renderer.takeFirst().first().value<PreferredRenderer>(), PreferredRenderer::software);
+        QCOMPARE(renderer.takeFirst().first().value<RendererChoice>(), RendererChoice::software);
         panel.setGraphicsCardUsable(true);
         QTest::keyClick(comboBox, Qt::Key_Down);
-        QCOMPARE(renderer.takeFirst().first().value<PreferredRenderer>(), PreferredRenderer::graphicsCard);
+        QCOMPARE(renderer.takeFirst().first().value<RendererChoice>(), RendererChoice::graphicsCard);
         // A wish that cannot be met now is kept for the day when it can.
         panel.setGraphicsCardUsable(false);
-        QCOMPARE(panel.renderer(), PreferredRenderer::graphicsCard);
+        QCOMPARE(panel.renderer(), RendererChoice::graphicsCard);
     }
 
     void phaseSelectorAppearsWithPhases() {
@@ -261,26 +283,24 @@ private slots:
     void viewSettersAreSilent() {
         ViewPanel panel;
         AllSignals all(panel);
-        panel.setShaded(false);
-        panel.setColourMap(ColourMap::grey);
-        panel.setInterpolation(Interpolation::nearest);
-        panel.setProjection(Projection::perspective);
+        Look look;
+        look.mode = RenderMode::minimum;
+        look.light = {20, 30};
+        look.depthColoured = true;
+        look.colourMap = ColourMap::grey;
+        look.interpolation = Interpolation::nearest;
+        look.projection = Projection::perspective;
+        panel.setLook(look);
         panel.setBeamAxis(BeamAxis::minusY);
         panel.setNearCutMm(5);
-        panel.setMode(RenderMode::minimum);
-        panel.setLight({20, 30});
-        panel.setDepthColoured(true);
-        panel.setRenderer(PreferredRenderer::software);
+        panel.setRenderer(RendererChoice::software);
         QCOMPARE(all.count(), 0);
-        QCOMPARE(panel.shaded(), false);
-        QCOMPARE(panel.colourMap(), ColourMap::grey);
-        QCOMPARE(panel.interpolation(), Interpolation::nearest);
-        QCOMPARE(panel.projection(), Projection::perspective);
+        QCOMPARE(panel.look(), look);
+        QCOMPARE(child<QComboBox>(panel, "view.colourMap")->currentText(), "Grey");
+        QCOMPARE(child<QComboBox>(panel, "view.mode")->currentText(), "Minimum");
+        QVERIFY(!child<QCheckBox>(panel, "view.shaded")->isChecked());
         QCOMPARE(panel.nearCutMm(), 5.0);
-        QCOMPARE(panel.mode(), RenderMode::minimum);
-        QCOMPARE(panel.light(), (LightDirection{20, 30}));
-        QVERIFY(panel.depthColoured());
-        QCOMPARE(panel.renderer(), PreferredRenderer::software);
+        QCOMPARE(panel.renderer(), RendererChoice::software);
     }
 
     void playAsksAndWaitsForTheAnswer() {

@@ -1,6 +1,5 @@
 #include "widgets/panels/view_panel.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -10,7 +9,10 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <algorithm>
+#include <array>
+#include <string_view>
 
+#include "widgets/panels/look_controls.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/value_slider.h"
 
@@ -38,8 +40,8 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Picture"));
     m_nearCut = new ValueSlider("view.nearCut", tr("Near cut"), 0.1, 1);
     m_nearCut->setToolTip(tr("Removes what lies before this distance along the view; the tube cores begin there too"));
+    m_look = new LookControls(this);
     createChoices();
-    createLight();
     createPhaseSelector();
     arrange();
     setNearCutRange(100);
@@ -51,45 +53,20 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
 
 void ViewPanel::connectControls() {
     connect(m_nearCut, &ValueSlider::valueChanged, this, &ViewPanel::nearCutChanged);
-    connect(m_mode, &QComboBox::currentIndexChanged, this, [this] {
+    connect(m_look, &LookControls::changed, this, [this](const Look& look) {
         updateForMode();
-        emit modeChanged(mode());
+        emit lookChanged(look);
     });
-    connect(m_shaded, &QCheckBox::toggled, this, [this](bool shaded) {
-        updateForMode();
-        emit shadedChanged(shaded);
-    });
-    connect(m_lightAzimuth, &ValueSlider::valueChanged, this, [this] { emit lightChanged(light()); });
-    connect(m_lightElevation, &ValueSlider::valueChanged, this, [this] { emit lightChanged(light()); });
-    connect(m_depthColoured, &QCheckBox::toggled, this, &ViewPanel::depthColouredChanged);
-    connect(m_colourMap, &QComboBox::currentIndexChanged, this, [this] { emit colourMapChanged(colourMap()); });
-    connect(m_interpolation, &QComboBox::currentIndexChanged, this,
-            [this] { emit interpolationChanged(interpolation()); });
-    connect(m_projection, &QComboBox::currentIndexChanged, this, [this] { emit projectionChanged(projection()); });
     connect(m_renderer, &QComboBox::currentIndexChanged, this, [this] { emit rendererChanged(renderer()); });
     connect(m_beamAxis, &QComboBox::currentIndexChanged, this, [this] { emit beamAxisChanged(beamAxis()); });
 }
 
 void ViewPanel::createChoices() {
-    m_mode = createChoice<RenderMode>("mode", tr("Mode"), tr("What a ray shows of the volume"),
-                                      {{tr("Direct rendering"), RenderMode::direct},
-                                       {tr("Maximum"), RenderMode::maximum},
-                                       {tr("Minimum"), RenderMode::minimum},
-                                       {tr("Mean (x-ray)"), RenderMode::mean}});
     m_renderer =
-        createChoice<PreferredRenderer>("renderer", tr("Renderer"), tr("The software renderer needs no graphics card"),
-                                        {{tr("Automatic"), PreferredRenderer::automatic},
-                                         {tr("Software"), PreferredRenderer::software},
-                                         {tr("Graphics card"), PreferredRenderer::graphicsCard}});
-    m_colourMap = createChoice<ColourMap>(
-        "colourMap", tr("Colour map"), tr("Colours from dark to bright echoes"),
-        {{tr("Sepia"), ColourMap::sepia}, {tr("Grey"), ColourMap::grey}, {tr("Ice"), ColourMap::ice}});
-    m_interpolation = createChoice<Interpolation>(
-        "interpolation", tr("Interpolation"), tr("How intensities between voxels are taken"),
-        {{tr("Trilinear"), Interpolation::trilinear}, {tr("Nearest voxel"), Interpolation::nearest}});
-    m_projection = createChoice<Projection>(
-        "projection", tr("Projection"), tr("Parallel keeps sizes, perspective gives depth"),
-        {{tr("Parallel"), Projection::parallel}, {tr("Perspective"), Projection::perspective}});
+        createChoice<RendererChoice>("renderer", tr("Renderer"), tr("The software renderer needs no graphics card"),
+                                     {{tr("Automatic"), RendererChoice::automatic},
+                                      {tr("Software"), RendererChoice::software},
+                                      {tr("Graphics card"), RendererChoice::graphicsCard}});
     m_beamAxis = createChoice<BeamAxis>("beamAxis", tr("Beam axis"),
                                         tr("The grid axis along which sound travelled: the default view direction"),
                                         {{"+x", BeamAxis::plusX},
@@ -101,25 +78,11 @@ void ViewPanel::createChoices() {
     selectData(m_beamAxis, static_cast<int>(BeamAxis::plusZ));
 }
 
-void ViewPanel::createLight() {
-    m_shaded = named(new QCheckBox(tr("Light")), "view.shaded", tr("Light"),
-                     tr("Shades surfaces. Ctrl + left drag in the picture moves the light"));
-    m_shaded->setChecked(true);
-    m_depthColoured = named(new QCheckBox(tr("Depth colours")), "view.depthColouring", tr("Depth colours"),
-                            tr("Tints what is near warm and what is far blue"));
-    const auto createAngle = [](const QString& name, const QString& accessibleName, const QString& toolTip,
-                                double largest) {
-        auto* angle = new ValueSlider("view." + name, accessibleName, 1, 0);
-        angle->setToolTip(toolTip);
-        angle->setRange(-largest, largest);
-        angle->setSuffix(QStringLiteral("°"));
-        return angle;
-    };
-    m_lightAzimuth = createAngle("lightAzimuth", tr("Azimuth of the light"),
-                                 tr("How far to the right of you the light stands"), 180);
-    m_lightElevation =
-        createAngle("lightElevation", tr("Elevation of the light"), tr("How far above you the light stands"), 90);
-    setLight({});
+QLayout* ViewPanel::createLightRow() {
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_look->control("light_azimuth"), 1);
+    row->addWidget(m_look->control("light_elevation"), 1);
+    return row;
 }
 
 void ViewPanel::createPhaseSelector() {
@@ -163,7 +126,7 @@ QLayout* ViewPanel::createButtons() {
     connect(reset, &QPushButton::clicked, this, &ViewPanel::resetRequested);
     connect(savePicture, &QPushButton::clicked, this, &ViewPanel::savePictureRequested);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_depthColoured, 1);
+    row->addWidget(m_look->control("depth_colouring"), 1);
     row->addWidget(reset, 1);
     row->addWidget(savePicture, 1);
     return row;
@@ -183,18 +146,20 @@ void ViewPanel::arrange() {
     grid->addLayout(createNearCutRow(), 0, 1, 1, 3);
     grid->addWidget(m_phaseLabel, 1, 0);
     grid->addWidget(m_phaseSelector, 1, 1, 1, 3);
-    add(2, 0, m_mode, tr("Mode"));
+    const auto addChoice = [&](int row, int column, const char* name) {
+        QWidget* control = m_look->control(name);
+        add(row, column, control, control->accessibleName());
+    };
+    addChoice(2, 0, "mode");
     add(2, 2, m_beamAxis, tr("Beam axis"));
     grid->addWidget(m_modeRemark, 3, 0, 1, 4);
-    add(4, 0, m_colourMap, tr("Colour map"));
-    add(4, 2, m_projection, tr("Projection"));
-    add(5, 0, m_interpolation, tr("Interpolation"));
+    addChoice(4, 0, "colour_map");
+    addChoice(4, 2, "projection");
+    addChoice(5, 0, "interpolation");
     add(5, 2, m_renderer, tr("Renderer"));
-    auto* light = new QHBoxLayout;
-    light->addWidget(m_lightAzimuth, 1);
-    light->addWidget(m_lightElevation, 1);
-    grid->addWidget(m_shaded, 6, 0);
-    grid->addLayout(light, 6, 1, 1, 3);
+    grid->addWidget(m_look->control("shaded"), 6, 0);
+    grid->addLayout(createLightRow(), 6, 1, 1, 3);
+    addRest(*grid);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     auto* layout = new QVBoxLayout(this);
@@ -203,14 +168,22 @@ void ViewPanel::arrange() {
     layout->addStretch(1);
 }
 
-void ViewPanel::updateForMode() {
-    const bool direct = mode() == RenderMode::direct;
-    m_modeRemark->setVisible(!direct);
-    m_shaded->setEnabled(direct);
-    m_depthColoured->setEnabled(direct);
-    m_lightAzimuth->setEnabled(direct && shaded());
-    m_lightElevation->setEnabled(direct && shaded());
+/// Choices of the look that have no place of their own: a row each, below the others.
+void ViewPanel::addRest(QGridLayout& grid) {
+    static constexpr std::array<std::string_view, 8> placed{
+        "mode",       "shaded",     "light_azimuth", "light_elevation",
+        "colour_map", "projection", "interpolation", "depth_colouring"};
+    for (const Parameter<Look>& row : lookParameters()) {
+        QWidget* control = m_look->control(row.name);
+        if (control == nullptr || std::find(placed.begin(), placed.end(), row.name) != placed.end()) continue;
+        const int next = grid.rowCount();
+        if (!std::holds_alternative<bool>(*row.get(Look{})))
+            grid.addWidget(labelFor(control, LookControls::label(row)), next, 0);
+        grid.addWidget(control, next, 1, 1, 3);
+    }
 }
+
+void ViewPanel::updateForMode() { m_modeRemark->setVisible(look().mode != RenderMode::direct); }
 
 double ViewPanel::nearCutMm() const { return m_nearCut->value(); }
 
@@ -221,51 +194,23 @@ void ViewPanel::setNearCutRange(double maxMm, bool spacingKnown) {
     m_nearCut->setSuffix(spacingKnown ? tr(" mm") : tr(" mm (guess)"));
 }
 
-bool ViewPanel::shaded() const { return m_shaded->isChecked(); }
+const Look& ViewPanel::look() const { return m_look->look(); }
 
-void ViewPanel::setShaded(bool shaded) {
-    const QSignalBlocker blocker(m_shaded);
-    m_shaded->setChecked(shaded);
+void ViewPanel::setLook(const Look& look) {
+    m_look->setLook(look);
     updateForMode();
 }
 
-LightDirection ViewPanel::light() const { return {m_lightAzimuth->value(), m_lightElevation->value()}; }
-
-void ViewPanel::setLight(const LightDirection& light) {
-    m_lightAzimuth->setValue(light.azimuthDegrees);
-    m_lightElevation->setValue(light.elevationDegrees);
-}
-
-bool ViewPanel::depthColoured() const { return m_depthColoured->isChecked(); }
-
-void ViewPanel::setDepthColoured(bool coloured) {
-    const QSignalBlocker blocker(m_depthColoured);
-    m_depthColoured->setChecked(coloured);
-}
-
-RenderMode ViewPanel::mode() const { return chosen<RenderMode>(m_mode); }
-
-void ViewPanel::setMode(RenderMode mode) {
-    selectData(m_mode, static_cast<int>(mode));
-    updateForMode();
-}
-
-PreferredRenderer ViewPanel::renderer() const { return chosen<PreferredRenderer>(m_renderer); }
-void ViewPanel::setRenderer(PreferredRenderer renderer) { selectData(m_renderer, static_cast<int>(renderer)); }
+RendererChoice ViewPanel::renderer() const { return chosen<RendererChoice>(m_renderer); }
+void ViewPanel::setRenderer(RendererChoice renderer) { selectData(m_renderer, static_cast<int>(renderer)); }
 
 void ViewPanel::setGraphicsCardUsable(bool usable) {
     auto* model = qobject_cast<QStandardItemModel*>(m_renderer->model());
-    QStandardItem* item = model->item(m_renderer->findData(static_cast<int>(PreferredRenderer::graphicsCard)));
+    QStandardItem* item = model->item(m_renderer->findData(static_cast<int>(RendererChoice::graphicsCard)));
     item->setEnabled(usable);
     item->setToolTip(usable ? QString() : tr("No graphics card is usable here"));
 }
 
-ColourMap ViewPanel::colourMap() const { return chosen<ColourMap>(m_colourMap); }
-void ViewPanel::setColourMap(ColourMap map) { selectData(m_colourMap, static_cast<int>(map)); }
-Interpolation ViewPanel::interpolation() const { return chosen<Interpolation>(m_interpolation); }
-void ViewPanel::setInterpolation(Interpolation choice) { selectData(m_interpolation, static_cast<int>(choice)); }
-Projection ViewPanel::projection() const { return chosen<Projection>(m_projection); }
-void ViewPanel::setProjection(Projection projection) { selectData(m_projection, static_cast<int>(projection)); }
 BeamAxis ViewPanel::beamAxis() const { return chosen<BeamAxis>(m_beamAxis); }
 void ViewPanel::setBeamAxis(BeamAxis axis) { selectData(m_beamAxis, static_cast<int>(axis)); }
 

@@ -3,13 +3,12 @@
 
 #include <QWidget>
 
-#include "processing/picture/light_direction.h"
-#include "processing/ray_caster.h"
+#include "processing/picture/look.h"
+#include "processing/picture/renderer_choice.h"
 #include "processing/viewpoint.h"
-#include "widgets/panels/preferred_renderer.h"
 
-class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QLayout;
 class QSlider;
@@ -17,6 +16,7 @@ class QSpinBox;
 
 namespace echolucent {
 
+class LookControls;
 class ValueSlider;
 
 /// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.shaded, view.lightAzimuth (+ .value),
@@ -35,23 +35,11 @@ public:
     /// Where the spacing is not known, the number is marked as a guess.
     void setNearCutRange(double maxMm, bool spacingKnown = true);
 
-    [[nodiscard]] RenderMode mode() const;
-    void setMode(RenderMode mode);
-    [[nodiscard]] bool shaded() const;
-    void setShaded(bool shaded);
-    /// In whole degrees.
-    [[nodiscard]] LightDirection light() const;
-    void setLight(const LightDirection& light);
-    [[nodiscard]] bool depthColoured() const;
-    void setDepthColoured(bool coloured);
-    [[nodiscard]] ColourMap colourMap() const;
-    void setColourMap(ColourMap map);
-    [[nodiscard]] Interpolation interpolation() const;
-    void setInterpolation(Interpolation interpolation);
-    [[nodiscard]] Projection projection() const;
-    void setProjection(Projection projection);
-    [[nodiscard]] PreferredRenderer renderer() const;
-    void setRenderer(PreferredRenderer renderer);
+    /// The look as it was set, but for what a person changed since; lookAtStart() at first.
+    [[nodiscard]] const Look& look() const;
+    void setLook(const Look& look);
+    [[nodiscard]] RendererChoice renderer() const;
+    void setRenderer(RendererChoice renderer);
     /// Where it is not usable, it cannot be chosen. At first it is not.
     void setGraphicsCardUsable(bool usable);
     [[nodiscard]] BeamAxis beamAxis() const;
@@ -67,14 +55,8 @@ signals:
     void nearCutChanged(double mm);
     /// The person asks where to cut.
     void nearCutSuggestionRequested();
-    void modeChanged(echolucent::RenderMode mode);
-    void shadedChanged(bool shaded);
-    void lightChanged(const echolucent::LightDirection& light);
-    void depthColouredChanged(bool coloured);
-    void colourMapChanged(echolucent::ColourMap map);
-    void interpolationChanged(echolucent::Interpolation interpolation);
-    void projectionChanged(echolucent::Projection projection);
-    void rendererChanged(echolucent::PreferredRenderer renderer);
+    void lookChanged(const echolucent::Look& look);
+    void rendererChanged(echolucent::RendererChoice renderer);
     void beamAxisChanged(echolucent::BeamAxis axis);
     /// Counted from 0.
     void phaseChanged(int phase);
@@ -83,25 +65,19 @@ signals:
 
 private:
     void createChoices();
-    void createLight();
     void createPhaseSelector();
     void connectControls();
     void arrange();
+    void addRest(QGridLayout& grid);
     QLayout* createNearCutRow();
     QLayout* createButtons();
     void updateForMode();
+    QLayout* createLightRow();
     void showPhase(int phase);
 
     ValueSlider* m_nearCut = nullptr;
-    QComboBox* m_mode = nullptr;
+    LookControls* m_look = nullptr;
     QLabel* m_modeRemark = nullptr;
-    QCheckBox* m_shaded = nullptr;
-    ValueSlider* m_lightAzimuth = nullptr;
-    ValueSlider* m_lightElevation = nullptr;
-    QCheckBox* m_depthColoured = nullptr;
-    QComboBox* m_colourMap = nullptr;
-    QComboBox* m_interpolation = nullptr;
-    QComboBox* m_projection = nullptr;
     QComboBox* m_renderer = nullptr;
     QComboBox* m_beamAxis = nullptr;
     QLabel* m_phaseLabel = nullptr;

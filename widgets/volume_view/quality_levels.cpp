@@ -11,8 +11,6 @@ RayCastSettings settingsAt(std::size_t level, const RayCastSettings& asked) {
     settings.width = std::max(1, static_cast<int>(std::lround(asked.width / quality.reduction)));
     settings.height = std::max(1, static_cast<int>(std::lround(asked.height / quality.reduction)));
     settings.step = asked.step * quality.step;
-    settings.preIntegrated = quality.preIntegrated && asked.mode == RenderMode::direct && !asked.shading;
-    settings.jittered = quality.jittered;
     settings.terminationTransmittance = quality.terminationTransmittance;
     return settings;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
 
 namespace echolucent {
 
@@ -14,8 +14,6 @@ struct QualityLevel {
     double reduction = 1.0;      ///< of width and height, >= 1: one ray for reduction^2 pixels
     double step = 1.0;           ///< between samples, times the step of the picture's look (Look::step)
     bool atRest = false;         ///< shown on the way to the converged picture when the hand rests
-    bool preIntegrated = false;  ///< where there is no light: shaded pictures cannot be
-    bool jittered = false;
     double terminationTransmittance = 1.0 / 128;  ///< as in RayCastSettings
     friend bool operator==(const QualityLevel&, const QualityLevel&) = default;
 };
@@ -28,7 +26,7 @@ struct QualityLevel {
 /// second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at step 1, 2.1
 /// and 24 at 1.5. Why these settings: docs/rendering.md.
 inline constexpr std::array<QualityLevel, 11> qualityLevels{{
-    {"converged", 1.0, 0.25, true, false, false, 1.0 / 2048},
+    {"converged", 1.0, 0.25, true, 1.0 / 2048},
     {"high quality", 1.0, 0.75, true},
     {"preview", 1.0, 1.0},
     {"preview", 1.0, 1.5},

@@ -5,16 +5,10 @@
 #include <optional>
 
 #include "processing/progress.h"
+#include "processing/ray_caster/sample_use.h"
 #include "widgets/volume_view/scene/picture_request.h"
 
 namespace echolucent {
-
-/// Where the samples of a picture came from.
-enum class SampleUse {
-    taken,    ///< from the volume
-    kept,     ///< from the pictures before, of the same view and level
-    notKept,  ///< from the volume, although two such pictures had gone before: they are too many to keep
-};
 
 struct CastResult {
     std::optional<Picture> picture;  ///< none where it was cancelled

@@ -24,7 +24,7 @@ struct VolumeViewWidget::Parts {
     Look look;
     CameraPose pose;
     CameraPose poseBeforeDrag;
-    Vec3 towardsLightBeforeDrag;
+    LightDirection lightBeforeDrag;
     Viewpoint fittedView;                      ///< the view and ...
     double fittedAspect = 1.0;                 ///< ... the shape of the picture that the zoom is measured against
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws

@@ -7,35 +7,19 @@
 #include <utility>
 
 #include "widgets/volume_view/quality_levels.h"
+#include "processing/ray_caster.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 #include "widgets/volume_view/volume_view_parts.h"
 
 namespace echolucent {
 
 namespace {
-/// RayCastSettings of one sample a pixel and unit, which the qualityLevels change.
+/// Settings of one sample a pixel and unit, which the qualities change.
 RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
-    RayCastSettings settings;
+    RayCastSettings settings = rayCastSettings(look);
     settings.width = pixels.width();
     settings.height = pixels.height();
-    settings.step = look.step;
-    settings.interpolation = look.interpolation;
-    settings.mode = look.mode;
-    settings.colourMap = look.colourMap;
-    // Elsewhere they change nothing, and a picture that stays the same must not be cast again.
-    if (look.mode != RenderMode::direct) return settings;
-    if (look.shaded) settings.shading = look.shading;
-    if (look.depthColoured) settings.depthColouring = DepthColouring{};
     return settings;
-}
-
-RendererChoice choiceOf(PreferredRenderer renderer) {
-    switch (renderer) {
-        case PreferredRenderer::software: return RendererChoice::software;
-        case PreferredRenderer::graphicsCard: return RendererChoice::graphicsCard;
-        case PreferredRenderer::automatic: break;
-    }
-    return RendererChoice::automatic;
 }
 }  // namespace
 
@@ -54,8 +38,7 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     return request;
 }
 
-void VolumeViewWidget::setRenderer(PreferredRenderer renderer) {
-    const RendererChoice choice = choiceOf(renderer);
+void VolumeViewWidget::setRenderer(RendererChoice choice) {
     if (choice == m_parts->scene.rendererChoice()) return;
     m_parts->scene.setRenderer(choice);
     schedule();
@@ -204,9 +187,10 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     parts.cursor = position;
     std::optional<PointedSample> sample;
     if (position && parts.shown) {
-        const PictureRequest& request = parts.shown->request;
-        sample = samplePointedAt(request, position->x() * request.settings.width / width(),
-                                 position->y() * request.settings.height / height());
+        // The rays and steps of the picture that is shown, not of the one that was asked for.
+        const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, parts.shown->settings};
+        sample = samplePointedAt(shown, position->x() * shown.settings.width / width(),
+                                 position->y() * shown.settings.height / height());
     }
     if (sample) {
         const bool classified = parts.shown->settings.mode == RenderMode::direct;

@@ -73,13 +73,13 @@ void VolumeViewWidget::connectPointer() {
     ViewPointer* pointer = m_parts->pointer;
     connect(pointer, &ViewPointer::dragStarted, this, [this] {
         m_parts->poseBeforeDrag = m_parts->pose;
-        m_parts->towardsLightBeforeDrag = m_parts->look.shading.towardsLight;
+        m_parts->lightBeforeDrag = m_parts->look.light;
         setFocus(Qt::MouseFocusReason);
         pointAt(std::nullopt);
     });
     connect(pointer, &ViewPointer::dragCancelled, this, [this] {
         followHand(m_parts->poseBeforeDrag);
-        moveLight(m_parts->towardsLightBeforeDrag);
+        moveLight(m_parts->lightBeforeDrag);
     });
     connect(pointer, &ViewPointer::orbited, this,
             [this](double right, double down) { followHand(orbited(m_parts->pose, right, down)); });
@@ -90,7 +90,7 @@ void VolumeViewWidget::connectPointer() {
         followHand(zoomed(m_parts->pose, factor, zoomLimits(m_parts->volume->geometry())));
     });
     connect(pointer, &ViewPointer::lightMoved, this,
-            [this](double right, double down) { moveLight(towardsLight(moved(light(), right, down))); });
+            [this](double right, double down) { moveLight(moved(m_parts->look.light, right, down)); });
     connect(pointer, &ViewPointer::hovered, this, [this](const QPointF& position) { pointAt(position); });
     connect(pointer, &ViewPointer::left, this, [this] { pointAt(std::nullopt); });
     connect(pointer, &ViewPointer::filesDropped, this, &VolumeViewWidget::filesDropped);
@@ -107,11 +107,11 @@ void VolumeViewWidget::followHand(const CameraPose& pose) {
     emit cameraChanged();
 }
 
-void VolumeViewWidget::moveLight(const Vec3& towardsLight) {
+void VolumeViewWidget::moveLight(const LightDirection& light) {
     Look& look = m_parts->look;
     const bool seen = look.shaded && look.mode == RenderMode::direct;
-    if (!m_parts->volume || !seen || towardsLight == look.shading.towardsLight) return;
-    look.shading.towardsLight = towardsLight;
+    if (!m_parts->volume || !seen || light == look.light) return;
+    look.light = light;
     schedule();
     emit lightChanged();
 }
@@ -144,14 +144,7 @@ void VolumeViewWidget::setLook(const Look& look) {
     schedule();
 }
 
-Look VolumeViewWidget::look() const { return m_parts->look; }
-
-void VolumeViewWidget::setLight(const LightDirection& light) {
-    m_parts->look.shading.towardsLight = towardsLight(light);
-    schedule();
-}
-
-LightDirection VolumeViewWidget::light() const { return lightDirectionOf(m_parts->look.shading.towardsLight); }
+const Look& VolumeViewWidget::look() const { return m_parts->look; }
 
 void VolumeViewWidget::setNearCut(double mm) {
     m_parts->pose.view.nearCutMm = mm;

@@ -8,28 +8,19 @@
 #include <memory>
 #include <optional>
 
-#include "processing/picture/light_direction.h"
-#include "processing/ray_caster.h"
-#include "widgets/panels/preferred_renderer.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/look.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/viewpoint.h"
+#include "processing/volume/volume.h"
+#include "processing/picture/renderer_choice.h"
 
 namespace echolucent {
 
 struct CastPicture;
 struct PictureRequest;
 class VolumeScene;
-
-/// How the volume looks, apart from its opacity curve; defaults as in RayCastSettings.
-struct Look {
-    RenderMode mode = RenderMode::direct;
-    ColourMap colourMap = ColourMap::sepia;
-    bool shaded = false;  ///< direct mode only, like depthColoured
-    Shading shading;
-    bool depthColoured = false;
-    Interpolation interpolation = Interpolation::trilinear;
-    double step = 1.0;  ///< units between samples, > 0
-    Projection projection = Projection::parallel;
-    friend bool operator==(const Look&, const Look&) = default;
-};
 
 /// How a picture was made and what it cost.
 struct PictureReport {
@@ -68,10 +59,7 @@ public:
     void setVolume(std::shared_ptr<const Volume> volume);
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
-    [[nodiscard]] Look look() const;
-    /// Where the light of a shaded picture comes from.
-    void setLight(const LightDirection& light);
-    [[nodiscard]] LightDirection light() const;
+    [[nodiscard]] const Look& look() const;
     /// Millimetres behind the volume's foremost point along the view; the plane follows the camera. >= 0.
     void setNearCut(double mm);
     /// Tells the view in another beam axis's frame. The picture stays as it is.
@@ -104,7 +92,7 @@ public:
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
     /// graphicsCard: also where OpenGL is software, which is slow (see graphicsCardUsable()).
-    void setRenderer(PreferredRenderer renderer);
+    void setRenderer(RendererChoice choice);
     /// What rendered the newest picture, for the status line.
     [[nodiscard]] QString rendererName() const;
     /// OpenGL's name, or why the graphics card does not render although it might, as a sentence; for a tool tip.
@@ -145,7 +133,7 @@ private:
     struct Parts;
     void connectPointer();
     void followHand(const struct CameraPose& pose);
-    void moveLight(const Vec3& towardsLight);
+    void moveLight(const LightDirection& light);
     void schedule();
     void requestPicture();
     [[nodiscard]] PictureRequest presentRequest(const QSize& pixels) const;

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/measuring/measures/median.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_sweep.h"
@@ -43,12 +44,6 @@ double millisecondsOf(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 double leastOf(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }

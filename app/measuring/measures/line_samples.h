@@ -11,9 +11,8 @@
 
 namespace echolucent {
 
-/// Normalised intensities at firstVoxel + i * stepVoxel (voxel index space), trilinear between the voxels with data and
-/// clamped to the outermost centres; NaN where those voxels weigh less than half or the position lies outside the
-/// volume's box.
+/// Normalised intensities at firstVoxel + i * stepVoxel (voxel index space) as VolumeSampler takes them by trilinear
+/// interpolation; NaN where it gives none or the position lies outside the volume's box.
 void sampleLine(const Volume& volume, const Vec3& firstVoxel, const Vec3& stepVoxel, std::span<double> intensities);
 
 /// Where a line is within the volume's box: the parameters of pointMm + t * directionMm (grid mm) at which it enters

@@ -16,7 +16,7 @@ constexpr double windowSigma = 1.5;
 void requireEqualSizes(const Picture& picture, const Picture& reference) {
     if (picture.width != reference.width || picture.height != reference.height ||
         picture.rgba.size() != reference.rgba.size())
-        throw std::invalid_argument("pictureError: the pictures differ in size");
+        throw std::invalid_argument("differenceOf: the pictures differ in size");
 }
 
 /// In 8-bit levels.
@@ -59,19 +59,25 @@ double structuralSimilarity(const cv::Mat1d& a, const cv::Mat1d& b) {
 
 }  // namespace
 
-PictureError pictureError(const Picture& picture, const Picture& reference) {
+PictureDifference differenceOf(const Picture& picture, const Picture& reference) {
     requireEqualSizes(picture, reference);
-    PictureError error;
-    if (picture.rgba.empty()) return error;
+    PictureDifference result;
+    if (picture.rgba.empty()) return result;
     double squares = 0.0;
     for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
         if (i % 4 == 3) continue;
-        const double difference =
-            white * (static_cast<double>(picture.rgba[i]) - static_cast<double>(reference.rgba[i]));
+        const double difference = static_cast<double>(picture.rgba[i]) - static_cast<double>(reference.rgba[i]);
         squares += difference * difference;
-        error.largest = std::max(error.largest, std::abs(difference));
+        result.largest = std::max(result.largest, std::abs(difference));
     }
-    error.rmse = std::sqrt(squares / static_cast<double>(picture.rgba.size() / 4 * 3));
+    result.rms = std::sqrt(squares / static_cast<double>(picture.rgba.size() / 4 * 3));
+    return result;
+}
+
+PictureError pictureError(const Picture& picture, const Picture& reference) {
+    const PictureDifference difference = differenceOf(picture, reference);
+    PictureError error{white * difference.rms, white * difference.largest};
+    if (picture.rgba.empty()) return error;
     error.ssim = structuralSimilarity(luminanceOf(picture), luminanceOf(reference));
     return error;
 }

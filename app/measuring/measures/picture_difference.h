@@ -1,11 +1,20 @@
 // How far a picture is from a reference: for reports of error against run time.
 #pragma once
 
-#include "processing/ray_caster.h"
+#include "processing/picture/picture.h"
 
 namespace echolucent {
 
-/// Of red, green and blue over a black background, from the floats, in 8-bit levels (255 is white).
+/// Of red, green and blue over a black background, from the floats in [0,1].
+struct PictureDifference {
+    double rms = 0.0;      ///< root of the mean squared difference over pixels and colours
+    double largest = 0.0;  ///< largest absolute difference
+};
+
+/// Throws std::invalid_argument where the sizes differ.
+[[nodiscard]] PictureDifference differenceOf(const Picture& picture, const Picture& reference);
+
+/// The same in grey levels of 8 bits (255 is white), with the similarity of structure.
 struct PictureError {
     double rmse = 0.0;     ///< root of the mean squared difference over pixels and colours
     double largest = 0.0;  ///< largest absolute difference

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/measuring/measures/line_samples.h"
+#include "app/measuring/measures/median.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
@@ -39,13 +40,6 @@ TubeLight lightAlong(const Volume& volume, const TubeCore& tube, const TubeAxis&
         transmittance *= 1.0 - opacity;
     }
     return {all > 0 ? ofSurface / all : 0.0, all};
-}
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace

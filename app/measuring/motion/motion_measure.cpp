@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/measuring/measures/picture_difference.h"
+
 namespace echolucent::cli {
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "app/measuring/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -85,14 +84,6 @@ std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
         }
     if (count == 0) return std::nullopt;
     return sum / count;
-}
-
-double medianOf(std::vector<double> values) {
-    if (values.empty()) throw std::invalid_argument("medianOf: needs a value");
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace echolucent::cli

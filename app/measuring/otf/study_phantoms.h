@@ -50,7 +50,5 @@ struct ContrastCurves {
 
 /// Mean of the values there are; none: there is none.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);
-/// Of values that are finite, at least one.
-[[nodiscard]] double medianOf(std::vector<double> values);
 
 }  // namespace echolucent::cli

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/picture.h"
 
 namespace echolucent::cli {
 

@@ -10,6 +10,7 @@
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/pages/html_page.h"
+#include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 
 namespace echolucent::cli {
@@ -25,7 +26,7 @@ struct RenderVariant {
 };
 
 /// First the reference setting, `reference` itself: step 1, trilinear, float, ends at 1/512, whole size. Then one
-/// parameter at a time, then combinations; no setting twice. Shaded pictures have no pre-integration.
+/// parameter at a time, then combinations; no setting twice.
 [[nodiscard]] std::vector<RenderVariant> renderVariants(const RayCastSettings& reference);
 
 /// The plain route by the rules that castRays() documents.

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/measuring/measures/median.h"
 #include "app/measuring/render/study_render.h"
+#include "processing/ray_caster.h"
 
 namespace echolucent::cli {
 
@@ -116,15 +118,6 @@ void checkSameRays(const RenderCase& one, RayCaster& caster, RenderStudy& study)
     check("equal settings", 0.0, [](RayCastSettings&) {});
     check("at half the size", 0.0, [](RayCastSettings& settings) { settings = reduced(settings, 2.0); });
     check("nearest voxel", 0.0, [](RayCastSettings& settings) { settings.interpolation = Interpolation::nearest; });
-    check("jittered, step 1.5", 0.0, [](RayCastSettings& settings) {
-        settings.step = 1.5;
-        settings.jittered = true;
-    });
-    if (!study.shaded)
-        check("pre-integrated, step 2", 0.0, [](RayCastSettings& settings) {
-            settings.step = 2.0;
-            settings.preIntegrated = true;
-        });
     check("the kernel's rays half a pixel off on purpose", 0.5, [](RayCastSettings&) {});
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/measuring/render/study_render.h"
+#include "processing/ray_caster.h"
 
 namespace echolucent::cli {
 
@@ -47,7 +48,7 @@ PlotSeries frontSeries(const std::vector<RenderResult>& results) {
     return series;
 }
 
-/// RMSE over the step: one sample a step, pre-integrated, jittered.
+/// RMSE over the step.
 Plot stepPlot(const RenderStudy& study) {
     Plot plot{"Error over the step", "step, units", "RMSE, 8-bit levels", true, true, {}};
     const auto add = [&](const std::string& name, const std::string& axis) {
@@ -68,8 +69,6 @@ Plot stepPlot(const RenderStudy& study) {
         plot.series.push_back(std::move(series));
     };
     add("one sample a step", "step");
-    add("pre-integrated", "pre-integration");
-    add("jittered", "jitter");
     return plot;
 }
 

@@ -28,7 +28,6 @@ public:
         if (!known) m_variants.push_back(std::move(variant));
     }
 
-    [[nodiscard]] bool shaded() const { return m_reference.shading.has_value(); }
     [[nodiscard]] std::vector<RenderVariant> take() { return std::move(m_variants); }
 
 private:
@@ -40,17 +39,6 @@ void addSampling(VariantList& list) {
     for (const double step : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0})
         list.add("step", fmt::format("{:g}", step), [&](RenderVariant& v) { v.settings.step = step; });
     list.add("interpolation", "nearest", [](RenderVariant& v) { v.settings.interpolation = Interpolation::nearest; });
-    for (const double step : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0})
-        if (!list.shaded())
-            list.add("pre-integration", fmt::format("step {:g}", step), [&](RenderVariant& v) {
-                v.settings.step = step;
-                v.settings.preIntegrated = true;
-            });
-    for (const double step : {1.0, 1.5, 2.0, 3.0})
-        list.add("jitter", fmt::format("step {:g}", step), [&](RenderVariant& v) {
-            v.settings.step = step;
-            v.settings.jittered = true;
-        });
 }
 
 void addOmissions(VariantList& list) {
@@ -88,15 +76,13 @@ void addEnds(VariantList& list) {
 void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})
-            for (const bool preIntegrated : {false, true}) {
-                if ((preIntegrated && list.shaded()) || (step < 1.0 && reduction > 1.0)) continue;
-                const std::string value = fmt::format("{}step {:g}{}, ends at 1/128",
-                                                      reduction > 1.0 ? fmt::format("1/{:g} size, ", reduction) : "",
-                                                      step, preIntegrated ? " pre-integrated" : "");
+            if (step >= 1.0 || reduction == 1.0) {
+                const std::string value =
+                    fmt::format("{}step {:g}, ends at 1/128",
+                                reduction > 1.0 ? fmt::format("1/{:g} size, ", reduction) : "", step);
                 list.add("combination", value, [&](RenderVariant& v) {
                     v.reduction = reduction;
                     v.settings.step = step;
-                    v.settings.preIntegrated = preIntegrated;
                     v.settings.terminationTransmittance = 1.0 / 128;
                 });
             }

@@ -10,10 +10,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "processing/ray_caster/plain/plain_sampler.h"
-#include "processing/ray_caster/plain/plain_segment.h"
-#include "processing/ray_caster/ray_geometry.h"
-
 namespace echolucent {
 
 namespace {
@@ -39,19 +35,6 @@ double stored(double value, CompositingPrecision precision) {
     return value;
 }
 
-/// Colour times alpha, alpha, and Picture::depthMm.
-struct PlainPixel {
-    Vec3 colour{0, 0, 0};
-    double alpha = 0.0;
-    double depthMm = nowhere;
-};
-
-/// What one step of a ray shows.
-struct Step {
-    double alpha = 0.0;
-    Vec3 colour{0, 0, 0};
-};
-
 /// The least and the largest depth of the volume's box.
 struct DepthRange {
     double nearest = nowhere, farthest = -nowhere;
@@ -70,169 +53,159 @@ DepthRange depthsOf(const VolumeGeometry& geometry, const Vec3& forward) {
     return range;
 }
 
-class PlainCaster {
-public:
-    PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                const PlainCasting& casting)
-        : m_geometry(volume.geometry()),
-          m_curve(curve),
-          m_settings(settings),
-          m_casting(casting),
-          m_rays(volume.geometry(), settings),
-          m_sampler(volume, settings.interpolation),
-          m_depths(depthsOf(volume.geometry(), settings.camera.frame.forward)),
-          m_preIntegrates(settings.preIntegrated && !settings.shading) {
-        m_depths.nearest = std::max(m_depths.nearest, settings.nearPlaneDepthMm);
-        if (m_preIntegrates) m_segments.emplace(curve);
-        if (!settings.shading) return;
-        if (!(settings.shading->gradientReach > 0.0))
-            throw std::invalid_argument("castRays: the gradient's reach must be above 0");
-        const Vec3& light = settings.shading->towardsLight;
-        const ViewFrame& frame = settings.camera.frame;
-        m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
-    }
+}  // namespace
 
-    [[nodiscard]] PlainPixel pixel(int column, int row) const {
-        const ray_casting::Ray ray = m_rays.rayThrough(column, row);
-        return m_settings.mode == RenderMode::direct ? composited(ray) : projected(ray);
-    }
-
-private:
-    [[nodiscard]] double depthOf(const Vec3& voxel) const {
-        return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
-    }
-
-    /// A step of a ray or what is left of it, in steps from the ray's origin.
-    struct Stretch {
-        double begin, end;
-        [[nodiscard]] double length() const { return end - begin; }
-    };
-
-    /// Calls visit(stretch) from front to back until it returns false.
-    template <typename Visit>
-    void walk(const ray_casting::Ray& ray, const Visit& visit) const {
-        if (!(ray.enter < ray.leave)) return;
-        for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
-            const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
-            const bool seen = m_casting.wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
-            if (seen && !visit(m_casting.wholeSteps ? whole : left)) return;
-        }
-    }
-
-    static Vec3 placeOf(const ray_casting::Ray& ray, double steps) { return ray.origin + ray.step * steps; }
-    static Vec3 middleOf(const ray_casting::Ray& ray, const Stretch& stretch) {
-        return placeOf(ray, 0.5 * (stretch.begin + stretch.end));
-    }
-
-    /// Eqs. 2 and 3.
-    [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray) const {
-        PlainPixel pixel;
-        double transmittance = 1.0;
-        walk(ray, [&](const Stretch& stretch) {
-            const Vec3 voxel = middleOf(ray, stretch);
-            const Step step =
-                m_preIntegrates && stretch.length() == 1.0 ? segmentOf(ray, stretch) : sampleAt(voxel, stretch);
-            if (!(step.alpha > 0.0)) return true;
-            const double seen = transmittance * step.alpha;
-            Vec3 colour = step.colour;
-            if (m_settings.shading) colour = lit(colour, voxel, ray.direction, seen);
-            if (m_settings.depthColouring) colour = colour.mul(tintAt(depthOf(voxel)));
-            for (int channel = 0; channel < 3; ++channel)
-                pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
-            transmittance = stored(transmittance * (1.0 - step.alpha), m_casting.precision);
-            if (pixel.depthMm == nowhere && transmittance <= 0.5) pixel.depthMm = depthOf(voxel);
-            return transmittance >= m_settings.terminationTransmittance;
-        });
-        pixel.alpha = 1.0 - transmittance;
-        return pixel;
-    }
-
-    /// Maximum, minimum, mean.
-    [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const {
-        PlainPixel pixel;
-        double shown = 0.0, sum = 0.0, steps = 0.0;
-        walk(ray, [&](const Stretch& stretch) {
-            const Vec3 voxel = middleOf(ray, stretch);
-            const auto intensity = m_sampler.intensityAt(voxel);
-            if (!intensity) return true;
-            const bool isShown = steps == 0.0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
-                                 (m_settings.mode == RenderMode::minimum && *intensity < shown);
-            if (isShown) {
-                shown = *intensity;
-                pixel.depthMm = depthOf(voxel);
-            }
-            sum += *intensity * stretch.length();
-            steps += stretch.length();
-            return true;
-        });
-        if (steps == 0.0) return pixel;
-        if (m_settings.mode == RenderMode::mean) shown = sum / steps;
-        pixel.colour = colourOf(m_settings.colourMap, shown);
-        pixel.alpha = 1.0;
-        return pixel;
-    }
-
-    [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const {
-        const auto intensity = m_sampler.intensityAt(voxel);
-        if (!intensity) return {};
-        const double length = m_settings.step * stretch.length();
-        return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
-    }
-
-    [[nodiscard]] Step segmentOf(const ray_casting::Ray& ray, const Stretch& stretch) const {
-        const auto before = m_sampler.intensityAt(placeOf(ray, stretch.begin));
-        const auto behind = m_sampler.intensityAt(placeOf(ray, stretch.end));
-        if (!before && !behind) return {};
-        const double length = m_settings.step * (before && behind ? 1.0 : 0.5);
-        const Extinction extinction = m_segments->between(before ? *before : *behind, behind ? *behind : *before);
-        return {-std::expm1(-length * extinction.mean), colourOf(m_settings.colourMap, extinction.intensity)};
-    }
-
-    /// Shading's formula; `seen` is what the sample adds to its pixel's opacity.
-    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const {
-        const Shading& shading = *m_settings.shading;
-        const Vec3 gradient =
-            seen >= m_casting.leastLitOpacity ? m_sampler.gradientAt(voxel, shading.gradientReach) : Vec3(0, 0, 0);
-        const double magnitude = length(gradient);
-        double surface = 0.0, diffuse = 0.0, specular = 0.0;
-        if (magnitude > 0.0) {
-            const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - rayDirection;
-            surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
-            diffuse = std::max(0.0, (normal.dot(m_towardsLight) + shading.wrap) / (1.0 + shading.wrap));
-            if (length(half) > 0.0)
-                specular = std::pow(std::max(0.0, normal.dot(normalized(half))), shading.specularPower);
-        }
-        const double factor = shading.ambient +
-                              shading.diffuse * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
-                              surface * shading.specular * specular;
-        const Vec3 tint = shadowTintOf(m_settings.colourMap);
-        Vec3 bright;
-        for (int channel = 0; channel < 3; ++channel)
-            bright[channel] = std::min(
-                1.0, colour[channel] * factor * (tint[channel] + (1.0 - tint[channel]) * std::min(1.0, factor)));
-        return bright;
-    }
-
-    [[nodiscard]] Vec3 tintAt(double depthMm) const {
-        const double extent = m_depths.farthest - m_depths.nearest;
-        const double share = extent > 0.0 ? std::clamp((depthMm - m_depths.nearest) / extent, 0.0, 1.0) : 0.0;
-        const DepthColouring& tints = *m_settings.depthColouring;
-        return tints.nearTint * (1.0 - share) + tints.farTint * share;
-    }
-
-    using Extinction = plain_casting::Extinction;
-
-    const VolumeGeometry& m_geometry;
-    const OpacityCurve& m_curve;
-    const RayCastSettings& m_settings;
-    const PlainCasting& m_casting;
-    ray_casting::RayGeometry m_rays;
-    plain_casting::Sampler m_sampler;
-    DepthRange m_depths;  ///< of the depth colouring's ends
-    bool m_preIntegrates;
-    std::optional<plain_casting::SegmentIntegral> m_segments;
-    Vec3 m_towardsLight{0, 0, 0};
+/// What one step of a ray shows.
+struct PlainCaster::Step {
+    double alpha = 0.0;
+    Vec3 colour{0, 0, 0};
 };
+
+/// A step of a ray or what is left of it, in steps from the ray's origin.
+struct PlainCaster::Stretch {
+    double begin, end;
+    [[nodiscard]] double length() const { return end - begin; }
+    [[nodiscard]] Vec3 middleOn(const ray_casting::Ray& ray) const {
+        return ray.origin + ray.step * (0.5 * (begin + end));
+    }
+};
+
+PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                         const PlainCasting& casting)
+    : m_geometry(volume.geometry()),
+      m_curve(curve),
+      m_settings(settings),
+      m_casting(casting),
+      m_rays(volume.geometry(), settings),
+      m_sampler(volume, settings.interpolation) {
+    const DepthRange depths = depthsOf(volume.geometry(), settings.camera.frame.forward);
+    m_nearestMm = std::max(depths.nearest, settings.nearPlaneDepthMm);
+    m_farthestMm = depths.farthest;
+    if (!settings.shading) return;
+    if (!(settings.shading->gradientReach > 0.0))
+        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
+    const Vec3& light = settings.shading->towardsLight;
+    const ViewFrame& frame = settings.camera.frame;
+    m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
+}
+
+PlainPixel PlainCaster::pixel(int column, int row) const {
+    const ray_casting::Ray ray = m_rays.rayThrough(column, row);
+    return m_settings.mode == RenderMode::direct ? composited(ray) : projected(ray);
+}
+
+std::vector<RaySample> PlainCaster::samplesOf(int column, int row) const {
+    const ray_casting::Ray ray = m_rays.rayThrough(column, row);
+    std::vector<RaySample> samples;
+    walk(ray, [&](const Stretch& stretch) {
+        const Vec3 voxel = stretch.middleOn(ray);
+        samples.push_back({voxel, stretch.length(), m_sampler.intensityAt(voxel)});
+        return true;
+    });
+    return samples;
+}
+
+double PlainCaster::depthOf(const Vec3& voxel) const {
+    return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
+}
+
+/// Calls visit(stretch) from front to back until it returns false.
+template <typename Visit>
+void PlainCaster::walk(const ray_casting::Ray& ray, const Visit& visit) const {
+    if (!(ray.enter < ray.leave)) return;
+    for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
+        const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
+        const bool seen = m_casting.wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
+        if (seen && !visit(m_casting.wholeSteps ? whole : left)) return;
+    }
+}
+
+/// Eqs. 2 and 3.
+PlainPixel PlainCaster::composited(const ray_casting::Ray& ray) const {
+    PlainPixel pixel;
+    double transmittance = 1.0;
+    walk(ray, [&](const Stretch& stretch) {
+        const Vec3 voxel = stretch.middleOn(ray);
+        const Step step = sampleAt(voxel, stretch);
+        if (!(step.alpha > 0.0)) return true;
+        const double seen = transmittance * step.alpha;
+        Vec3 colour = step.colour;
+        if (m_settings.shading) colour = lit(colour, voxel, ray.direction, seen);
+        if (m_settings.depthColouring) colour = colour.mul(tintAt(depthOf(voxel)));
+        for (int channel = 0; channel < 3; ++channel)
+            pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
+        transmittance = stored(transmittance * (1.0 - step.alpha), m_casting.precision);
+        if (pixel.depthMm == nowhere && transmittance <= 0.5) pixel.depthMm = depthOf(voxel);
+        return transmittance >= m_settings.terminationTransmittance;
+    });
+    pixel.alpha = 1.0 - transmittance;
+    return pixel;
+}
+
+/// Maximum, minimum, mean.
+PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
+    PlainPixel pixel;
+    double shown = 0.0, sum = 0.0, steps = 0.0;
+    walk(ray, [&](const Stretch& stretch) {
+        const Vec3 voxel = stretch.middleOn(ray);
+        const auto intensity = m_sampler.intensityAt(voxel);
+        if (!intensity) return true;
+        const bool isShown = steps == 0.0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
+                             (m_settings.mode == RenderMode::minimum && *intensity < shown);
+        if (isShown) {
+            shown = *intensity;
+            pixel.depthMm = depthOf(voxel);
+        }
+        sum += *intensity * stretch.length();
+        steps += stretch.length();
+        return true;
+    });
+    if (steps == 0.0) return pixel;
+    if (m_settings.mode == RenderMode::mean) shown = sum / steps;
+    pixel.colour = colourOf(m_settings.colourMap, shown);
+    pixel.alpha = 1.0;
+    return pixel;
+}
+
+PlainCaster::Step PlainCaster::sampleAt(const Vec3& voxel, const Stretch& stretch) const {
+    const auto intensity = m_sampler.intensityAt(voxel);
+    if (!intensity) return {};
+    const double length = m_settings.step * stretch.length();
+    return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
+}
+
+/// Shading's formula; `seen` is what the sample adds to its pixel's opacity.
+Vec3 PlainCaster::lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const {
+    const Shading& shading = *m_settings.shading;
+    const Vec3 gradient =
+        seen >= m_casting.leastLitOpacity ? m_sampler.gradientAt(voxel, shading.gradientReach) : Vec3(0, 0, 0);
+    const double magnitude = length(gradient);
+    double surface = 0.0, diffuse = 0.0, specular = 0.0;
+    if (magnitude > 0.0) {
+        const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - rayDirection;
+        surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
+        diffuse = std::max(0.0, (normal.dot(m_towardsLight) + shading.wrap) / (1.0 + shading.wrap));
+        if (length(half) > 0.0) specular = std::pow(std::max(0.0, normal.dot(normalized(half))), shading.specularPower);
+    }
+    const double factor = shading.ambient +
+                          shading.diffuse * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
+                          surface * shading.specular * specular;
+    const Vec3 tint = shadowTintOf(m_settings.colourMap);
+    Vec3 bright;
+    for (int channel = 0; channel < 3; ++channel)
+        bright[channel] =
+            std::min(1.0, colour[channel] * factor * (tint[channel] + (1.0 - tint[channel]) * std::min(1.0, factor)));
+    return bright;
+}
+
+Vec3 PlainCaster::tintAt(double depthMm) const {
+    const double extent = m_farthestMm - m_nearestMm;
+    const double share = extent > 0.0 ? std::clamp((depthMm - m_nearestMm) / extent, 0.0, 1.0) : 0.0;
+    const DepthColouring& tints = *m_settings.depthColouring;
+    return tints.nearTint * (1.0 - share) + tints.farTint * share;
+}
+
+namespace {
 
 void castRow(const PlainCaster& caster, int row, Picture& picture) {
     for (int column = 0; column < picture.width; ++column) {

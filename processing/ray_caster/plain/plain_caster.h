@@ -1,10 +1,18 @@
 // The slow, obvious route from volume to picture: what the fast one is measured against.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/progress.h"
+#include "processing/ray_caster/ray_geometry.h"
+#include "processing/volume/sampler.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 
@@ -31,17 +39,58 @@ struct PlainCasting {
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };
 
+/// What one step of a ray meets.
+struct RaySample {
+    Vec3 voxel;                       ///< the middle of the step, in voxels
+    double length = 1.0;              ///< of what is rendered of the step, in steps: below 1 where it is cut
+    std::optional<double> intensity;  ///< normalised; none where there is no data
+};
+
+/// A pixel in double: colour times alpha, alpha, and Picture::depthMm.
+struct PlainPixel {
+    Vec3 colour{0, 0, 0};
+    double alpha = 0.0;
+    double depthMm = std::numeric_limits<double>::infinity();
+};
+
+/// Casts one ray at a time, for whoever asks for single pixels.
+class PlainCaster {
+public:
+    /// All of them must outlive the caster. Throws std::invalid_argument where castRays() does.
+    PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                const PlainCasting& casting = {});
+
+    /// As castRaysPlainly() makes it.
+    [[nodiscard]] PlainPixel pixel(int column, int row) const;
+    /// All steps of a pixel's ray from front to back, at the places at which the picture samples.
+    [[nodiscard]] std::vector<RaySample> samplesOf(int column, int row) const;
+
+private:
+    struct Stretch;
+    struct Step;
+    template <typename Visit>
+    void walk(const ray_casting::Ray& ray, const Visit& visit) const;
+    [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray) const;
+    [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const;
+    [[nodiscard]] double depthOf(const Vec3& voxel) const;
+    [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const;
+    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const;
+    [[nodiscard]] Vec3 tintAt(double depthMm) const;
+
+    const VolumeGeometry& m_geometry;
+    const OpacityCurve& m_curve;
+    const RayCastSettings& m_settings;
+    PlainCasting m_casting;
+    ray_casting::RayGeometry m_rays;
+    VolumeSampler m_sampler;
+    double m_nearestMm, m_farthestMm;  ///< the depths of the depth colouring's ends
+    Vec3 m_towardsLight{0, 0, 0};
+};
+
 /// The picture that castRays() documents, step by step in double: the same rays and places of samples; opacity and
 /// colour straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early only
 /// where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost half
 /// voxel are read at the outermost voxel centres.
-///
-/// Pre-integration (direct mode, unshaded; not of steps that are cut): with s0 and s1 the intensities at the step's
-/// ends and tau(s) = min(-log(1 - opacity(s)), 40) the extinction per unit,
-///     opacity   = 1 - exp(-step * mean of tau over [s0, s1])
-///     intensity = mean of s tau(s) over [s0, s1] / mean of tau over [s0, s1], whose colour is shown
-/// and where s0 = s1 those of that intensity. An end without data makes its half of the step transparent; the other
-/// half takes the intensity of the end that has data.
 ///
 /// Depth colouring is applied after the light. Empty only where progress.cancel was raised (polled once a row). Uses
 /// the calling thread's oneTBB arena; the same pixels for any number of threads. Throws std::invalid_argument where

@@ -168,8 +168,4 @@ void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples&
         volume.voxels());
 }
 
-double intensityAt(const Volume& volume, const Vec3& voxel) {
-    return std::visit([&](const auto& voxels) { return Sampler(volume, voxels.data()).at(voxel); }, volume.voxels());
-}
-
 }  // namespace echolucent

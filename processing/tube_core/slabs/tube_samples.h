@@ -44,8 +44,4 @@ struct SlabMoments {
 void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values);
 
-/// Normalised intensity at a position in voxel index space, as sampleSlabs() takes it by trilinear interpolation; NaN:
-/// left out.
-[[nodiscard]] double intensityAt(const Volume& volume, const Vec3& voxel);
-
 }  // namespace echolucent

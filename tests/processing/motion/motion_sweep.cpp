@@ -4,6 +4,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "app/measuring/measures/picture_difference.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"

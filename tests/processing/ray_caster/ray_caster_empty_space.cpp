@@ -161,13 +161,13 @@ TEST(RayCasterEmptySpace, BrickRangesHoldEveryVoxelASampleMayTouch) {
     const BrickRanges ranges(volume);
     EXPECT_TRUE(ranges.missing().empty());
     const BrickGrid& grid = ranges.grid();
-    EXPECT_EQ(grid.size, (std::array<std::int64_t, 3>{3, 2, 4})) << "cells 0 ... size";
+    EXPECT_EQ(grid.size, (std::array<std::int64_t, 3>{3, 2, 4})) << "cubes 0 ... size";
     for (std::int64_t z = 0; z <= 25; ++z)
         for (std::int64_t y = 0; y <= 8; ++y)
             for (std::int64_t x = 0; x <= 17; ++x)
                 for (int corner = 0; corner < 8; ++corner) {
-                    const auto voxel = [](std::int64_t cell, bool far, std::int64_t size) {
-                        return std::clamp<std::int64_t>(cell - 1 + (far ? 1 : 0), 0, size - 1);
+                    const auto voxel = [](std::int64_t cube, bool far, std::int64_t size) {
+                        return std::clamp<std::int64_t>(cube - 1 + (far ? 1 : 0), 0, size - 1);
                     };
                     const double position =
                         2040.0 * volume.normalisedIntensity(volume.geometry().offset(
@@ -188,17 +188,16 @@ void expectSamePictureWithoutSkipping() {
              {onlyBetween(0.66, 0.82, 0.3), onlyBetween(0.2, 0.3, 0.03), OpacityCurve{LinearCurve{0.7, 0.5, 1.0}}}) {
             ++which;
             for (const Projection projection : {Projection::parallel, Projection::perspective})
-                for (const bool rich : {false, true}) {
+                for (const bool fine : {false, true}) {
                     RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 37, 19, 0, 0}, 90, 80);
                     settings.camera.projection = projection;
-                    settings.step = rich ? 0.4 : 1.0;
-                    settings.preIntegrated = rich;
+                    settings.step = fine ? 0.4 : 1.0;
                     const auto skipping = castRays(volume, curve, settings);
                     settings.skipEmptySpace = false;
                     const auto whole = castRays(volume, curve, settings);
                     const Apart difference = apart(*skipping, *whole);
                     EXPECT_LT(difference.largest, 1.0 / 16)
-                        << (masked ? "masked" : "whole") << (rich ? ", pre-integrated" : "") << ", curve " << which
+                        << (masked ? "masked" : "whole") << (fine ? ", step 0.4" : "") << ", curve " << which
                         << (projection == Projection::parallel ? "" : ", perspective") << ", RMSE "
                         << difference.rootMeanSquare;
                     EXPECT_GT(largestAlpha(*whole), 0.01f);

@@ -65,10 +65,9 @@ void expectEditsFollowedInEveryView() {
     expectEditsFollowed(volume, settings, "perspective");
     settings = obliqueSettings(volume);
     settings.interpolation = Interpolation::nearest;
-    settings.jittered = true;
     settings.box = RenderBox{{3, 4, 5}, {30, 41, 28}};
     settings.clippingPlanes = {{volume.geometry().centreMm(), {1, 2, -1}}};
-    expectEditsFollowed(sectorOf(volume), settings, "cut, nearest, jittered");
+    expectEditsFollowed(sectorOf(volume), settings, "cut, nearest");
 }
 TEST(RayCasterKept, EditsOfTheCurveOnBytes) { expectEditsFollowedInEveryView<std::uint8_t>(); }
 TEST(RayCasterKept, EditsOfTheCurveOnWords) { expectEditsFollowedInEveryView<std::uint16_t>(); }
@@ -143,11 +142,9 @@ TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
     other("another step", [](Settings& s) { s.step = 0.6; });
     other("another near plane", [](Settings& s) { s.nearPlaneDepthMm += 9.0; });
     other("nearest", [](Settings& s) { s.interpolation = Interpolation::nearest; });
-    other("jitter", [](Settings& s) { s.jittered = true; });
     other("a box", [](Settings& s) { s.box = RenderBox{{5, 5, 5}, {20, 20, 20}}; });
     other("a plane", [](Settings& s) { s.clippingPlanes = {{{15, 15, 15}, {1, 0, 0}}}; });
     other("maximum", [](Settings& s) { s.mode = RenderMode::maximum; });
-    other("pre-integration", [](Settings& s) { s.preIntegrated = true; });
     other("an opaque depth", [](Settings& s) {
         s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 1, {12.0f}});
     });
@@ -193,7 +190,7 @@ TEST(RayCasterKept, SeveralSizesAndStepsInTurn) {
         }
 }
 
-TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
+TEST(RayCasterKept, ACancubeedPictureLeavesTheSamplesSound) {
     const Volume volume = sectorOf(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 11));
     const RayCastSettings settings = obliqueSettings(volume, 150, 170);
     RayCaster caster(held(volume));

@@ -1,4 +1,4 @@
-// What a ray shows of its samples: largest, smallest, mean; depth and colouring by depth; jitter; and what is refused.
+// What a ray shows of its samples: largest, smallest, mean; depth and colouring by depth; and what is refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -133,8 +133,7 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
     const Volume volume =
         volumeOf<std::uint8_t>({40, 40, 90}, {1, 1, 1}, [](auto, auto, auto z) { return z >= 71 ? 1.0 : 0.0; });
     for (const Projection projection : {Projection::parallel, Projection::perspective})
-        for (const bool preIntegrated : {false, true})
-            for (const double step : {0.05, 0.5, 1.7}) {
+        for (const double step : {0.05, 0.5, 1.7}) {
                 RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 16);
                 settings.camera.projection = projection;
                 settings.camera.heightMm = 30;
@@ -143,12 +142,11 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
                 settings.nearPlaneDepthMm = -INFINITY;
                 settings.interpolation = Interpolation::nearest;
                 settings.findDepth = true;
-                settings.preIntegrated = preIntegrated;
                 settings.step = step;
                 const auto picture = castRays(volume, ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}}, settings);
                 ASSERT_EQ(picture->depthMm.size(), 20u * 16u);
                 for (const float depth : picture->depthMm) {
-                    EXPECT_GE(depth, 70.5 - (preIntegrated ? step : 1e-4));
+                    EXPECT_GE(depth, 70.5 - 1e-4);
                     EXPECT_LE(depth, 70.5 + step + 1e-4);
                 }
             }
@@ -157,12 +155,10 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
 TEST(RayCasterModes, DepthIsWhereHalfTheOpacityIsReached) {
     const Volume volume = constantVolume<std::uint16_t>({10, 10, 400}, 0.4);
     for (const double opacity : {0.0016, 0.0021, 0.01, 0.05, 0.3, 0.49, 0.51, 1.0})
-        for (const bool preIntegrated : {false, true})
-            for (const double step : {0.25, 1.0, 2.0}) {
+        for (const double step : {0.25, 1.0, 2.0}) {
                 RayCastSettings settings = settingsFor(volume, Viewpoint{}, 5, 5);
                 settings.camera.heightMm = 5;
                 settings.findDepth = true;
-                settings.preIntegrated = preIntegrated;
                 settings.step = step;
                 settings.terminationTransmittance = 1.0 / 512;
                 const double perStep = opacityForStep(opacity, step);
@@ -173,8 +169,7 @@ TEST(RayCasterModes, DepthIsWhereHalfTheOpacityIsReached) {
                     if (reached)
                         ASSERT_NEAR(depth, -0.5 + (samples - 0.5) * step, 1e-3) << opacity << " at step " << step;
                     else
-                        ASSERT_EQ(depth, INFINITY) << "half is never reached with " << opacity << " at step " << step
-                                                   << (preIntegrated ? " pre-integrated" : "");
+                        ASSERT_EQ(depth, INFINITY) << "half is never reached with " << opacity << " at step " << step;
                 }
             }
 }
@@ -241,14 +236,11 @@ TEST(RayCasterModes, TintsAreThoseOfFrontAndBackAndLinearBetween) {
 TEST(RayCasterModes, ATintedSlabIsTheSumOfItsSteps) {
     const Volume volume = constantVolume<std::uint16_t>({30, 30, 150}, 1.0);
     const DepthColouring colouring{{0.9, 0.7, 0.5}, {0.2, 0.4, 1.0}};
-    for (const bool shaded : {false, true})
-        for (const bool preIntegrated : {false, true}) {
-            if (shaded && preIntegrated) continue;
+    for (const bool shaded : {false, true}) {
             RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
             settings.camera.heightMm = 20;
             settings.colourMap = ColourMap::grey;
             settings.depthColouring = colouring;
-            settings.preIntegrated = preIntegrated;
             if (shaded) settings.shading = Shading{.ambient = 1.0, .diffuse = 0.0, .specular = 0.0};
             Vec3 sum{0, 0, 0};
             double transmittance = 1.0;
@@ -257,55 +249,8 @@ TEST(RayCasterModes, ATintedSlabIsTheSumOfItsSteps) {
                        (0.02 * transmittance);
             const auto picture = castRays(volume, everywhere(0.02), settings);
             for (int channel = 0; channel < 3; ++channel)
-                EXPECT_NEAR(pixelAt(*picture, 3, 3)[channel], sum[channel], 2e-5) << shaded << preIntegrated;
-        }
-}
-
-// Jitter.
-
-TEST(RayCasterModes, JitterMovesRaysByAnyShareOfAStepAndFavoursNone) {
-    const Volume volume = constantVolume<std::uint8_t>({64, 64, 40}, 0.5);
-    for (const Projection projection : {Projection::parallel, Projection::perspective})
-        for (const double step : {0.5, 4.0}) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 100, 100);
-            settings.camera.heightMm = 60;
-            settings.camera.projection = projection;
-            settings.camera.distanceMm = 1e5;
-            settings.camera.viewAngleDegrees = 0.03;
-            settings.step = step;
-            settings.jittered = true;
-            settings.findDepth = true;
-            const auto picture = castRays(volume, everywhere(1.0), settings);
-            double sum = 0.0, squares = 0.0, neighbours = 0.0, before = 0.25;
-            for (const float depth : picture->depthMm) {
-                // Of a step behind the face: the first step is cut there, and sampled in the middle of what is left of
-                // it.
-                const double share = (static_cast<double>(depth) + 0.5) / step;
-                ASSERT_GE(share, -1e-3);
-                ASSERT_LT(share, 0.501);
-                sum += share;
-                squares += (share - 0.25) * (share - 0.25);
-                neighbours += (share - 0.25) * (before - 0.25);
-                before = share;
-            }
-            const double count = static_cast<double>(picture->depthMm.size());
-            EXPECT_NEAR(sum / count, 0.25, 0.005);
-            EXPECT_NEAR(squares / count, 1.0 / 48, 0.001) << "evenly spread";
-            EXPECT_LT(std::abs(neighbours / count), 0.001) << "neighbours know nothing of each other";
-            EXPECT_TRUE(castRays(volume, everywhere(1.0), settings)->depthMm == picture->depthMm) << "run after run";
-        }
-}
-
-TEST(RayCasterModes, JitterLeavesEachRayItsWholeWay) {
-    // 10.5 steps deep, wherever they begin.
-    const Volume volume = constantVolume<std::uint8_t>({64, 64, 42}, 0.5);
-    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 120, 120);
-    settings.camera.heightMm = 60;
-    settings.step = 4.0;
-    settings.jittered = true;
-    const auto picture = castRays(volume, everywhere(0.001), settings);
-    for (std::size_t i = 3; i < picture->rgba.size(); i += 4)
-        ASSERT_NEAR(std::log1p(-static_cast<double>(picture->rgba[i])) / (4 * std::log1p(-0.001)), 10.5, 1e-3);
+                EXPECT_NEAR(pixelAt(*picture, 3, 3)[channel], sum[channel], 2e-5) << shaded;
+    }
 }
 
 TEST(RayCasterModes, RefusesRequestsThatMakeNoSense) {
@@ -329,10 +274,6 @@ TEST(RayCasterModes, RefusesRequestsThatMakeNoSense) {
         s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{3, 2, {1, 2, 3}});
     });
     throws("empty depth map", [](Settings& s) { s.opaqueDepth = std::make_shared<const DepthMap>(); });
-    throws("shaded and pre-integrated", [](Settings& s) {
-        s.shading = Shading{};
-        s.preIntegrated = true;
-    });
     throws("reach", [](Settings& s) { s.shading = Shading{.gradientReach = std::nan("")}; });
     throws("no light", [](Settings& s) { s.shading = Shading{.towardsLight = {0, 0, 0}}; });
     throws("termination", [](Settings& s) { s.terminationTransmittance = std::nan(""); });

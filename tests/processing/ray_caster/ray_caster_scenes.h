@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/volume/volume.h"
 #include "ray_caster_reference.h"
 
 namespace echolucent {

@@ -41,8 +41,6 @@ std::vector<Case> casesFor(const Volume& volume, int width, int height) {
     add("masked", nothing, power).masked = true;
     add("masked, shaded", shade, power).masked = true;
     add(
-        "pre-integrated", [](Settings& s) { s.preIntegrated = true; }, narrow);
-    add(
         "maximum", [](Settings& s) { s.mode = RenderMode::maximum; }, power);
     add(
         "minimum", [](Settings& s) { s.mode = RenderMode::minimum; }, power);
@@ -54,12 +52,7 @@ std::vector<Case> casesFor(const Volume& volume, int width, int height) {
     add(
         "perspective", [](Settings& s) { s.camera.projection = Projection::perspective; }, power);
     add(
-        "tinted by depth, jittered",
-        [](Settings& s) {
-            s.depthColouring = DepthColouring{};
-            s.jittered = true;
-        },
-        power);
+        "tinted by depth", [](Settings& s) { s.depthColouring = DepthColouring{}; }, power);
     add("kept", nothing, power).kept = true;
     add("kept, masked, shaded", shade, narrow).masked = true;
     cases.back().kept = true;

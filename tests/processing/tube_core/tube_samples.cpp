@@ -7,6 +7,7 @@
 #include <random>
 
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/volume/sampler.h"
 
 namespace echolucent {
 namespace {
@@ -79,19 +80,52 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     EXPECT_NEAR(length(geometry.gridMmFromVoxel(centre.along)), 0.5, 1e-12) << "one unit is the smallest spacing";
 }
 
+/// The mean of a slab of one sample; NaN where the sample is left out.
+double meanAt(const Volume& volume, const Vec3& voxel, TubeSampling sampling = TubeSampling::trilinear) {
+    TubeSamples one{};
+    one.first = voxel;
+    one.slabs = 1;
+    one.cellSize = 1;
+    std::vector<SlabMoments> slabs;
+    std::vector<double> scratch;
+    sampleSlabs(volume, sampling, one, slabs, scratch);
+    return slabs.front().count == 1 ? slabs.front().mean : std::nan("");
+}
+
+TEST(TubeSamples, ReadWhatThePlainSamplerReads) {
+    VolumeGeometry geometry;
+    geometry.size = {9, 7, 8};
+    std::mt19937 random(5);
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
+    for (std::uint8_t& voxel : voxels) voxel = static_cast<std::uint8_t>(random());
+    const Volume volume(geometry, voxels);
+    std::uniform_real_distribution<double> share(-0.49, 1.0);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 place{share(random) * 8.4, share(random) * 6.4, share(random) * 7.4};
+        const bool inside = inBox(geometry, place);
+        for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest}) {
+            const VolumeSampler sampler(
+                volume, sampling == TubeSampling::nearest ? Interpolation::nearest : Interpolation::trilinear);
+            const double mean = meanAt(volume, place, sampling);
+            ASSERT_EQ(std::isnan(mean), !inside);
+            if (inside) ASSERT_NEAR(mean, *sampler.intensityAt(place), 1e-12);
+        }
+    }
+}
+
 TEST(TubeSamples, ANoDataNeighbourLeavesTheNearestToDecide) {
     VolumeGeometry geometry;
     geometry.size = {3, 1, 1};
     Volume volume(geometry, std::vector<std::uint8_t>{51, 102, 255});
     const Volume masked = volume.withDataMask({1, 1, 0});
-    EXPECT_NEAR(intensityAt(volume, {1.25, 0, 0}), 0.4 + 0.25 * 0.6, 1e-12);
-    EXPECT_NEAR(intensityAt(masked, {1.25, 0, 0}), 0.4, 1e-12);
-    EXPECT_TRUE(std::isnan(intensityAt(masked, {1.75, 0, 0})));
-    EXPECT_NEAR(intensityAt(masked, {1.0, 0, 0}), 0.4, 1e-12) << "exactly on a voxel no neighbour has a share";
-    EXPECT_NEAR(intensityAt(masked, {0.5, 0, 0}), 0.3, 1e-12);
-    EXPECT_NEAR(intensityAt(volume, {-0.4, 0, 0}), 0.2, 1e-12) << "the box reaches half a voxel out";
-    EXPECT_TRUE(std::isnan(intensityAt(volume, {-0.6, 0, 0})));
-    EXPECT_TRUE(std::isnan(intensityAt(volume, {0, 0.6, 0})));
+    EXPECT_NEAR(meanAt(volume, {1.25, 0, 0}), 0.4 + 0.25 * 0.6, 1e-12);
+    EXPECT_NEAR(meanAt(masked, {1.25, 0, 0}), 0.4, 1e-12);
+    EXPECT_TRUE(std::isnan(meanAt(masked, {1.75, 0, 0})));
+    EXPECT_NEAR(meanAt(masked, {1.0, 0, 0}), 0.4, 1e-12) << "exactly on a voxel no neighbour has a share";
+    EXPECT_NEAR(meanAt(masked, {0.5, 0, 0}), 0.3, 1e-12);
+    EXPECT_NEAR(meanAt(volume, {-0.4, 0, 0}), 0.2, 1e-12) << "the box reaches half a voxel out";
+    EXPECT_TRUE(std::isnan(meanAt(volume, {-0.6, 0, 0})));
+    EXPECT_TRUE(std::isnan(meanAt(volume, {0, 0.6, 0})));
 }
 
 TEST(TubeSamples, NotFiniteVoxelsAreLeftOut) {
@@ -99,9 +133,9 @@ TEST(TubeSamples, NotFiniteVoxelsAreLeftOut) {
     geometry.size = {3, 1, 1};
     const float infinite = std::numeric_limits<float>::infinity();
     const Volume volume(geometry, std::vector<float>{0.25f, std::nanf(""), infinite}, 1.0);
-    EXPECT_EQ(intensityAt(volume, {0.4, 0, 0}), 0.25);
-    EXPECT_TRUE(std::isnan(intensityAt(volume, {0.6, 0, 0})));
-    EXPECT_TRUE(std::isnan(intensityAt(volume, {2, 0, 0})));
+    EXPECT_EQ(meanAt(volume, {0.4, 0, 0}), 0.25);
+    EXPECT_TRUE(std::isnan(meanAt(volume, {0.6, 0, 0})));
+    EXPECT_TRUE(std::isnan(meanAt(volume, {2, 0, 0})));
 }
 
 }  // namespace

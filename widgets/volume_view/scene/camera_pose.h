@@ -1,7 +1,8 @@
 // From where the scene is looked at, and how a person's hand moves that. Values in, values out.
 #pragma once
 
-#include "processing/ray_caster.h"
+#include "processing/picture/camera.h"
+#include "processing/viewpoint.h"
 
 namespace echolucent {
 

@@ -25,20 +25,6 @@ namespace echolucent {
 
 namespace {
 
-template <typename Wanted>
-std::vector<vtkProp*> placedProps(vtkRenderer& renderer, const Wanted& wanted) {
-    std::vector<vtkProp*> props;
-    vtkPropCollection* all = renderer.GetViewProps();
-    vtkCollectionSimpleIterator position;
-    all->InitTraversal(position);
-    while (vtkProp* prop = all->GetNextProp(position)) {
-        if (!prop->GetVisibility() || vtkVolume::SafeDownCast(prop)) continue;
-        const double* bounds = prop->GetBounds();
-        if (bounds && vtkBoundingBox::IsValid(bounds) && wanted(*prop)) props.push_back(prop);
-    }
-    return props;
-}
-
 vtkMTimeType lastChange(const std::vector<vtkProp*>& props) {
     vtkMTimeType last = 0;
     for (vtkProp* prop : props) last = std::max(last, prop->GetRedrawMTime());
@@ -109,11 +95,16 @@ DepthMap mapOf(const std::vector<float>& windowDepths, int width, int height, co
 }  // namespace
 
 std::vector<vtkProp*> opaqueProps(vtkRenderer& renderer) {
-    return placedProps(renderer, [](vtkProp& prop) { return prop.HasOpaqueGeometry() != 0; });
-}
-
-bool hasTranslucentProps(vtkRenderer& renderer) {
-    return !placedProps(renderer, [](vtkProp& prop) { return prop.HasTranslucentPolygonalGeometry() != 0; }).empty();
+    std::vector<vtkProp*> props;
+    vtkPropCollection* all = renderer.GetViewProps();
+    vtkCollectionSimpleIterator position;
+    all->InitTraversal(position);
+    while (vtkProp* prop = all->GetNextProp(position)) {
+        if (!prop->GetVisibility() || vtkVolume::SafeDownCast(prop)) continue;
+        const double* bounds = prop->GetBounds();
+        if (bounds && vtkBoundingBox::IsValid(bounds) && prop->HasOpaqueGeometry()) props.push_back(prop);
+    }
+    return props;
 }
 
 OpaqueDepth::OpaqueDepth() = default;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
@@ -18,10 +18,9 @@ class vtkWindow;
 
 namespace echolucent {
 
-/// The visible props that have a place in space, volumes left out: opaque ones, or those with something translucent.
+/// The visible opaque props that have a place in space, volumes left out.
 /// Props without bounds (text and lines over the picture) have none.
 [[nodiscard]] std::vector<vtkProp*> opaqueProps(vtkRenderer& renderer);
-[[nodiscard]] bool hasTranslucentProps(vtkRenderer& renderer);
 
 /// Draws the opaque props of a renderer once more, into a depth buffer of its own in the same OpenGL context, and reads
 /// that back. Reading it makes the processor wait for OpenGL (5 to 29 ms): so it is done only where there are such

@@ -5,7 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

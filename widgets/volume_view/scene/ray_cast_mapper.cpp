@@ -144,7 +144,7 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
 
 void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!window || m_drawn) return;
+    if (!window) return;
     if (m_card) {
         m_card->draw(*renderer, *window);
         return;

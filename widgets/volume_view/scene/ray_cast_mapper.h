@@ -38,10 +38,6 @@ public:
     void Render(vtkRenderer* renderer, vtkVolume* volume) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
 
-    /// True where the picture hides what is drawn after it and lies behind it.
-    [[nodiscard]] bool writesDepth() const { return !m_card && m_picture && !m_picture->depthMm.empty(); }
-    /// True: this frame has the volume already, Render() draws nothing.
-    void setDrawn(bool drawn) { m_drawn = drawn; }
     /// How often a picture was handed to OpenGL.
     [[nodiscard]] int uploads() const { return m_uploads; }
 
@@ -61,7 +57,6 @@ private:
 
     std::shared_ptr<const ScreenPicture> m_picture;
     GraphicsCardVolume* m_card = nullptr;
-    bool m_drawn = false;
     bool m_uploaded = false;
     int m_uploads = 0;
     std::unique_ptr<OpenGl> m_openGl;

@@ -7,6 +7,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
+#include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -14,7 +15,6 @@
 #include <array>
 
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
-#include "widgets/volume_view/scene/scene_renderer.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
 
@@ -29,7 +29,6 @@ VolumeScene::VolumeScene() {
     m_volumeProp->SetMapper(m_mapper);
     m_volumeProp->SetProperty(m_property);
     m_renderer->AddVolume(m_volumeProp);
-    m_renderer->setPictureProp(m_volumeProp);
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
     // The window's size is known for certain only when it is drawn.
@@ -39,7 +38,6 @@ VolumeScene::VolumeScene() {
 
 VolumeScene::~VolumeScene() {
     m_renderer->RemoveObserver(m_startObserver);
-    m_renderer->setPictureProp(nullptr);
     m_mapper->setGraphicsCardVolume(nullptr);
 }
 
@@ -112,7 +110,7 @@ std::shared_ptr<const DepthMap> VolumeScene::opaqueDepth(const Camera& camera, i
     return m_opaqueDepth.read(*m_renderer, camera, width, height);
 }
 
-bool VolumeScene::wantsDepth() { return m_depthWanted || hasOpaqueProps() || hasTranslucentProps(*m_renderer); }
+bool VolumeScene::wantsDepth() { return m_depthWanted || hasOpaqueProps(); }
 
 RayCastSettings VolumeScene::withSceneLimits(RayCastSettings settings) {
     vtkPlaneCollection* planes = m_mapper->GetClippingPlanes();

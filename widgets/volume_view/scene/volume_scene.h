@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "processing/picture/renderer_choice.h"
 #include "widgets/volume_view/scene/annotation/orientation_marker.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
@@ -20,7 +21,6 @@ class vtkVolumeProperty;
 namespace echolucent {
 
 class RayCastMapper;
-class SceneRenderer;
 
 /// One vtkRenderer in grid mm on black. To be used in one thread, the one that renders. Nothing here casts rays or
 /// starts a rendering: show() and the setters only change the scene.
@@ -93,7 +93,7 @@ private:
     void updateVisibility();
 
     std::shared_ptr<const Volume> m_volume;
-    vtkNew<SceneRenderer> m_renderer;
+    vtkNew<vtkRenderer> m_renderer;
     vtkNew<RayCastMapper> m_mapper;
     vtkNew<vtkVolume> m_volumeProp;
     vtkNew<vtkVolumeProperty> m_property;

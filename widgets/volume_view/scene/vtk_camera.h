@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/camera.h"
 
 class vtkCamera;
 

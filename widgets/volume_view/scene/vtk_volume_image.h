@@ -8,7 +8,8 @@
 #include <type_traits>
 
 #include "processing/opacity_curve.h"
-#include "processing/ray_caster.h"
+#include "processing/picture/colour_map.h"
+#include "processing/volume/volume.h"
 
 class vtkImageData;
 class vtkVolumeProperty;

@@ -11,13 +11,6 @@ class vtkOpenGLRenderWindow;
 
 namespace echolucent {
 
-/// Who renders the volume.
-enum class RendererChoice {
-    automatic,     ///< a choice only: the graphics card where there is one, else the software ray caster
-    software,      ///< castRays(), on the processor
-    graphicsCard,  ///< VTK's GPU mapper, through OpenGL, also where OpenGL is software
-};
-
 struct GraphicsCard {
     std::string renderer;         ///< OpenGL's renderer string; empty: not known yet
     int largestTextureSide = 0;   ///< voxels along an axis of a 3D texture

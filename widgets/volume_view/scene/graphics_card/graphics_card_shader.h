@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
 
 class vtkShaderProperty;
 

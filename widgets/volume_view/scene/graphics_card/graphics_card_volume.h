@@ -8,7 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "processing/ray_caster.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_shader.h"
 
 class vtkOpenGLGPUVolumeRayCastMapper;

@@ -1,7 +1,7 @@
+#include "processing/ray_caster/light_source.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "processing/ray_caster/kernel_job.h"
 
 namespace echolucent::ray_casting {
 

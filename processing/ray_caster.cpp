@@ -83,8 +83,6 @@ void requireSensible(const RayCastSettings& settings) {
         throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
     if (settings.shading && !(settings.shading->gradientReach > 0.0))
         throw std::invalid_argument("castRays: the gradient's reach must be above 0");
-    if (settings.preIntegrated && settings.shading)
-        throw std::invalid_argument("castRays: a shaded picture cannot be pre-integrated");
 }
 
 }  // namespace
@@ -101,6 +99,7 @@ public:
         const bool finished = std::visit(
             [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
         if (!finished) return std::nullopt;
+        kept.finishPicture();
         return picture;
     }
 
@@ -138,7 +137,6 @@ private:
         job.picture = &picture;
         std::optional<LightSource> light;
         std::optional<DepthTint> tint;
-        std::optional<PreIntegration> preIntegration;
         std::optional<ByteOpacities> byteOpacities;
         std::optional<ColourBends> colourBends;
         if (direct) {
@@ -146,10 +144,8 @@ private:
                 job.light = &light.emplace(
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
             if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
-            if (settings.preIntegrated) job.preIntegration = &preIntegration.emplace(curve, settings.step);
         }
-        const bool plain =
-            direct && !settings.shading && !settings.depthColouring && !settings.preIntegrated && !settings.findDepth;
+        const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.findDepth;
         constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
         const bool fine = bytes && volume->whiteLevel() >= ByteOpacities::leastWhite;
         if (fine && direct) {
@@ -181,6 +177,8 @@ std::optional<Picture> RayCaster::cast(const OpacityCurve& curve, const RayCastS
                                        const Progress& progress) {
     return m_parts->cast(curve, settings, progress);
 }
+
+SampleUse RayCaster::sampleUse() const { return m_parts->kept.sampleUse(); }
 
 std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
 

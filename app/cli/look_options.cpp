@@ -1,0 +1,110 @@
+#include "app/cli/look_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/cli/command.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+/// "a, b or c".
+std::string listOf(const std::vector<std::string_view>& names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+    return list;
+}
+
+/// The names that people know a flag by, beside that of its row.
+std::string namesOf(const Parameter<Look>& parameter) {
+    const std::string option = optionOf(parameter.name);
+    if (parameter.name == "shaded") return "--shade," + option;
+    if (parameter.name == "depth_colouring") return "--depth-colour," + option;
+    return option;
+}
+
+tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
+    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
+}
+
+/// The row's option says nothing that the row does not allow.
+Result<void> checked(const Parameter<Look>& parameter, const Look& look) {
+    const std::optional<ParameterValue> value = parameter.get(look);
+    const std::optional<double> number = value ? numberOf(*value) : std::nullopt;
+    if (!number || inRange(*number, parameter.range)) return {};
+    return wrong(optionOf(parameter.name), fmt::format("must be {} to {} {}", textOf(parameter.range.least),
+                                                       textOf(parameter.range.largest), parameter.unit));
+}
+
+/// "AZ,EL" in degrees.
+Result<void> takeLight(const std::string& text, Look& look) {
+    const auto angles = parseNumbers(text, 2, "--light");
+    if (!angles) return tl::unexpected<Failure>(angles.error());
+    look.shaded = true;
+    look.light = {(*angles)[0], (*angles)[1]};
+    return {};
+}
+
+}  // namespace
+
+ParameterValue LookOptions::Given::value() const {
+    const ParameterValue standard = *parameter->get(Look{});
+    if (std::holds_alternative<bool>(standard)) return flag;
+    if (std::holds_alternative<std::string>(standard)) return choice;
+    return number;
+}
+
+void LookOptions::addRow(CLI::App& command, const Parameter<Look>& parameter) {
+    Given& given = m_given.emplace_back();
+    given.parameter = &parameter;
+    const ParameterValue standard = *parameter.get(Look{});
+    if (std::holds_alternative<bool>(standard)) {
+        command.add_flag(namesOf(parameter), given.flag, std::string(parameter.meaning));
+    } else if (const auto* name = std::get_if<std::string>(&standard)) {
+        given.choice = *name;
+        command
+            .add_option(namesOf(parameter), given.choice,
+                        fmt::format("{}: {}", parameter.meaning, listOf(parameter.choices)))
+            ->type_name("NAME")
+            ->capture_default_str();
+    } else {
+        given.number = *numberOf(standard);
+        command.add_option(namesOf(parameter), given.number, fmt::format("{}, {}", parameter.meaning, parameter.unit))
+            ->type_name("NUMBER")
+            ->default_str(textOf(given.number));
+    }
+}
+
+void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& names) {
+    const auto wanted = [&](std::string_view name) {
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const Parameter<Look>& parameter : lookParameters())
+        if (wanted(parameter.name)) addRow(command, parameter);
+    if (!names.empty()) return;
+    command.add_flag("--perspective", m_perspective, "Short for --projection perspective");
+    command.add_option("--light", m_light, "Short for --shade with --light-azimuth AZ and --light-elevation EL")
+        ->type_name("AZ,EL");
+}
+
+Result<Look> LookOptions::get() const {
+    Look look;
+    for (const Given& given : m_given)
+        if (!given.parameter->set(look, given.value()))
+            return wrong(optionOf(given.parameter->name), "is \"" + given.choice + "\"",
+                         "Use " + listOf(given.parameter->choices) + ".");
+    if (m_perspective) look.projection = Projection::perspective;
+    if (!m_light.empty())
+        if (const auto taken = takeLight(m_light, look); !taken) return tl::unexpected<Failure>(taken.error());
+    for (const Parameter<Look>& parameter : lookParameters())
+        if (const auto fits = checked(parameter, look); !fits) return tl::unexpected<Failure>(fits.error());
+    if (look.mode != RenderMode::direct && (look.shaded || look.depthColoured))
+        return wrong("--shade, --light and --depth-colour", "need direct volume rendering",
+                     "Leave them out, or use --mode direct.");
+    return look;
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,40 @@
+#include "processing/picture/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace echolucent {
+
+namespace {
+constexpr std::array<std::string_view, 2> projectionNames{"parallel", "perspective"};
+}
+
+std::string_view nameOf(Projection projection) { return projectionNames[static_cast<std::size_t>(projection)]; }
+
+std::optional<Projection> projectionFromName(std::string_view name) {
+    const auto* found = std::find(projectionNames.begin(), projectionNames.end(), name);
+    if (found == projectionNames.end()) return std::nullopt;
+    return static_cast<Projection>(found - projectionNames.begin());
+}
+
+Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect) {
+    if (!(aspect > 0.0) || !std::isfinite(aspect)) throw std::invalid_argument("defaultCamera: aspect must be above 0");
+    constexpr double margin = 1.04;
+    Camera camera;
+    camera.focalPoint = geometry.centreMm();
+    camera.frame = frameOf(view);
+    const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
+    // The extent of a box along a direction is the sum of its edges' extents.
+    const auto extent = [&](const Vec3& direction) {
+        return std::abs(direction[0]) * size[0] + std::abs(direction[1]) * size[1] + std::abs(direction[2]) * size[2];
+    };
+    camera.heightMm = margin * std::max(extent(camera.frame.down), extent(camera.frame.right) / aspect);
+    const double halfAngle = camera.viewAngleDegrees * 0.5 * std::numbers::pi / 180.0;
+    camera.distanceMm = camera.heightMm * 0.5 / std::tan(halfAngle) + extent(camera.frame.forward) * 0.5;
+    return camera;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,34 @@
+// From where, and how, a picture looks at a volume.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "processing/viewpoint.h"
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+enum class Projection { parallel, perspective };
+
+/// "parallel", "perspective".
+[[nodiscard]] std::string_view nameOf(Projection projection);
+[[nodiscard]] std::optional<Projection> projectionFromName(std::string_view name);
+
+/// A camera in grid mm.
+struct Camera {
+    Vec3 focalPoint{0, 0, 0};  ///< seen at the picture's centre
+    ViewFrame frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Projection projection = Projection::parallel;
+    double heightMm = 1.0;           ///< parallel: height of the picture, mm
+    double viewAngleDegrees = 30.0;  ///< perspective: full vertical angle
+    double distanceMm = 1.0;         ///< perspective: from the eye to the focal point
+    friend bool operator==(const Camera& a, const Camera& b) = default;
+};
+
+/// The camera of the default picture: parallel, looking along the view, the whole box in the picture with 4 % of its
+/// extent to spare, for a picture of that width / height (> 0). Its perspective values are set too: switching the
+/// projection keeps the whole box in the picture.
+[[nodiscard]] Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect);
+
+}  // namespace echolucent

@@ -1,0 +1,22 @@
+// Colours of intensities.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+enum class ColourMap { sepia, grey, ice };
+
+/// "sepia", "grey", "ice".
+[[nodiscard]] std::string_view nameOf(ColourMap map);
+[[nodiscard]] std::optional<ColourMap> colourMapFromName(std::string_view name);
+/// Colour of a normalised intensity, each component in [0,1]: what a fully opaque, unshaded voxel shows.
+[[nodiscard]] Vec3 colourOf(ColourMap map, double intensity);
+
+/// The tint of a shadow (t of Shading): bright tissue in shadow takes the map's dark hue, not grey.
+[[nodiscard]] Vec3 shadowTintOf(ColourMap map);
+
+}  // namespace echolucent

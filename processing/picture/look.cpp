@@ -1,0 +1,193 @@
+#include "processing/picture/look.h"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::string_view experiment = "docs/rendering.md";
+
+/// Takes a number from a value where it holds one.
+bool setNumber(double& number, const ParameterValue& value) {
+    const std::optional<double> given = numberOf(value);
+    if (given) number = *given;
+    return given.has_value();
+}
+
+template <auto member>
+std::optional<ParameterValue> getFlag(const Look& look) {
+    return look.*member;
+}
+template <auto member>
+bool setFlag(Look& look, const ParameterValue& value) {
+    const auto* flag = std::get_if<bool>(&value);
+    if (flag != nullptr) look.*member = *flag;
+    return flag != nullptr;
+}
+
+template <auto member>
+std::optional<ParameterValue> getChoice(const Look& look) {
+    return std::string(nameOf(look.*member));
+}
+template <auto member, auto fromName>
+bool setChoice(Look& look, const ParameterValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    const auto choice = name != nullptr ? fromName(*name) : std::nullopt;
+    if (choice) look.*member = *choice;
+    return choice.has_value();
+}
+
+template <auto angle>
+std::optional<ParameterValue> getAngle(const Look& look) {
+    return look.light.*angle;
+}
+template <auto angle>
+bool setAngle(Look& look, const ParameterValue& value) {
+    return setNumber(look.light.*angle, value);
+}
+
+const std::array<Parameter<Look>, 9>& rows() {
+    static const std::array<Parameter<Look>, 9> table{{
+        {"mode",
+         "Mode",
+         "What a ray shows of the volume; the opacity curve, light and depth colours play a part in direct mode only",
+         "",
+         "Petersch 2005, eqs. 2 and 3 (direct)",
+         {},
+         {nameOf(RenderMode::direct), nameOf(RenderMode::maximum), nameOf(RenderMode::minimum),
+          nameOf(RenderMode::mean)},
+         &getChoice<&Look::mode>,
+         &setChoice<&Look::mode, &renderModeFromName>},
+        {"shaded",
+         "Light",
+         "Light falls on surfaces",
+         "",
+         "Shading in processing/picture/shading.h",
+         {},
+         {},
+         &getFlag<&Look::shaded>,
+         &setFlag<&Look::shaded>},
+        {"light_azimuth",
+         "Azimuth of the light",
+         "How far to the right of the viewer the light stands",
+         "degrees",
+         experiment,
+         {-180, 180},
+         {},
+         &getAngle<&LightDirection::azimuthDegrees>,
+         &setAngle<&LightDirection::azimuthDegrees>},
+        {"light_elevation",
+         "Elevation of the light",
+         "How far above the viewer the light stands",
+         "degrees",
+         experiment,
+         {-90, 90},
+         {},
+         &getAngle<&LightDirection::elevationDegrees>,
+         &setAngle<&LightDirection::elevationDegrees>},
+        {"depth_colouring",
+         "Depth colours",
+         "Tints what is near warm and what is far blue",
+         "",
+         "DepthColouring in processing/picture/shading.h",
+         {},
+         {},
+         &getFlag<&Look::depthColoured>,
+         &setFlag<&Look::depthColoured>},
+        {"colour_map",
+         "Colour map",
+         "Colours from dark to bright echoes",
+         "",
+         experiment,
+         {},
+         {nameOf(ColourMap::sepia), nameOf(ColourMap::grey), nameOf(ColourMap::ice)},
+         &getChoice<&Look::colourMap>,
+         &setChoice<&Look::colourMap, &colourMapFromName>},
+        {"projection",
+         "Projection",
+         "Parallel keeps sizes, perspective gives depth",
+         "",
+         experiment,
+         {},
+         {nameOf(Projection::parallel), nameOf(Projection::perspective)},
+         &getChoice<&Look::projection>,
+         &setChoice<&Look::projection, &projectionFromName>},
+        {"interpolation",
+         "Interpolation",
+         "How intensities between voxels are taken",
+         "",
+         experiment,
+         {},
+         {nameOf(Interpolation::trilinear), nameOf(Interpolation::nearest)},
+         &getChoice<&Look::interpolation>,
+         &setChoice<&Look::interpolation, &interpolationFromName>},
+        {"step",
+         "Step",
+         "Distance between the samples on a ray; opacities are corrected for it",
+         "units",
+         experiment,
+         {1e-3, 100},
+         {},
+         [](const Look& look) { return std::optional<ParameterValue>(look.step); },
+         [](Look& look, const ParameterValue& value) { return setNumber(look.step, value); }},
+    }};
+    return table;
+}
+
+}  // namespace
+
+std::span<const Parameter<Look>> lookParameters() { return rows(); }
+
+bool chosenByPersons(const Parameter<Look>& row) { return row.name != "step"; }
+
+bool playsAPart(std::string_view name, const Look& look) {
+    const bool direct = look.mode == RenderMode::direct;
+    if (name == "shaded" || name == "depth_colouring") return direct;
+    if (name == "light_azimuth" || name == "light_elevation") return direct && look.shaded;
+    return true;
+}
+
+std::string camelCase(std::string_view name) {
+    std::string camel;
+    bool upper = false;
+    for (const char letter : name) {
+        if (letter != '_')
+            camel += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
+        upper = letter == '_';
+    }
+    return camel;
+}
+
+std::string labelOfChoice(std::string_view choice) {
+    if (choice == nameOf(RenderMode::direct)) return "Direct rendering";
+    if (choice == nameOf(RenderMode::mean)) return "Mean (x-ray)";
+    if (choice == nameOf(Interpolation::nearest)) return "Nearest voxel";
+    std::string label(choice);
+    if (!label.empty()) label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+Look lookAtStart() {
+    Look look;
+    look.shaded = true;
+    look.light = {std::round(look.light.azimuthDegrees), std::round(look.light.elevationDegrees)};
+    return look;
+}
+
+RayCastSettings rayCastSettings(const Look& look) {
+    RayCastSettings settings;
+    settings.step = look.step;
+    settings.interpolation = look.interpolation;
+    settings.mode = look.mode;
+    settings.colourMap = look.colourMap;
+    settings.camera.projection = look.projection;
+    if (look.mode != RenderMode::direct) return settings;
+    if (look.shaded) settings.shading = Shading{.towardsLight = towardsLight(look.light)};
+    if (look.depthColoured) settings.depthColouring = DepthColouring{};
+    return settings;
+}
+
+}  // namespace echolucent

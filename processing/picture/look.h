@@ -1,0 +1,54 @@
+// What a person chooses of a picture's look: one table says each choice once.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "processing/parameter.h"
+#include "processing/picture/camera.h"
+#include "processing/picture/colour_map.h"
+#include "processing/picture/light_direction.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/picture/render_mode.h"
+#include "processing/volume/interpolation.h"
+
+namespace echolucent {
+
+/// How a volume looks, apart from its opacity curve, the viewpoint and what is cut away.
+struct Look {
+    RenderMode mode = RenderMode::direct;
+    bool shaded = false;         ///< light on surfaces; plays a part in direct mode only
+    LightDirection light;        ///< where the light stands; plays a part where the picture is shaded
+    bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
+    ColourMap colourMap = ColourMap::sepia;
+    Projection projection = Projection::parallel;
+    Interpolation interpolation = Interpolation::trilinear;
+    double step = 1.0;  ///< units between the samples on a ray, > 0
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+/// A row for every member of Look, in the order in which people are shown them. The command line, the settings file,
+/// the panel, the JSON and docs/cli-render.md are made from these rows; a default is what Look{} holds.
+[[nodiscard]] std::span<const Parameter<Look>> lookParameters();
+
+/// Whether a person chooses a row's value in a window: all but the step, which the qualities of the view choose.
+[[nodiscard]] bool chosenByPersons(const Parameter<Look>& row);
+
+/// Whether a row's value can change the picture of a look: a light plays no part in a picture without light.
+[[nodiscard]] bool playsAPart(std::string_view name, const Look& look);
+
+/// "colourMap" of "colour_map": a row's key in the settings file and in object names.
+[[nodiscard]] std::string camelCase(std::string_view name);
+
+/// A choice's name for a person ("Mean (x-ray)" for "mean"), sentence case.
+[[nodiscard]] std::string labelOfChoice(std::string_view choice);
+
+/// The look a window starts with: lit, with the light at whole degrees, as the panel's sliders show it.
+[[nodiscard]] Look lookAtStart();
+
+/// The settings of a look; size, place of the camera and cuts are left as RayCastSettings{} has them. Light and depth
+/// colours are left out in modes in which they play no part, so that equal pictures have equal settings.
+[[nodiscard]] RayCastSettings rayCastSettings(const Look& look);
+
+}  // namespace echolucent

@@ -1,0 +1,24 @@
+// A picture as the ray caster makes it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// Row-major from the top left, four floats a pixel: red, green, blue premultiplied by alpha, then alpha; all in [0,1].
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<float> rgba;
+    /// Where findDepth was asked for: depth along camera.frame.forward from the grid origin, mm, of the sample at which
+    /// the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the first);
+    /// infinity where none does. Else empty.
+    std::vector<float> depthMm{};
+};
+
+/// The picture over an opaque background (eq. 3's c(r,0)) as 8-bit RGB, rows from the top, three bytes a pixel.
+[[nodiscard]] std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background);
+
+}  // namespace echolucent

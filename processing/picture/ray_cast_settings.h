@@ -1,0 +1,58 @@
+// All that a picture depends on beside the volume and its opacity curve.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "processing/picture/camera.h"
+#include "processing/picture/colour_map.h"
+#include "processing/volume/interpolation.h"
+#include "processing/picture/render_mode.h"
+#include "processing/picture/shading.h"
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// Only what lies between two corners is rendered; grid mm.
+struct RenderBox {
+    Vec3 low, high;
+    friend bool operator==(const RenderBox&, const RenderBox&) = default;
+};
+
+/// Only what lies on the side that the normal points to is rendered; grid mm.
+struct ClippingPlane {
+    Vec3 point;
+    Vec3 normal{0, 0, 1};  ///< any length above 0
+    friend bool operator==(const ClippingPlane&, const ClippingPlane&) = default;
+};
+
+/// Where something opaque stands in each pixel: depth along camera.frame.forward from the grid origin, mm; infinity:
+/// nothing. Row-major from the top left. A map of another size than the picture's is read at the nearest place.
+struct DepthMap {
+    int width = 0, height = 0;
+    std::vector<float> depthMm;
+};
+
+struct RayCastSettings {
+    int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
+    Camera camera;
+    /// Nothing before this distance from the grid origin along camera.frame.forward (see nearPlaneDepthMm()).
+    double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();
+    double step = 1.0;  ///< units (smallest spacing) between samples, > 0
+    Interpolation interpolation = Interpolation::trilinear;
+    RenderMode mode = RenderMode::direct;
+    ColourMap colourMap = ColourMap::sepia;
+    std::optional<Shading> shading;                ///< none: no gradient is computed; direct mode only
+    std::optional<DepthColouring> depthColouring;  ///< none: costs nothing; direct mode only
+    std::optional<RenderBox> box;
+    std::vector<ClippingPlane> clippingPlanes;
+    std::shared_ptr<const DepthMap> opaqueDepth;  ///< null: rays end at the volume's box only
+    double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
+    bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner
+    bool findDepth = false;      ///< Picture::depthMm is wanted
+    friend bool operator==(const RayCastSettings&, const RayCastSettings&) = default;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,21 @@
+// What a picture shows of the samples on its rays.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace echolucent {
+
+/// What a ray shows of its samples.
+enum class RenderMode {
+    direct,   ///< direct volume rendering: eqs. 2 and 3
+    maximum,  ///< the colour of the largest intensity on the ray; the curve plays no part here and below
+    minimum,  ///< of the smallest
+    mean,     ///< of the mean: an x-ray
+};
+
+/// "direct", "maximum", "minimum", "mean".
+[[nodiscard]] std::string_view nameOf(RenderMode mode);
+[[nodiscard]] std::optional<RenderMode> renderModeFromName(std::string_view name);
+
+}  // namespace echolucent
