@@ -11,7 +11,7 @@ QString tr(const char* text) { return QCoreApplication::translate("pictureStatus
 
 QString qualityText(const PictureReport& report) {
     return tr("%1: %2 × %3 rays, step %4")
-        .arg(QCoreApplication::translate("qualityLevels", report.level.toLatin1().constData()))
+        .arg(QCoreApplication::translate("qualities", report.quality.toLatin1().constData()))
         .arg(report.rays.width())
         .arg(report.rays.height())
         .arg(QLocale().toString(report.step, 'g', 3));

@@ -105,7 +105,7 @@ private slots:
     }
 
     void theToolTipTellsPictureAndMovement() {
-        const PictureReport newest{.level = "converged",
+        const PictureReport newest{.quality = "converged",
                                    .converged = true,
                                    .rays = {512, 400},
                                    .step = 0.5,
@@ -113,7 +113,7 @@ private slots:
                                    .drawMilliseconds = 8};
         QCOMPARE(pictureToolTip(newest, std::nullopt), QString("converged: 512 × 400 rays, step 0.5\n"
                                                                "casting 301.3 ms, drawing 8.0 ms"));
-        const PictureReport movement{.level = "preview", .rays = {256, 200}, .step = 2, .framesPerSecond = 34.4};
+        const PictureReport movement{.quality = "preview", .rays = {256, 200}, .step = 2, .framesPerSecond = 34.4};
         QCOMPARE(pictureToolTip(newest, movement).section('\n', 2),
                  QString("while moving 34 frames/s, preview: 256 × 200 rays, step 2"));
     }

@@ -24,7 +24,7 @@ struct Level {
     double terminationTransmittance = 1.0 / 128;
 };
 
-/// The program's (widgets/volume_view/quality_levels.h), and some beside them.
+/// The program's (widgets/volume_view/qualities.h), and some beside them.
 constexpr std::array<Level, 9> levels{{
     {1.0, 0.25, 1.0 / 2048},
     {1.0, 0.5, 1.0 / 512},

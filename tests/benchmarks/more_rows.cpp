@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "tests/benchmarks/render_bench.h"
 #include "processing/ray_caster.h"
+#include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"
 

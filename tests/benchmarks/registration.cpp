@@ -1,8 +1,8 @@
 // The proof that both renderers cast the same rays.
 #include <cmath>
 
-#include "tests/benchmarks/plain_reference.h"
 #include "processing/ray_caster.h"
+#include "tests/benchmarks/plain_reference.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/side_by_side.h"
 

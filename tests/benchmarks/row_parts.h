@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "tests/benchmarks/bench_scene.h"
 #include "processing/ray_caster.h"
+#include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/measured_cost.h"
 #include "tests/benchmarks/plain_reference.h"
 

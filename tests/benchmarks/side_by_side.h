@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "tests/benchmarks/bench_scene.h"
 #include "processing/ray_caster.h"
+#include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/measured_cost.h"
 #include "tests/benchmarks/vtk_scene.h"
 

@@ -58,7 +58,7 @@ void FrameRecord::summarise(Row& row) const {
     row.step = step;
     row.levelShare = static_cast<double>(most->second) / static_cast<double>(m_reports.size());
     for (const PictureReport& report : m_reports)
-        if (report.rays == row.rays && report.step == step) row.level = report.level;
+        if (report.rays == row.rays && report.step == step) row.level = report.quality;
 }
 
 }  // namespace echolucent::bench

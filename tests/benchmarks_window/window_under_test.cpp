@@ -153,7 +153,7 @@ Row WindowUnderTest::highQuality(const Amount& amount) {
         bool made = false, drawn = false;
         QObject context;
         QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context, [&](const PictureReport& report) {
-            if (made || !(report.converged || report.level == "high quality")) return;
+            if (made || !(report.converged || report.quality == "high quality")) return;
             record.delivered(report);
             made = true;
         });

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/volume_view/test_volumes.h"
 #include "processing/ray_caster.h"
+#include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/progressive_caster.h"
 
 using namespace echolucent;
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int patience = 20000;  // ms, a bound for broken programs
 
-constexpr double convergedStep = qualityLevels[convergedLevel].step;
+constexpr double convergedStep = qualities[convergedQuality].step;
 
 /// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
 class CommandedCaster {

@@ -223,7 +223,7 @@ private slots:
         QVERIFY(reports.last().converged);
         QCOMPARE(reports.last().step, s.view.settings().step);
         for (const PictureReport& report : reports) {
-            QVERIFY(!report.level.isEmpty());
+            QVERIFY(!report.quality.isEmpty());
             QVERIFY(report.castMilliseconds > 0);
         }
     }

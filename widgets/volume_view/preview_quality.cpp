@@ -15,24 +15,24 @@ double samplesOf(const RayCastSettings& settings) {
     return static_cast<double>(settings.width) * settings.height / settings.step;
 }
 
-double samplesAt(std::size_t level, const RayCastSettings& asked) { return samplesOf(settingsAt(level, asked)); }
+double samplesAt(std::size_t quality, const RayCastSettings& asked) { return samplesOf(settingsAt(quality, asked)); }
 
 void learn(double& cost, double measured) { cost = cost > 0.0 ? cost + newestShare * (measured - cost) : measured; }
 
-/// How far from the budget costs must be for another level to be taken.
+/// How far from the budget costs must be for another quality to be taken.
 struct Reluctance {
-    double toCoarsen;  // the level's cost is above this share
+    double toCoarsen;  // the quality's cost is above this share
     double toRefine;   // the next finer one's is not
 };
 constexpr Reluctance usual{1.0, 0.7};
 constexpr Reluctance withinSeries{1.5, 0.35};
 
-/// From a level to the finest within the budget.
+/// From a quality to the finest within the budget.
 template <typename Cost>
-std::size_t levelWithin(double budget, std::size_t level, const Reluctance& reluctance, const Cost& cost) {
-    while (level + 1 < qualityLevels.size() && cost(level) > reluctance.toCoarsen * budget) ++level;
-    while (level > 0 && cost(level - 1) <= reluctance.toRefine * budget) --level;
-    return level;
+std::size_t qualityWithin(double budget, std::size_t quality, const Reluctance& reluctance, const Cost& cost) {
+    while (quality + 1 < qualities.size() && cost(quality) > reluctance.toCoarsen * budget) ++quality;
+    while (quality > 0 && cost(quality - 1) <= reluctance.toRefine * budget) --quality;
+    return quality;
 }
 
 }  // namespace
@@ -56,25 +56,25 @@ void PreviewQuality::drawn(double milliseconds) {
 
 double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
 
-std::size_t PreviewQuality::levelInMotion(const RayCastSettings& asked) {
+std::size_t PreviewQuality::qualityInMotion(const RayCastSettings& asked) {
     m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
     if (const double cost = samplingCost(asked); cost > 0.0)
-        m_level = levelWithin(budgetMilliseconds(), m_level, usual,
-                              [&](std::size_t level) { return cost * samplesAt(level, asked); });
-    return m_level;
+        m_motionQuality = qualityWithin(budgetMilliseconds(), m_motionQuality, usual,
+                                        [&](std::size_t quality) { return cost * samplesAt(quality, asked); });
+    return m_motionQuality;
 }
 
-std::size_t PreviewQuality::levelAlone(const RayCastSettings& asked) {
-    const std::size_t inMotion = levelInMotion(asked), atRest = convergedLevel + 1;
+std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
+    const std::size_t inMotion = qualityInMotion(asked), atRest = convergedQuality + 1;
     const double cost = samplingCost(asked) * samplesAt(atRest, asked);
     return cost > 0.0 && cost <= aloneFrames * m_frame ? std::min(inMotion, atRest) : inMotion;
 }
 
-std::size_t PreviewQuality::levelForEdits(const RayCastSettings& asked, bool inSeries) {
+std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool inSeries) {
     if (samplingCost(asked) > 0.0)
-        m_editLevel = levelWithin(budgetMilliseconds(), m_editLevel, inSeries ? withinSeries : usual,
-                                  [&](std::size_t level) { return editCost(level, asked); });
-    return std::min(m_editLevel, m_level);
+        m_editQuality = qualityWithin(budgetMilliseconds(), m_editQuality, inSeries ? withinSeries : usual,
+                                      [&](std::size_t quality) { return editCost(quality, asked); });
+    return std::min(m_editQuality, m_motionQuality);
 }
 
 double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
@@ -82,8 +82,8 @@ double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
     return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
 }
 
-double PreviewQuality::editCost(std::size_t level, const RayCastSettings& asked) {
-    const double samples = samplesAt(level, asked);
+double PreviewQuality::editCost(std::size_t quality, const RayCastSettings& asked) {
+    const double samples = samplesAt(quality, asked);
     const double sampling = samplingCost(asked) * samples;
     if (samples >= m_samplesNotKept) return sampling;
     if (sampling > warmUpFrames * m_frame) return std::max(sampling, 2.0 * m_frame);

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <limits>
 
-#include "widgets/volume_view/quality_levels.h"
+#include "widgets/volume_view/qualities.h"
 
 namespace echolucent {
 
 /// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs,
-/// and chooses the finest of the qualityLevels within a frame's time. Pictures of a new view and edits (another curve
+/// and chooses the finest of the qualities within a frame's time. Pictures of a new view and edits (another curve
 /// or colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and
 /// so are pictures with and without light.
 class PreviewQuality {
@@ -28,17 +28,17 @@ public:
 
     /// What casting one picture may take.
     [[nodiscard]] double budgetMilliseconds() const;
-    /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two levels on small
+    /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two qualities on small
     /// changes of cost.
-    [[nodiscard]] std::size_t levelInMotion(const RayCastSettings& asked);
+    [[nodiscard]] std::size_t qualityInMotion(const RayCastSettings& asked);
     /// For a view that no other follows closely: what is shown at rest, where that takes no longer than aloneFrames
-    /// frames. Else levelInMotion().
-    [[nodiscard]] std::size_t levelAlone(const RayCastSettings& asked);
+    /// frames. Else qualityInMotion().
+    [[nodiscard]] std::size_t qualityAlone(const RayCastSettings& asked);
     static constexpr double aloneFrames = 1.5;
-    /// For the next picture of an edit. At each level the first two pictures must be sampled: within a series of edits
-    /// the level stays unless it is far off, and a level at which each of the two would take longer than warmUpFrames
-    /// frames is left out. Never coarser than levelInMotion().
-    [[nodiscard]] std::size_t levelForEdits(const RayCastSettings& asked, bool inSeries);
+    /// For the next picture of an edit. At each quality the first two pictures must be sampled: within a series of
+    /// edits the quality stays unless it is far off, and a quality at which each of the two would take longer than
+    /// warmUpFrames frames is left out. Never coarser than qualityInMotion().
+    [[nodiscard]] std::size_t qualityForEdits(const RayCastSettings& asked, bool inSeries);
     static constexpr double warmUpFrames = 5.0;
 
 private:
@@ -50,15 +50,15 @@ private:
     [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
     /// Measured, or guessed from the other kind; 0 where neither was.
     [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
-    [[nodiscard]] double editCost(std::size_t level, const RayCastSettings& asked);
+    [[nodiscard]] double editCost(std::size_t quality, const RayCastSettings& asked);
 
     double m_frame;
     Cost m_unshaded, m_shaded;
     double m_drawing = 0.0;  // ms
     int m_drawn = 0;
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
-    std::size_t m_level = firstLevel;
-    std::size_t m_editLevel = firstLevel;
+    std::size_t m_motionQuality = firstQuality;
+    std::size_t m_editQuality = firstQuality;
 };
 
 }  // namespace echolucent

@@ -26,22 +26,22 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
     m_sinceRequest.start();
     m_rest.stop();
-    const std::size_t level = levelFor(request, edited);
+    const std::size_t quality = qualityFor(request, edited);
     m_newest = std::make_shared<const PictureRequest>(request);
-    start(level, NewestWinsThread::WhenSuperseded::finish);
+    start(quality, NewestWinsThread::WhenSuperseded::finish);
 }
 
-std::size_t ProgressiveCaster::levelFor(const PictureRequest& request, bool edited) {
+std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
     if (edited) {
-        const std::size_t level = m_quality.levelForEdits(request.settings, m_editing && m_inStream);
+        const std::size_t quality = m_quality.qualityForEdits(request.settings, m_editing && m_inStream);
         // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
-        m_editing = m_inStream || level == m_startedLevel || level == m_keptLevel;
-        if (m_editing) return level;
+        m_editing = m_inStream || quality == m_startedQuality || quality == m_keptQuality;
+        if (m_editing) return quality;
     } else {
-        m_keptLevel.reset();
+        m_keptQuality.reset();
     }
     m_editing = false;
-    return m_inStream ? m_quality.levelInMotion(request.settings) : m_quality.levelAlone(request.settings);
+    return m_inStream ? m_quality.qualityInMotion(request.settings) : m_quality.qualityAlone(request.settings);
 }
 
 void ProgressiveCaster::clear() {
@@ -61,22 +61,22 @@ void ProgressiveCaster::clear() {
 
 void ProgressiveCaster::refine() {
     m_inStream = false;
-    start(nextAtRest(m_startedLevel), NewestWinsThread::WhenSuperseded::cancel);
+    start(nextAtRest(m_startedQuality), NewestWinsThread::WhenSuperseded::cancel);
 }
 
-void ProgressiveCaster::start(std::size_t level, NewestWinsThread::WhenSuperseded whenSuperseded) {
-    m_startedLevel = level;
+void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded) {
+    m_startedQuality = quality;
     const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
     auto job = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
-        const PictureRequest atLevel{asked->volume, asked->curve, settingsAt(level, asked->settings)};
-        CastResult result = cast(atLevel, progress);
+        const PictureRequest atQuality{asked->volume, asked->curve, settingsAt(quality, asked->settings)};
+        CastResult result = cast(atQuality, progress);
         if (!result.picture) return {};
-        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture, atLevel.settings));
+        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture, atQuality.settings));
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-        auto finished = std::make_shared<const CastPicture>(
-            CastPicture{*asked, level, atLevel.settings, std::make_shared<const Picture>(std::move(*result.picture)),
-                        std::move(screen), taken.count(), followsHand});
+        auto finished = std::make_shared<const CastPicture>(CastPicture{
+            *asked, quality, atQuality.settings, std::make_shared<const Picture>(std::move(*result.picture)),
+            std::move(screen), taken.count(), followsHand});
         return [this, finished, samples = result.samples] { deliver(finished, samples); };
     };
     m_thread.submit(std::move(job), whenSuperseded);
@@ -84,7 +84,7 @@ void ProgressiveCaster::start(std::size_t level, NewestWinsThread::WhenSupersede
 
 void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples) {
     if (samples == SampleUse::kept) {
-        if (m_newest && sameSamples(*m_newest, picture->request)) m_keptLevel = picture->level;
+        if (m_newest && sameSamples(*m_newest, picture->request)) m_keptQuality = picture->quality;
         m_quality.reclassified(picture->settings, picture->milliseconds);
     } else {
         m_quality.sampled(picture->settings, picture->milliseconds);

@@ -17,23 +17,23 @@ namespace echolucent {
 /// A finished picture with what it was made from.
 struct CastPicture {
     PictureRequest request;    ///< as it was asked for, at full size
-    std::size_t level = 0;     ///< of qualityLevels
-    RayCastSettings settings;  ///< those of the level
+    std::size_t quality = 0;   ///< of qualities
+    RayCastSettings settings;  ///< those of the quality
     std::shared_ptr<const Picture> picture{};
     std::shared_ptr<const ScreenPicture> screen{};
     double milliseconds = 0.0;  ///< wall time in the casting thread
     bool followsHand = false;   ///< the quick one of its request, not one that refines it
-    [[nodiscard]] bool converged() const { return level == convergedLevel; }
+    [[nodiscard]] bool converged() const { return quality == convergedQuality; }
 };
 
-/// While requests follow each other, pictures at the level that PreviewQuality chooses run to their end and are
+/// While requests follow each other, pictures at the quality that PreviewQuality chooses run to their end and are
 /// delivered also when a newer request waits, so that a drag always shows something; the next one is cast while this
 /// one is drawn. Pictures that refine are cancelled by any newer request, within a tile. In a stream of requests they
 /// wait until the hand rests, so that they take no time from the next quick one. A request equal to the newest one does
 /// nothing.
 ///
-/// Edits of curve and colour map keep one level, for which the ray caster keeps the samples, and wait longer before the
-/// picture is refined.
+/// Edits of curve and colour map keep one quality, for which the ray caster keeps the samples, and wait longer before
+/// the picture is refined.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -55,19 +55,19 @@ signals:
     void busyChanged();
 
 private:
-    [[nodiscard]] std::size_t levelFor(const PictureRequest& request, bool edited);
+    [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);
     void refine();
-    void start(std::size_t level, NewestWinsThread::WhenSuperseded whenSuperseded);
+    void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
     void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples);
 
     Cast m_cast;
     PreviewQuality m_quality;
     std::shared_ptr<const PictureRequest> m_newest;
     QElapsedTimer m_sinceRequest;
-    bool m_inStream = false;                      // the newest request came soon after another
-    bool m_editing = false;                       // the newest request is one of a series of edits
-    std::size_t m_startedLevel = convergedLevel;  // of the newest picture begun
-    std::optional<std::size_t> m_keptLevel;       // of the newest picture made of kept samples, of this view
+    bool m_inStream = false;                          // the newest request came soon after another
+    bool m_editing = false;                           // the newest request is one of a series of edits
+    std::size_t m_startedQuality = convergedQuality;  // of the newest picture begun
+    std::optional<std::size_t> m_keptQuality;         // of the newest picture made of kept samples, of this view
     QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

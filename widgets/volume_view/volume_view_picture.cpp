@@ -6,8 +6,8 @@
 #include <QElapsedTimer>
 #include <utility>
 
-#include "widgets/volume_view/quality_levels.h"
 #include "processing/ray_caster.h"
+#include "widgets/volume_view/qualities.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 #include "widgets/volume_view/volume_view_parts.h"
 
@@ -26,7 +26,7 @@ RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
 RayCastSettings VolumeViewWidget::settings() const { return settingsFor(pixelSize()); }
 
 RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
-    return settingsAt(convergedLevel, presentRequest(pixels).settings);
+    return settingsAt(convergedQuality, presentRequest(pixels).settings);
 }
 
 PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
@@ -131,8 +131,8 @@ void VolumeViewWidget::showLive(const PictureRequest& request) {
     Parts& parts = *m_parts;
     if (rendersLive() && samePicture(parts.shown->request, request)) return;
     parts.caster.clear();
-    parts.shown = std::make_shared<const CastPicture>(
-        CastPicture{.request = request, .level = convergedLevel, .settings = request.settings, .followsHand = true});
+    parts.shown = std::make_shared<const CastPicture>(CastPicture{
+        .request = request, .quality = convergedQuality, .settings = request.settings, .followsHand = true});
     parts.scene.setTransfer(request.curve, request.settings.colourMap);
     parts.scene.showLive(request.settings.camera, request.settings);
     render(true);
@@ -165,7 +165,7 @@ void VolumeViewWidget::render(bool followsHand) {
 void VolumeViewWidget::report(const CastPicture& picture) {
     Parts& parts = *m_parts;
     if (picture.converged() && !parts.pointer->dragging()) pointAt(parts.cursor);
-    PictureReport report{.level = QString::fromLatin1(qualityLevels[picture.level].name),
+    PictureReport report{.quality = QString::fromLatin1(qualities[picture.quality].name),
                          .converged = picture.converged(),
                          .followsHand = picture.followsHand,
                          .rays = {picture.settings.width, picture.settings.height},
@@ -174,7 +174,7 @@ void VolumeViewWidget::report(const CastPicture& picture) {
                          .drawMilliseconds = parts.meter->drawingMilliseconds(),
                          .framesPerSecond = parts.meter->framesPerSecond()};
     if (!picture.picture) {
-        report.level = QStringLiteral("live");
+        report.quality = QStringLiteral("live");
         report.castMilliseconds = parts.scene.liveMilliseconds();
         report.drawMilliseconds = 0.0;  // the same work
     }

@@ -9,12 +9,12 @@
 #include <optional>
 
 #include "processing/opacity_curve.h"
-#include "processing/picture/picture.h"
 #include "processing/picture/look.h"
+#include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
+#include "processing/picture/renderer_choice.h"
 #include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
-#include "processing/picture/renderer_choice.h"
 
 namespace echolucent {
 
@@ -24,7 +24,7 @@ class VolumeScene;
 
 /// How a picture was made and what it cost.
 struct PictureReport {
-    QString level;             ///< name of its quality, in English
+    QString quality;           ///< name of its quality, in English
     bool converged = false;    ///< nothing better follows
     bool followsHand = false;  ///< the first picture of a change, not one that refines it
     QSize rays;

@@ -1,5 +1,7 @@
 // The picture by an obvious, slow route in double precision: every sample of every ray, back to front by eq. 2 of
-// Petersch 2005. Shares with the ray caster only the curve, the colours and the frame of the view.
+// Petersch 2005. It is the one route beside the kernel and PlainCaster, and reads the volume by itself: it checks the
+// rays, steps and samples that those two share. It takes only the curve, the colours and the frame of the view from the
+// program.
 #pragma once
 
 #include <array>

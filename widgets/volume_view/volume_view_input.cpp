@@ -1,5 +1,4 @@
-#include "widgets/volume_view/volume_view_widget.h"
-
+// What the 3D view is told: volume, curve, look and pose, and what the hand does with them.
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 

@@ -6,24 +6,24 @@
 
 using namespace echolucent;
 
-class QualityLevelsTest : public QObject {
+class QualitiesTest : public QObject {
     Q_OBJECT
 
 private slots:
     void levelsGoFromFineToCoarse() {
         const RayCastSettings asked;
-        const auto samplesAt = [&](std::size_t level) {
-            const RayCastSettings settings = settingsAt(level, asked);
+        const auto samplesAt = [&](std::size_t chosen) {
+            const RayCastSettings settings = settingsAt(chosen, asked);
             return static_cast<double>(settings.width) * settings.height / settings.step;
         };
-        for (std::size_t level = 1; level < qualityLevels.size(); ++level)
-            QVERIFY(samplesAt(level) < samplesAt(level - 1));
-        QVERIFY(qualityLevels[convergedLevel].atRest);
-        const RayCastSettings converged = settingsAt(convergedLevel, asked);
+        for (std::size_t chosen = 1; chosen < qualities.size(); ++chosen)
+            QVERIFY(samplesAt(chosen) < samplesAt(chosen - 1));
+        QVERIFY(qualities[convergedQuality].atRest);
+        const RayCastSettings converged = settingsAt(convergedQuality, asked);
         QCOMPARE(converged.width, asked.width);
         QVERIFY(converged.step <= asked.step / 2);
-        // From every level the way leads to the converged picture.
-        for (std::size_t level = 1; level < qualityLevels.size(); ++level) QVERIFY(nextAtRest(level) < level);
+        // From every chosen the way leads to the converged picture.
+        for (std::size_t chosen = 1; chosen < qualities.size(); ++chosen) QVERIFY(nextAtRest(chosen) < chosen);
     }
 
     void qualityInMotionKeepsWithinItsBudget() {
@@ -35,10 +35,10 @@ private slots:
             asked.height = 800;
             RayCastSettings shown;
             for (int frame = 0; frame < 8; ++frame) {
-                shown = settingsAt(quality.levelInMotion(asked), asked);
+                shown = settingsAt(quality.qualityInMotion(asked), asked);
                 quality.sampled(shown, costOf(shown, costPerSample));
             }
-            const RayCastSettings converged = settingsAt(convergedLevel, asked);
+            const RayCastSettings converged = settingsAt(convergedQuality, asked);
             if (costOf(converged, costPerSample) <= 28) {
                 QVERIFY(shown == converged);  // quick enough as it is
             } else if (costPerSample < 1e-2) {
@@ -54,23 +54,23 @@ private slots:
 
     void aViewAloneIsShownAsAtRestWhereThatIsQuick() {
         const RayCastSettings asked;
-        const RayCastSettings atRest = settingsAt(convergedLevel + 1, asked);
-        QVERIFY(qualityLevels[convergedLevel + 1].atRest);
-        QCOMPARE(PreviewQuality(33).levelAlone(asked), firstLevel);  // nothing is known yet
+        const RayCastSettings atRest = settingsAt(convergedQuality + 1, asked);
+        QVERIFY(qualities[convergedQuality + 1].atRest);
+        QCOMPARE(PreviewQuality(33).qualityAlone(asked), firstQuality);  // nothing is known yet
         for (const double milliseconds : {35.0, 49.0, 51.0, 400.0}) {
             PreviewQuality quality(33);
             const double costPerSample = milliseconds / costOf(atRest, 1.0);
             quality.sampled(atRest, milliseconds);
-            const std::size_t inMotion = quality.levelInMotion(asked), alone = quality.levelAlone(asked);
+            const std::size_t inMotion = quality.qualityInMotion(asked), alone = quality.qualityAlone(asked);
             QVERIFY(costOf(settingsAt(inMotion, asked), costPerSample) <= 33.0);
-            QVERIFY(inMotion > convergedLevel + 1);
-            QCOMPARE(alone, milliseconds <= PreviewQuality::aloneFrames * 33.0 ? convergedLevel + 1 : inMotion);
-            QCOMPARE(quality.levelInMotion(asked), inMotion);  // what moves is as it was
+            QVERIFY(inMotion > convergedQuality + 1);
+            QCOMPARE(alone, milliseconds <= PreviewQuality::aloneFrames * 33.0 ? convergedQuality + 1 : inMotion);
+            QCOMPARE(quality.qualityInMotion(asked), inMotion);  // what moves is as it was
         }
         // Finer than that only where it keeps within a frame too.
         PreviewQuality quick(33);
         quick.sampled(atRest, 0.5);
-        QCOMPARE(quick.levelAlone(asked), convergedLevel);
+        QCOMPARE(quick.qualityAlone(asked), convergedQuality);
     }
 
     void drawingTakesItsShareOfTheFrame() {
@@ -83,10 +83,10 @@ private slots:
         const double cost = 25.0 / (512 * 512);  // of full size at step 1: 25 ms
         const auto inMotion = [&](PreviewQuality& chooser) {
             for (int i = 0; i < 8; ++i) {
-                const RayCastSettings shown = settingsAt(chooser.levelInMotion(asked), asked);
+                const RayCastSettings shown = settingsAt(chooser.qualityInMotion(asked), asked);
                 chooser.sampled(shown, costOf(shown, cost));
             }
-            return costOf(settingsAt(chooser.levelInMotion(asked), asked), cost);
+            return costOf(settingsAt(chooser.qualityInMotion(asked), asked), cost);
         };
         QVERIFY(inMotion(quality) <= 23);
         for (int i = 0; i < 20; ++i) quality.drawn(1000);
@@ -100,22 +100,22 @@ private slots:
         const double sampling = 60.0 / (512 * 512), reclassifying = sampling / 5;
         PreviewQuality quality(33);
         for (int i = 0; i < 8; ++i) {
-            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
+            const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
             quality.sampled(moving, costOf(moving, sampling));
         }
-        std::size_t level = 0;
+        std::size_t chosen = 0;
         for (int i = 0; i < 8; ++i) {
-            level = quality.levelForEdits(asked, false);
-            quality.reclassified(settingsAt(level, asked), costOf(settingsAt(level, asked), reclassifying));
+            chosen = quality.qualityForEdits(asked, false);
+            quality.reclassified(settingsAt(chosen, asked), costOf(settingsAt(chosen, asked), reclassifying));
         }
-        QVERIFY(costOf(settingsAt(level, asked), reclassifying) <= 33);
-        QVERIFY(level < quality.levelInMotion(asked));
-        QCOMPARE(settingsAt(level, asked).width, 512);
-        // Where its samples cannot be kept, the level costs what a new view costs.
-        quality.couldNotKeep(settingsAt(level, asked));
-        const std::size_t smaller = quality.levelForEdits(asked, false);
-        QVERIFY(smaller > level);
-        QVERIFY(smaller <= quality.levelInMotion(asked));
+        QVERIFY(costOf(settingsAt(chosen, asked), reclassifying) <= 33);
+        QVERIFY(chosen < quality.qualityInMotion(asked));
+        QCOMPARE(settingsAt(chosen, asked).width, 512);
+        // Where its samples cannot be kept, the chosen costs what a new view costs.
+        quality.couldNotKeep(settingsAt(chosen, asked));
+        const std::size_t smaller = quality.qualityForEdits(asked, false);
+        QVERIFY(smaller > chosen);
+        QVERIFY(smaller <= quality.qualityInMotion(asked));
     }
 
     void lightIsLearntApart() {
@@ -125,7 +125,7 @@ private slots:
         const auto learn = [&](const RayCastSettings& asked, double cost) {
             RayCastSettings shown;
             for (int i = 0; i < 8; ++i) {
-                shown = settingsAt(quality.levelInMotion(asked), asked);
+                shown = settingsAt(quality.qualityInMotion(asked), asked);
                 quality.sampled(shown, costOf(shown, cost));
             }
             return shown.width / shown.step;
@@ -133,9 +133,9 @@ private slots:
         const double unlitCost = 30.0 / (512 * 512);
         const double fine = learn(unlit, unlitCost);
         // Even the first lit picture is no shock, and back without light the first picture is fine at once.
-        QVERIFY(costOf(settingsAt(quality.levelInMotion(lit), lit), 4 * unlitCost) <= 33);
+        QVERIFY(costOf(settingsAt(quality.qualityInMotion(lit), lit), 4 * unlitCost) <= 33);
         QVERIFY(learn(lit, 8 * unlitCost) < fine);
-        const RayCastSettings back = settingsAt(quality.levelInMotion(unlit), unlit);
+        const RayCastSettings back = settingsAt(quality.qualityInMotion(unlit), unlit);
         QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
     }
 
@@ -143,16 +143,16 @@ private slots:
         const RayCastSettings asked;
         PreviewQuality quality(30);
         quality.sampled(asked, 60);
-        QVERIFY(quality.levelInMotion(asked) > 0);
+        QVERIFY(quality.qualityInMotion(asked) > 0);
         quality.reclassified(asked, 20);
-        const std::size_t level = quality.levelForEdits(asked, false);
-        const RayCastSettings shown = settingsAt(level, asked);
+        const std::size_t chosen = quality.qualityForEdits(asked, false);
+        const RayCastSettings shown = settingsAt(chosen, asked);
         for (const double milliseconds : {40.0, 12.0, 40.0, 12.0}) {
             quality.reclassified(shown, milliseconds);
-            QCOMPARE(quality.levelForEdits(asked, true), level);
+            QCOMPARE(quality.qualityForEdits(asked, true), chosen);
         }
         for (int i = 0; i < 8; ++i) quality.reclassified(shown, 100);
-        QVERIFY(quality.levelForEdits(asked, true) > level);
+        QVERIFY(quality.qualityForEdits(asked, true) > chosen);
     }
 
     void noEditBeginsWithALongWait() {
@@ -161,12 +161,12 @@ private slots:
         const double sampling = 5000.0 / (512 * 512);
         PreviewQuality quality(33);
         const auto learn = [&] {
-            const RayCastSettings moving = settingsAt(quality.levelInMotion(asked), asked);
+            const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
             quality.sampled(moving, costOf(moving, sampling));
         };
         for (int i = 0; i < 8; ++i) learn();
         quality.reclassified(asked, 1e-3);
-        QVERIFY(costOf(settingsAt(quality.levelForEdits(asked, false), asked), sampling) <=
+        QVERIFY(costOf(settingsAt(quality.qualityForEdits(asked, false), asked), sampling) <=
                 PreviewQuality::warmUpFrames * 33);
     }
 
@@ -176,5 +176,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(QualityLevelsTest)
-#include "test_quality_levels.moc"
+QTEST_APPLESS_MAIN(QualitiesTest)
+#include "test_qualities.moc"
