@@ -37,8 +37,6 @@ struct BenchOptions {
 constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
 /// Before any run counts, caches and page tables are filled.
 constexpr int warmUps = 3;
-/// OpenCV's version is that much slower: fewer runs tell as much.
-constexpr int runsPerOpenCvRun = 5;
 
 double millisecondsOf(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -58,42 +56,31 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"
 class ViewBench {
 public:
     ViewBench(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
-        : m_volume(volume),
-          m_view(view),
-          m_config(config),
-          m_touch(volume, view, config),
-          m_openCv(volume, view, config) {}
+        : m_volume(volume), m_view(view), m_config(config), m_touch(volume, view, config) {}
 
-    void run(bool counts, bool withOpenCv) {
+    void run(bool counts) {
         // Each is run once before it is timed: what came between has filled the caches with something else.
         auto otf = adaptOpacity(m_volume, m_view, m_config);
         const double total = millisecondsOf([&] { otf = adaptOpacity(m_volume, m_view, m_config); });
         m_sink = m_sink + m_touch.run();
         const double touch = millisecondsOf([&] { m_sink = m_sink + m_touch.run(); });
-        double openCv = 0.0;
-        if (withOpenCv) openCv = millisecondsOf([&] { m_sink = m_sink + m_openCv.run(); });
-        if (withOpenCv) m_difference = m_openCv.differenceTo(*otf);
         if (!counts) return;
         m_total.push_back(total);
         m_touchTimes.push_back(touch);
-        if (withOpenCv) m_openCvTimes.push_back(openCv);
         for (std::size_t i = 0; i < stages.size(); ++i) m_stages[i].push_back(otf->times.*stages[i].second);
     }
 
     [[nodiscard]] ordered_json report() const {
         ordered_json report;
-        const double total = medianOf(m_total), touch = medianOf(m_touchTimes), openCv = medianOf(m_openCvTimes);
+        const double total = medianOf(m_total), touch = medianOf(m_touchTimes);
         report["azimuth"] = m_view.azimuthDegrees;
         report["elevation"] = m_view.elevationDegrees;
         report["total_ms"] = total;
         report["touch_ms"] = touch;
-        report["opencv_ms"] = openCv;
         report["least_total_ms"] = leastOf(m_total);
         report["least_touch_ms"] = leastOf(m_touchTimes);
         report["times_touch"] = total / touch;
-        report["opencv_times_total"] = openCv / total;
         for (std::size_t i = 0; i < stages.size(); ++i) report["stages_ms"][stages[i].first] = medianOf(m_stages[i]);
-        report["opencv_difference"] = m_difference;
         return report;
     }
 
@@ -102,10 +89,8 @@ private:
     Viewpoint m_view;
     const AdaptiveOtfConfig& m_config;
     Touch m_touch;
-    OpenCvOtf m_openCv;
     volatile double m_sink = 0.0;
-    double m_difference = 0.0;
-    std::vector<double> m_total, m_touchTimes, m_openCvTimes;
+    std::vector<double> m_total, m_touchTimes;
     std::array<std::vector<double>, stages.size()> m_stages;
 };
 
@@ -130,15 +115,12 @@ std::string tableOf(const ordered_json& report) {
             stage.first, [&](const ordered_json& view) { return view["stages_ms"][stage.first].get<double>(); }, 3);
     for (const auto& [name, key] : {std::pair{"total", "total_ms"},
                                     {"touching the voxels", "touch_ms"},
-                                    {"the same with OpenCV", "opencv_ms"},
                                     {"least total", "least_total_ms"},
                                     {"least touching", "least_touch_ms"}})
         row(
             name, [&, k = key](const ordered_json& view) { return view[k].get<double>(); }, 3);
     row(
         "total / touching", [](const ordered_json& view) { return view["times_touch"].get<double>(); }, 2);
-    row(
-        "OpenCV / total", [](const ordered_json& view) { return view["opencv_times_total"].get<double>(); }, 1);
     table += fmt::format("sweep of {} views, {} thread(s): {:.3f} s\n", report["sweep_views"].get<int>(),
                          report["threads"].get<int>(), report["sweep_s"].get<double>());
     return table;
@@ -174,7 +156,7 @@ Result<void> bench(const BenchOptions& options) {
         const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
         ViewBench axisBench(**volume, axis, *config), obliqueBench(**volume, oblique, *config);
         for (int i = -warmUps; i < options.runs; ++i)
-            for (ViewBench* side : {&axisBench, &obliqueBench}) side->run(i >= 0, i % runsPerOpenCvRun == 0);
+            for (ViewBench* side : {&axisBench, &obliqueBench}) side->run(i >= 0);
         report["axis"] = axisBench.report();
         report["oblique"] = obliqueBench.report();
     }
@@ -196,8 +178,8 @@ void addBenchCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App& command = *program.add_subcommand("bench", "Measures how fast a stage is");
     command.require_subcommand(1);
-    CLI::App& otf = *command.add_subcommand(
-        "otf", "Times the adaptive OTF beside touching its voxels and beside OpenCV (docs/cli-bench.md)");
+    CLI::App& otf =
+        *command.add_subcommand("otf", "Times the adaptive OTF beside touching its voxels (docs/cli-bench.md)");
     options->volume.addTo(otf);
     otf.get_option("VOLUME")->required(false);
     options->view.addTo(otf);

@@ -1,9 +1,8 @@
-// What `bench otf` compares the adaptive OTF with: touching the voxels it needs, and the same stages with OpenCV.
+// What `bench otf` compares the adaptive OTF with: touching the voxels it needs.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf.h"
@@ -29,22 +28,6 @@ private:
     int m_columns;
     std::vector<TubeSamples> m_tubes;
     std::vector<std::size_t> m_rows;  ///< offsets of the rows; none: the tubes do not lie on voxels
-};
-
-/// The stages written with OpenCV as one would without knowing this program: cv::boxFilter and cv::sqrBoxFilter over
-/// slices where the tubes lie on voxels of slices, else trilinear interpolation sample by sample and cv::reduce; then
-/// one row of a matrix a tube core and cv::boxFilter, cv::log, cv::filter2D, cv::sort and cv::exp on those.
-class OpenCvOtf {
-public:
-    OpenCvOtf(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);
-    /// Runs all stages once; the curve's sum.
-    [[nodiscard]] double run();
-    /// The largest difference between its cell means and those of the method, normalised intensity.
-    [[nodiscard]] double differenceTo(const AdaptiveOtf& otf) const;
-
-private:
-    struct Stages;
-    std::shared_ptr<Stages> m_stages;
 };
 
 }  // namespace echolucent::cli

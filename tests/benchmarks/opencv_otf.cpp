@@ -1,3 +1,5 @@
+#include "tests/benchmarks/opencv_otf.h"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -6,7 +8,7 @@
 #include "processing/tube_core/surface_detection.h"
 #include "processing/tube_core/tube_grid.h"
 
-namespace echolucent::cli {
+namespace echolucent::bench {
 
 namespace {
 
@@ -30,7 +32,7 @@ struct OpenCvOtf::Stages {
     std::vector<Surface> surfaces;
 
     Stages(const Volume& v, const Viewpoint& view, const AdaptiveOtfConfig& c)
-        : volume(v), config(c), tubes(samplesOfTubes(v, view, c)) {
+        : volume(v), config(c), tubes(cli::samplesOfTubes(v, view, c)) {
         const TubeSamples& any = tubes.front();
         onSlices = any.onVoxels && any.along[2] != 0.0 && any.right[0] != 0.0;
         for (const TubeSamples& tube : tubes) longest = std::max(longest, tube.slabs);
@@ -289,4 +291,4 @@ double OpenCvOtf::differenceTo(const AdaptiveOtf& otf) const {
     return largest;
 }
 
-}  // namespace echolucent::cli
+}  // namespace echolucent::bench
