@@ -8,10 +8,10 @@
 
 #include "processing/picture/camera.h"
 #include "processing/picture/colour_map.h"
-#include "processing/volume/interpolation.h"
 #include "processing/picture/render_mode.h"
 #include "processing/picture/shading.h"
 #include "processing/volume/geometry.h"
+#include "processing/volume/interpolation.h"
 
 namespace echolucent {
 

@@ -43,9 +43,9 @@ struct KernelJob {
     float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
     const ColourBends* colourBends = nullptr;      ///< null: the picture has light, depth colours or depths
-    const ByteOpacities* byteOpacities = nullptr;    ///< of bytes whose white level is not too low; else `table`
-    const LightSource* light = nullptr;              ///< null: no gradient is computed
-    float worthGradient = 0.0f;                      ///< LightSource::worthGradient for the step
+    const ByteOpacities* byteOpacities = nullptr;  ///< of bytes whose white level is not too low; else `table`
+    const LightSource* light = nullptr;            ///< null: no gradient is computed
+    float worthGradient = 0.0f;                    ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null: nothing may be jumped over
     const std::uint8_t* missing = nullptr;    ///< BrickRanges; null: all voxels carry data

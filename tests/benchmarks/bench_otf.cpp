@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/measuring/measures/median.h"
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks/opencv_otf.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "processing/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent::bench {
 

@@ -10,8 +10,7 @@ TEST(Bench, ReportsBothViewsAndASweep) {
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const auto report = nlohmann::json::parse(outcome.output);
     for (const std::string view : {"axis", "oblique"}) {
-        for (const std::string key : {"total_ms", "touch_ms"})
-            EXPECT_GT(report[view][key].get<double>(), 0.0) << key;
+        for (const std::string key : {"total_ms", "touch_ms"}) EXPECT_GT(report[view][key].get<double>(), 0.0) << key;
         for (const std::string stage : {"sampling", "cells", "detection", "weights", "curve"})
             EXPECT_GE(report[view]["stages_ms"][stage].get<double>(), 0.0) << stage;
     }

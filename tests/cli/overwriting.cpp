@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "../io/dicom_files.h"
 #include "program.h"
+#include "tests/io/dicom_files.h"
 
 namespace echolucent {
 namespace {

@@ -36,16 +36,10 @@ std::int64_t flag(bool value) { return value ? 1 : 0; }
 }  // namespace
 
 std::string renderCsv(const RenderStudy& study) {
-    CsvTable table({"letter",         "route",
-                    "parameter",      "value",
-                    "step",           "interpolation",
-                    "precision",      "termination",
-                    "skipping",       "whole_steps",
-                    "reduction",      "width",
-                    "height",         "time_ms",
-                    "time_ratio",     "rmse",
-                    "maximum",        "ssim",
-                    "precision_rmse", "precision_maximum",
+    CsvTable table({"letter",        "route",     "parameter",   "value",          "step",
+                    "interpolation", "precision", "termination", "skipping",       "whole_steps",
+                    "reduction",     "width",     "height",      "time_ms",        "time_ratio",
+                    "rmse",          "maximum",   "ssim",        "precision_rmse", "precision_maximum",
                     "front"});
     for (const RenderResult& result : study.results) {
         const RenderVariant& variant = result.variant;

@@ -77,9 +77,8 @@ void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})
             if (step >= 1.0 || reduction == 1.0) {
-                const std::string value =
-                    fmt::format("{}step {:g}, ends at 1/128",
-                                reduction > 1.0 ? fmt::format("1/{:g} size, ", reduction) : "", step);
+                const std::string value = fmt::format(
+                    "{}step {:g}, ends at 1/128", reduction > 1.0 ? fmt::format("1/{:g} size, ", reduction) : "", step);
                 list.add("combination", value, [&](RenderVariant& v) {
                     v.reduction = reduction;
                     v.settings.step = step;

@@ -134,44 +134,44 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
         volumeOf<std::uint8_t>({40, 40, 90}, {1, 1, 1}, [](auto, auto, auto z) { return z >= 71 ? 1.0 : 0.0; });
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const double step : {0.05, 0.5, 1.7}) {
-                RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 16);
-                settings.camera.projection = projection;
-                settings.camera.heightMm = 30;
-                settings.camera.distanceMm = 120;
-                settings.camera.viewAngleDegrees = 10;
-                settings.nearPlaneDepthMm = -INFINITY;
-                settings.interpolation = Interpolation::nearest;
-                settings.findDepth = true;
-                settings.step = step;
-                const auto picture = castRays(volume, ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}}, settings);
-                ASSERT_EQ(picture->depthMm.size(), 20u * 16u);
-                for (const float depth : picture->depthMm) {
-                    EXPECT_GE(depth, 70.5 - 1e-4);
-                    EXPECT_LE(depth, 70.5 + step + 1e-4);
-                }
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 16);
+            settings.camera.projection = projection;
+            settings.camera.heightMm = 30;
+            settings.camera.distanceMm = 120;
+            settings.camera.viewAngleDegrees = 10;
+            settings.nearPlaneDepthMm = -INFINITY;
+            settings.interpolation = Interpolation::nearest;
+            settings.findDepth = true;
+            settings.step = step;
+            const auto picture = castRays(volume, ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}}, settings);
+            ASSERT_EQ(picture->depthMm.size(), 20u * 16u);
+            for (const float depth : picture->depthMm) {
+                EXPECT_GE(depth, 70.5 - 1e-4);
+                EXPECT_LE(depth, 70.5 + step + 1e-4);
             }
+        }
 }
 
 TEST(RayCasterModes, DepthIsWhereHalfTheOpacityIsReached) {
     const Volume volume = constantVolume<std::uint16_t>({10, 10, 400}, 0.4);
     for (const double opacity : {0.0016, 0.0021, 0.01, 0.05, 0.3, 0.49, 0.51, 1.0})
         for (const double step : {0.25, 1.0, 2.0}) {
-                RayCastSettings settings = settingsFor(volume, Viewpoint{}, 5, 5);
-                settings.camera.heightMm = 5;
-                settings.findDepth = true;
-                settings.step = step;
-                settings.terminationTransmittance = 1.0 / 512;
-                const double perStep = opacityForStep(opacity, step);
-                const double samples = perStep >= 1.0 ? 1.0 : std::ceil(std::log(0.5) / std::log1p(-perStep));
-                const bool reached = samples * step <= 400;
-                const auto picture = castRays(volume, everywhere(opacity), settings);
-                for (const float depth : picture->depthMm) {
-                    if (reached)
-                        ASSERT_NEAR(depth, -0.5 + (samples - 0.5) * step, 1e-3) << opacity << " at step " << step;
-                    else
-                        ASSERT_EQ(depth, INFINITY) << "half is never reached with " << opacity << " at step " << step;
-                }
+            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 5, 5);
+            settings.camera.heightMm = 5;
+            settings.findDepth = true;
+            settings.step = step;
+            settings.terminationTransmittance = 1.0 / 512;
+            const double perStep = opacityForStep(opacity, step);
+            const double samples = perStep >= 1.0 ? 1.0 : std::ceil(std::log(0.5) / std::log1p(-perStep));
+            const bool reached = samples * step <= 400;
+            const auto picture = castRays(volume, everywhere(opacity), settings);
+            for (const float depth : picture->depthMm) {
+                if (reached)
+                    ASSERT_NEAR(depth, -0.5 + (samples - 0.5) * step, 1e-3) << opacity << " at step " << step;
+                else
+                    ASSERT_EQ(depth, INFINITY) << "half is never reached with " << opacity << " at step " << step;
             }
+        }
 }
 
 TEST(RayCasterModes, DepthOfExtremesIsThatOfTheSampleShown) {
@@ -237,19 +237,19 @@ TEST(RayCasterModes, ATintedSlabIsTheSumOfItsSteps) {
     const Volume volume = constantVolume<std::uint16_t>({30, 30, 150}, 1.0);
     const DepthColouring colouring{{0.9, 0.7, 0.5}, {0.2, 0.4, 1.0}};
     for (const bool shaded : {false, true}) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
-            settings.camera.heightMm = 20;
-            settings.colourMap = ColourMap::grey;
-            settings.depthColouring = colouring;
-            if (shaded) settings.shading = Shading{.ambient = 1.0, .diffuse = 0.0, .specular = 0.0};
-            Vec3 sum{0, 0, 0};
-            double transmittance = 1.0;
-            for (int z = 0; z < 150; ++z, transmittance *= 0.98)
-                sum += (colouring.nearTint * (1 - (z + 0.5) / 150) + colouring.farTint * ((z + 0.5) / 150)) *
-                       (0.02 * transmittance);
-            const auto picture = castRays(volume, everywhere(0.02), settings);
-            for (int channel = 0; channel < 3; ++channel)
-                EXPECT_NEAR(pixelAt(*picture, 3, 3)[channel], sum[channel], 2e-5) << shaded;
+        RayCastSettings settings = settingsFor(volume, Viewpoint{}, 8, 8);
+        settings.camera.heightMm = 20;
+        settings.colourMap = ColourMap::grey;
+        settings.depthColouring = colouring;
+        if (shaded) settings.shading = Shading{.ambient = 1.0, .diffuse = 0.0, .specular = 0.0};
+        Vec3 sum{0, 0, 0};
+        double transmittance = 1.0;
+        for (int z = 0; z < 150; ++z, transmittance *= 0.98)
+            sum += (colouring.nearTint * (1 - (z + 0.5) / 150) + colouring.farTint * ((z + 0.5) / 150)) *
+                   (0.02 * transmittance);
+        const auto picture = castRays(volume, everywhere(0.02), settings);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(pixelAt(*picture, 3, 3)[channel], sum[channel], 2e-5) << shaded;
     }
 }
 

@@ -21,7 +21,8 @@ std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, cons
         const bool half = transmittance * (1.0 - share) <= 0.5;
         if (half || transmittance * share > largest) {
             largest = transmittance * share;
-            pointed = PointedSample{*sample.intensity, opacity, request.volume->geometry().gridMmFromVoxel(sample.voxel)};
+            pointed =
+                PointedSample{*sample.intensity, opacity, request.volume->geometry().gridMmFromVoxel(sample.voxel)};
         }
         transmittance *= 1.0 - share;
         if (half) break;
@@ -55,8 +56,7 @@ std::optional<PointedSample> samplePointedAt(const PictureRequest& request, doub
     const RayCastSettings& settings = request.settings;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     if (column < 0 || column >= settings.width || row < 0 || row >= settings.height) return std::nullopt;
-    const std::vector<RaySample> ray =
-        PlainCaster(*request.volume, request.curve, settings).samplesOf(column, row);
+    const std::vector<RaySample> ray = PlainCaster(*request.volume, request.curve, settings).samplesOf(column, row);
     return settings.mode == RenderMode::direct ? sampleByOpacity(request, ray) : sampleByIntensity(request, ray);
 }
 
