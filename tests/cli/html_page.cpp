@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -114,6 +115,19 @@ TEST(Plot, AValueThatIsNotFiniteIsAGap) {
     EXPECT_EQ(countOf(found[1], "L"), 2U);
 }
 
+TEST(Plot, ALineHasThePointsThatItsShapeNeeds) {
+    PlotSeries line;
+    for (int i = 0; i <= 1000; ++i) {
+        line.x.push_back(i);
+        line.y.push_back(i <= 300 ? 0.0 : i - 300.0);
+    }
+    const std::string svg = svgOf(plotOf({line}));
+    static const std::regex path("class=\"line[^>]* d=\"([^\"]*)\"");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(svg, found, path));
+    EXPECT_EQ(countOf(found[1], "L"), 2U) << "the kink and the end: " << found[1];
+}
+
 TEST(Plot, SeriesOfTheCurvesHaveTheirColours) {
     std::vector<PlotSeries> series(7);
     const char* names[] = {"other", "quartic", "linear, eq. 1", "adaptive", "parabolic", "manual", "adaptive, settled"};
@@ -195,12 +209,34 @@ TEST(HtmlPage, HoldsEverythingAndIsWellFormed) {
     EXPECT_EQ(problemOf(text), "");
     EXPECT_NE(text.find("&lt;i&gt;heading"), std::string::npos);
     EXPECT_NE(text.find("<td>a&lt;b</td><td class=\"number\">1.5×</td>"), std::string::npos) << text;
-    EXPECT_EQ(countOf(text, "data:image/png;base64,"), 5U)
-        << "a picture, and two images of a map by both names of the link";
+    EXPECT_EQ(countOf(text, "data:image/png;base64,"), 3U) << "a picture, and two images of a map";
     EXPECT_NE(text.find("not a medical device"), std::string::npos);
     // Self-contained: the only addresses are the name of SVG's vocabulary.
     EXPECT_EQ(countOf(text, "http"), countOf(text, "http://www.w3.org/2000/svg"));
     EXPECT_EQ(text.find("<script"), std::string::npos);
+}
+
+/// A picture that no compression makes small: random grey levels of 8 bits.
+Picture noise(int edge) {
+    Picture picture{edge, edge, {}, {}};
+    std::mt19937 random(7);
+    for (int i = 0; i < edge * edge; ++i) {
+        const float level = static_cast<float>(random() % 256) / 255.0f;
+        picture.rgba.insert(picture.rgba.end(), {level, level, level, 1.0f});
+    }
+    return picture;
+}
+
+TEST(HtmlPage, KeepsItsLimitWhateverPicturesItHolds) {
+    HtmlPage small("few"), large("many");
+    small.picture(noise(100), "one");
+    for (int i = 0; i < 20; ++i) large.picture(noise(200), "one of many");
+    large.heatMap({"map", "across", "down", 0, 1, 0, 1, 300, std::vector<double>(300 * 300, 0.5)});
+    EXPECT_GT(small.text().size(), 10000U) << "a page with room shows each pixel";
+    const std::string text = large.text();
+    EXPECT_LE(text.size(), HtmlPage::mostBytes);
+    EXPECT_EQ(problemOf(text), "");
+    EXPECT_EQ(countOf(text, "width=\"200\" height=\"200\""), 20U) << "coarser pictures take the same room";
 }
 
 TEST(HtmlPage, AHeatMapHasWholeRows) {

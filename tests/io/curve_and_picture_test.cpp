@@ -80,6 +80,27 @@ TEST(PictureFile, PngHoldsThePixels) {
     EXPECT_EQ(read, rgb);
 }
 
+TEST(PictureFile, APaletteGivesTheSamePixelsInFewerBytes) {
+    const std::vector<std::uint8_t> palette{10, 20, 30, 200, 100, 50, 255, 255, 255};
+    std::vector<std::uint8_t> indices, rgb;
+    for (std::size_t i = 0; i < 64 * 32; ++i) {
+        indices.push_back(static_cast<std::uint8_t>(i * i % 3));
+        for (std::size_t channel = 0; channel < 3; ++channel) rgb.push_back(palette[indices.back() * 3u + channel]);
+    }
+    const std::string bytes = palettePngBytes(64, 32, indices, palette);
+    EXPECT_LT(bytes.size(), pngBytes(64, 32, rgb).size());
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    ASSERT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
+    image.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> read(PNG_IMAGE_SIZE(image));
+    ASSERT_NE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr), 0);
+    EXPECT_EQ(read, rgb);
+    EXPECT_THROW((void)palettePngBytes(64, 32, indices, std::span(palette).first(6)), std::invalid_argument)
+        << "a place outside the palette";
+    EXPECT_THROW((void)palettePngBytes(64, 31, indices, palette), std::invalid_argument);
+}
+
 TEST(PictureFile, RefusesWhatDoesNotFit) {
     EXPECT_THROW((void)writePng("p.png", 2, 2, std::vector<std::uint8_t>(11)), std::invalid_argument);
     const auto written = writePng("/nonexistent-folder/p.png", 1, 1, std::vector<std::uint8_t>(3));

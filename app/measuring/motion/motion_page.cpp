@@ -144,7 +144,8 @@ Spread spreadOf(const std::vector<SampledCurve>& course) {
     return spread;
 }
 
-/// Intensity 1 on top, frames to the right; valueOf(opacity, sample) in [0,1].
+/// Intensity 1 on top, frames to the right; valueOf(opacity, sample) in [0,1]. A row is the mean over four intensities:
+/// finer rows cannot be told apart on the page.
 template <typename ValueOf>
 HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& course, const std::string& title,
               const ValueOf& valueOf) {
@@ -157,10 +158,17 @@ HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& cou
                 .yLast = 0.0,
                 .columns = course.size(),
                 .values = {}};
-    const std::size_t samples = course.front().opacities.size();
-    for (std::size_t row = 0; row < samples; ++row)
-        for (const SampledCurve& curve : course)
-            map.values.push_back(valueOf(curve.opacities[samples - 1 - row], samples - 1 - row));
+    constexpr std::size_t samplesOfRow = 4;
+    const std::size_t rows = course.front().opacities.size() / samplesOfRow;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (const SampledCurve& curve : course) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < samplesOfRow; ++i) {
+                const std::size_t sample = (rows - 1 - row) * samplesOfRow + i;
+                sum += valueOf(curve.opacities[sample], sample);
+            }
+            map.values.push_back(sum / samplesOfRow);
+        }
     return map;
 }
 

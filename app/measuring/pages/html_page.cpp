@@ -26,6 +26,7 @@ th,td{padding:.25rem .7rem;border-bottom:1px solid #d5d9de;text-align:left;verti
 th{border-bottom:2px solid #888}.number{text-align:right;font-variant-numeric:tabular-nums}
 figure{display:inline-block;margin:.6rem .8rem .6rem 0;vertical-align:top;max-width:100%}
 figcaption{color:#555;font-size:13px;max-width:32rem}svg,img{max-width:100%;height:auto}
+img.pixels{image-rendering:pixelated}
 footer{margin-top:3rem;color:#555;font-size:13px}
 )";
 constexpr std::string_view darkStyle =
@@ -41,7 +42,7 @@ std::string wholeStyle() {
     return std::string(style) + "@media (prefers-color-scheme:dark){" + dark + "}\n";
 }
 
-/// Says nothing either way: the dashes and blanks that stand where a table has no value.
+/// Whether a cell says nothing: dashes and blanks stand where a table has no value.
 bool isBlank(const std::string& cell) { return cell.empty() || cell == "-" || cell == "—" || cell == "–"; }
 
 bool isNumeric(const std::string& cell) {
@@ -63,7 +64,8 @@ std::vector<bool> numericColumns(std::size_t columns, const std::vector<std::vec
     return numeric;
 }
 
-/// Values in [0,1] as colours of the viridis map, which is even to the eye and to the colour blind; grey where none.
+/// Values in [0,1] as colours of the viridis map, which is even to the eye and to the colour blind; a value that is not
+/// finite is grey.
 std::vector<std::uint8_t> coloured(const std::vector<double>& values) {
     constexpr std::uint8_t greyOfNone = 128;
     cv::Mat levels(1, static_cast<int>(values.size()), CV_8U), bgr;
@@ -82,28 +84,43 @@ std::vector<std::uint8_t> coloured(const std::vector<double>& values) {
 }
 
 std::string inkText(double x, double y, std::string_view anchor, const std::string& text) {
-    return fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x,
+    return fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x,
                        y, anchor, escaped(text));
 }
 
 std::string stretchedImage(double x, double y, double width, double height, const std::string& uri) {
     return fmt::format(
         "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" preserveAspectRatio=\"none\" "
-        "style=\"image-rendering:pixelated\" href=\"{4}\" xlink:href=\"{4}\"/>\n",
+        "style=\"image-rendering:pixelated\" href=\"{4}\"/>\n",
         x, y, width, height, uri);
 }
 
+/// 8-bit RGB, each pixel the mean of `square` * `square` pixels; those of the last row and column may stand for fewer.
+struct SmallPicture {
+    int width, height;
+    std::vector<std::uint8_t> rgb;
+};
+SmallPicture coarser(int width, int height, std::vector<std::uint8_t> rgb, int square) {
+    if (square == 1) return {width, height, std::move(rgb)};
+    const cv::Mat whole(height, width, CV_8UC3, rgb.data());
+    cv::Mat small;
+    cv::resize(whole, small, cv::Size((width + square - 1) / square, (height + square - 1) / square), 0, 0,
+               cv::INTER_AREA);
+    return {small.cols, small.rows, {small.datastart, small.dataend}};
+}
+
 /// The map with ticks at its sides and the scale of its colours beside it.
-std::string svgOf(const HeatMap& map) {
+std::string svgOf(const HeatMap& map, int coarseness) {
     constexpr double left = 78, top = 40, wide = 560, high = 344, barLeft = 664, barWide = 18, steps = 5;
     const int columns = static_cast<int>(map.columns), rows = static_cast<int>(map.values.size() / map.columns);
     std::string body = fmt::format(
         "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", left,
         escaped(map.title));
-    body += stretchedImage(left, top, wide, high, pngDataUri(columns, rows, coloured(map.values)));
-    std::vector<double> scale(256);
-    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = 1.0 - static_cast<double>(i) / 255.0;
-    body += stretchedImage(barLeft, top, barWide, high, pngDataUri(1, 256, coloured(scale)));
+    const SmallPicture image = coarser(columns, rows, coloured(map.values), coarseness);
+    body += stretchedImage(left, top, wide, high, pngDataUri(image.width, image.height, image.rgb));
+    std::vector<double> scale(64);
+    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = 1.0 - static_cast<double>(i) / 63.0;
+    body += stretchedImage(barLeft, top, barWide, high, pngDataUri(1, 64, coloured(scale)));
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
         const double share = i / steps;
         // First and last name the outermost cells' centres, half a cell inside the picture.
@@ -129,9 +146,13 @@ std::string svgOf(const HeatMap& map) {
 
 HtmlPage::HtmlPage(std::string title) : m_title(std::move(title)) {}
 
-void HtmlPage::heading(const std::string& text) { m_body += "<h2>" + escaped(text) + "</h2>\n"; }
+void HtmlPage::add(std::string markup) {
+    m_pieces.emplace_back([markup = std::move(markup)](int) { return markup; });
+}
 
-void HtmlPage::paragraph(const std::string& text) { m_body += "<p>" + escaped(text) + "</p>\n"; }
+void HtmlPage::heading(const std::string& text) { add("<h2>" + escaped(text) + "</h2>\n"); }
+
+void HtmlPage::paragraph(const std::string& text) { add("<p>" + escaped(text) + "</p>\n"); }
 
 void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                      const std::string& caption) {
@@ -140,39 +161,53 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
         const bool right = column < numeric.size() && numeric[column];
         return fmt::format("<{0}{1}>{2}</{0}>", tag, right ? " class=\"number\"" : "", escaped(text));
     };
-    m_body += "<div class=\"scroll\"><table>\n";
-    if (!caption.empty()) m_body += "<caption>" + escaped(caption) + "</caption>\n";
-    m_body += "<thead><tr>";
-    for (std::size_t c = 0; c < columns.size(); ++c) m_body += cell("th", c, columns[c]);
-    m_body += "</tr></thead>\n<tbody>\n";
+    std::string markup = "<div class=\"scroll\"><table>\n";
+    if (!caption.empty()) markup += "<caption>" + escaped(caption) + "</caption>\n";
+    markup += "<thead><tr>";
+    for (std::size_t c = 0; c < columns.size(); ++c) markup += cell("th", c, columns[c]);
+    markup += "</tr></thead>\n<tbody>\n";
     for (const auto& row : rows) {
-        m_body += "<tr>";
-        for (std::size_t c = 0; c < row.size(); ++c) m_body += cell("td", c, row[c]);
-        m_body += "</tr>\n";
+        markup += "<tr>";
+        for (std::size_t c = 0; c < row.size(); ++c) markup += cell("td", c, row[c]);
+        markup += "</tr>\n";
     }
-    m_body += "</tbody></table></div>\n";
+    add(markup + "</tbody></table></div>\n");
 }
 
-void HtmlPage::plot(const Plot& plot) { m_body += "<figure>" + cli::svgOf(plot) + "</figure>\n"; }
+void HtmlPage::plot(const Plot& plot) { add("<figure>" + cli::svgOf(plot) + "</figure>\n"); }
 
 void HtmlPage::heatMap(const HeatMap& map) {
     if (map.columns == 0 || map.values.empty() || map.values.size() % map.columns != 0)
         throw std::invalid_argument("HtmlPage::heatMap: the values do not fill whole rows");
-    m_body += "<figure>" + svgOf(map) + "</figure>\n";
+    m_pieces.emplace_back([map](int coarseness) { return "<figure>" + svgOf(map, coarseness) + "</figure>\n"; });
 }
 
-void HtmlPage::picture(const Picture& picture, const std::string& caption) {
-    m_body += fmt::format(
-        "<figure><img alt=\"{0}\" width=\"{1}\" height=\"{2}\" src=\"{3}\"/><figcaption>{0}</figcaption></figure>\n",
-        escaped(caption), picture.width, picture.height,
-        pngDataUri(picture.width, picture.height, overBackground(picture, {0, 0, 0})));
+void HtmlPage::picture(const Picture& picture, const std::string& caption, int zoom) {
+    const int width = picture.width, height = picture.height;
+    m_pieces.emplace_back([=, rgb = overBackground(picture, {0, 0, 0})](int coarseness) {
+        const SmallPicture image = coarser(width, height, rgb, coarseness);
+        const bool pixelated = zoom > 1 || coarseness > 1;
+        return fmt::format(
+            "<figure><img alt=\"{0}\" width=\"{1}\" height=\"{2}\"{4} src=\"{3}\"/>"
+            "<figcaption>{0}</figcaption></figure>\n",
+            escaped(caption), width * zoom, height * zoom, pngDataUri(image.width, image.height, image.rgb),
+            pixelated ? " class=\"pixels\"" : "");
+    });
 }
 
 std::string HtmlPage::text() const {
+    std::string text = textAt(1);
+    for (int coarseness = 2; coarseness <= coarsest && text.size() > mostBytes; ++coarseness) text = textAt(coarseness);
+    return text;
+}
+
+std::string HtmlPage::textAt(int coarseness) const {
+    std::string body;
+    for (const auto& piece : m_pieces) body += piece(coarseness);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
            escaped(m_title) + "</title>\n<style>" + wholeStyle() + "</style>\n</head>\n<body>\n<h1>" +
-           escaped(m_title) + "</h1>\n" + m_body +
+           escaped(m_title) + "</h1>\n" + body +
            "<footer>Echolucent is not a medical device.</footer>\n</body>\n</html>\n";
 }
 

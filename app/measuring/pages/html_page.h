@@ -1,7 +1,7 @@
 // A report as one HTML file that needs nothing beside it: text, tables, plots as SVG, pictures inside.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,8 +35,14 @@ struct HeatMap {
     std::vector<double> values;  ///< row-major
 };
 
+/// A report that needs nothing beside it. Where text, tables and plots leave room for it, a page keeps below
+/// `mostBytes`: its pictures and maps are made coarser, all by the same whole factor, until it does.
 class HtmlPage {
 public:
+    static constexpr std::size_t mostBytes = 200'000;
+    /// The pictures of a page are never made coarser than by this factor, so that something is still seen.
+    static constexpr int coarsest = 8;
+
     /// Text is escaped everywhere.
     explicit HtmlPage(std::string title);
     void heading(const std::string& text);
@@ -46,13 +52,19 @@ public:
                const std::string& caption = {});
     void plot(const Plot& plot);
     void heatMap(const HeatMap& map);
-    /// Side by side with what follows, as far as the page is wide.
-    void picture(const Picture& picture, const std::string& caption);
+    /// The picture over black, side by side with what follows, as far as the page is wide. Each pixel is shown as
+    /// `zoom` pixels across and down (1 or more).
+    void picture(const Picture& picture, const std::string& caption, int zoom = 1);
     /// The whole page; ends with the sentence that this is not a medical device.
     [[nodiscard]] std::string text() const;
 
 private:
-    std::string m_title, m_body;
+    [[nodiscard]] std::string textAt(int coarseness) const;
+    void add(std::string markup);
+
+    std::string m_title;
+    /// The page's markup, piece by piece, with pictures coarser by a factor.
+    std::vector<std::function<std::string(int coarseness)>> m_pieces;
 };
 
 }  // namespace echolucent::cli

@@ -1,6 +1,8 @@
 #include "app/measuring/pages/html_text.h"
 
-#include <array>
+#include <map>
+#include <optional>
+#include <vector>
 
 #include "io/output/picture_file.h"
 
@@ -22,6 +24,26 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+/// A picture as places in a palette of its own colours.
+struct Indexed {
+    std::vector<std::uint8_t> indices, palette;
+};
+
+/// Nothing where the picture has more than 256 colours.
+std::optional<Indexed> indexed(std::span<const std::uint8_t> rgb) {
+    constexpr std::size_t mostColours = 256;
+    Indexed picture;
+    std::map<std::uint32_t, std::uint8_t> places;
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+        const std::uint32_t colour = std::uint32_t{rgb[i]} << 16 | std::uint32_t{rgb[i + 1]} << 8 | rgb[i + 2];
+        const auto [place, isNew] = places.emplace(colour, static_cast<std::uint8_t>(places.size()));
+        if (isNew && places.size() > mostColours) return std::nullopt;
+        if (isNew) picture.palette.insert(picture.palette.end(), &rgb[i], &rgb[i] + 3);
+        picture.indices.push_back(place->second);
+    }
+    return picture;
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -39,7 +61,9 @@ std::string escaped(std::string_view text) {
 }
 
 std::string pngDataUri(int width, int height, std::span<const std::uint8_t> rgb) {
-    return "data:image/png;base64," + base64(pngBytes(width, height, rgb));
+    const auto few = indexed(rgb);
+    return "data:image/png;base64," +
+           base64(few ? palettePngBytes(width, height, few->indices, few->palette) : pngBytes(width, height, rgb));
 }
 
 }  // namespace echolucent::cli

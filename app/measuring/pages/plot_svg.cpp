@@ -39,6 +39,36 @@ std::vector<double> valuesOf(const Plot& plot, bool ofX) {
     return values;
 }
 
+struct Place {
+    double x, y;
+};
+
+/// Distance of a place from the line between two others, or from the first where they are one.
+double distanceFromLine(const Place& place, const Place& first, const Place& last) {
+    const double dx = last.x - first.x, dy = last.y - first.y, length = std::hypot(dx, dy);
+    if (length == 0.0) return std::hypot(place.x - first.x, place.y - first.y);
+    return std::abs(dx * (place.y - first.y) - dy * (place.x - first.x)) / length;
+}
+
+/// Appends the places after the first that a line needs so that no place lies farther than a fifth of a pixel from it
+/// (Douglas and Peucker 1973). A report's page stays small by it.
+void appendNeeded(const std::vector<Place>& line, std::size_t first, std::size_t last, std::vector<Place>& needed) {
+    constexpr double tolerance = 0.2;
+    std::size_t farthest = first;
+    double distance = tolerance;
+    for (std::size_t i = first + 1; i < last; ++i)
+        if (const double own = distanceFromLine(line[i], line[first], line[last]); own > distance) {
+            distance = own;
+            farthest = i;
+        }
+    if (farthest == first) {
+        needed.push_back(line[last]);
+        return;
+    }
+    appendNeeded(line, first, farthest, needed);
+    appendNeeded(line, farthest, last, needed);
+}
+
 class PlotDrawing {
 public:
     explicit PlotDrawing(const Plot& plot)
@@ -89,18 +119,18 @@ private:
 void PlotDrawing::drawGrid() {
     for (const PlotTick& tick : m_x.ticks()) {
         const double x = pixelX(tick.value);
-        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{0:.2f} {1}V{2}\"/>\n", x, top, bottom);
+        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{0:.1f} {1}V{2}\"/>\n", x, top, bottom);
         if (!tick.label.empty())
             m_body += fmt::format(
-                "<text class=\"ink\" fill=\"#333\" x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x,
+                "<text class=\"ink\" fill=\"#333\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x,
                 bottom + 18, escaped(tick.label));
     }
     for (const PlotTick& tick : m_y.ticks()) {
         const double y = pixelY(tick.value);
-        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{1} {0:.2f}H{2}\"/>\n", y, left, right);
+        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{1} {0:.1f}H{2}\"/>\n", y, left, right);
         if (!tick.label.empty())
             m_body +=
-                fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
+                fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
                             left - 8, y + 4, escaped(tick.label));
     }
     m_body += fmt::format(
@@ -127,13 +157,20 @@ void PlotDrawing::drawLine(std::size_t index) {
     if (!series.line) return;
     std::string path;
     const std::size_t count = countOf(series);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!shows(series, i)) continue;
-        const bool begins = i == 0 || !shows(series, i - 1), ends = i + 1 == count || !shows(series, i + 1);
-        const double x = pixelX(series.x[i]), y = pixelY(series.y[i]);
-        path += fmt::format("{}{:.2f} {:.2f}", begins ? 'M' : 'L', x, y);
+    std::vector<Place> piece;  // what lies between two gaps
+    for (std::size_t i = 0; i <= count; ++i) {
+        if (i < count && shows(series, i)) {
+            piece.push_back({pixelX(series.x[i]), pixelY(series.y[i])});
+            continue;
+        }
+        if (piece.empty()) continue;
+        std::vector<Place> needed{piece.front()};
+        if (piece.size() > 1) appendNeeded(piece, 0, piece.size() - 1, needed);
+        for (std::size_t k = 0; k < needed.size(); ++k)
+            path += fmt::format("{}{:.1f} {:.1f}", k == 0 ? 'M' : 'L', needed[k].x, needed[k].y);
         // A point between two gaps has no line of its own; a round cap on nothing shows it.
-        if (begins && ends) path += "h0";
+        if (needed.size() == 1) path += "h0";
+        piece.clear();
     }
     if (path.empty()) return;
     m_body += fmt::format(
@@ -147,7 +184,7 @@ void PlotDrawing::drawMarker(std::size_t index, double x, double y, const std::s
     static constexpr std::array<std::string_view, 5> shapes{"M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z",
                                                             "M-3.6 -3.6h7.2v7.2h-7.2z", "M0 -5L5 0L0 5L-5 0z",
                                                             "M0 -4.8L4.6 3.6H-4.6z", "M0 4.8L4.6 -3.6H-4.6z"};
-    m_body += fmt::format("<path class=\"marker c{}\" fill=\"{}\" transform=\"translate({:.2f} {:.2f})\" d=\"{}\">",
+    m_body += fmt::format("<path class=\"marker c{}\" fill=\"{}\" transform=\"translate({:.1f} {:.1f})\" d=\"{}\">",
                           m_colours[index], colour(index).onLight, x, y, shapes[index % shapes.size()]);
     if (!says.empty()) m_body += "<title>" + escaped(says) + "</title>";
     m_body += "</path>\n";
@@ -184,7 +221,7 @@ void PlotDrawing::drawLabels(std::size_t index) {
         if (free == places.end()) continue;
         m_taken.push_back(*free);
         m_body +=
-            fmt::format("<text class=\"ink\" fill=\"#333\" font-size=\"11\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n",
+            fmt::format("<text class=\"ink\" fill=\"#333\" font-size=\"11\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
                         free->x, free->y + height - 2, escaped(series.labels[i]));
     }
 }
