@@ -74,9 +74,9 @@ struct RenderStudy {
 /// Marks the settings of the kernel that no other beats in both run time and RMSE.
 void markFront(std::vector<RenderResult>& results);
 
-/// What a quality level may err by, in 8-bit levels.
+/// What a quality level may err by, in 8-bit levels: RMSE and largest difference from the converged reference.
 struct QualityBound {
-    std::string name;
+    std::string name;  ///< as the program names its level (widgets/volume_view/quality_levels.h)
     double rmse, largest = std::numeric_limits<double>::infinity();
 };
 /// From fine to coarse.
@@ -92,6 +92,8 @@ struct QualityBound {
 [[nodiscard]] Picture middleOf(const Picture& picture, int width, int height);
 /// Means over squares of pixels, so that neither edge is longer than `edge`; pixels that fill no square are left out.
 [[nodiscard]] Picture overviewOf(const Picture& picture, int edge);
+/// The luminance of a picture (0.2126 red, 0.7152 green, 0.0722 blue) as a picture in grey.
+[[nodiscard]] Picture inGrey(Picture picture);
 
 [[nodiscard]] std::string renderCsv(const RenderStudy& study);
 /// All settings, the kernel's front, the settings within the bounds, the precisions of the plain route.

@@ -158,11 +158,7 @@ void markFront(std::vector<RenderResult>& results) {
 }
 
 std::vector<QualityBound> qualityBounds() {
-    return {{"finest", 0.5, 4.0},
-            {"high quality", 1.0, 8.0},
-            {"fine preview", 2.0},
-            {"preview", 4.0},
-            {"coarse preview", 8.0}};
+    return {{"converged", 0.5, 4.0}, {"high quality", 1.0, 8.0}, {"preview", 2.0}, {"preview", 4.0}, {"preview", 8.0}};
 }
 
 const RenderResult* fastestWithin(const QualityBound& bound, const std::vector<RenderResult>& results) {

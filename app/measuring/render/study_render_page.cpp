@@ -10,7 +10,7 @@ namespace echolucent::cli {
 
 namespace {
 
-constexpr int overviewEdge = 320, detailEdge = 160;  // pixels; the page stays below 1.5 MB
+constexpr int overviewEdge = 128, detailEdge = 80, zoom = 2;  // pixels; the page keeps within HtmlPage::mostBytes
 constexpr double amplification = 8.0;
 
 /// Settings of one axis, by run time and RMSE.
@@ -84,7 +84,8 @@ std::vector<std::pair<std::string, const RenderResult*>> shownResults(const Rend
         else
             known->first += ", " + name;
     };
-    for (const QualityBound& bound : qualityBounds()) add(bound.name, fastestWithin(bound, study.results));
+    for (const QualityBound& bound : qualityBounds())
+        add(fmt::format("{} (RMSE {:g})", bound.name, bound.rmse), fastestWithin(bound, study.results));
     for (const RenderResult& result : study.results) {
         if (result.variant.axis == "interpolation") add("nearest voxel", &result);
         if (result.variant.plain == asTheKernel(1.0, CompositingPrecision::eightBit) &&
@@ -97,24 +98,25 @@ std::vector<std::pair<std::string, const RenderResult*>> shownResults(const Rend
 void addPictures(HtmlPage& page, const RenderStudy& study, const RenderCase& one) {
     page.heading("Pictures");
     page.paragraph(fmt::format(
-        "The converged reference, and of each setting the middle {0} pixels an edge with its difference from the "
-        "reference: grey where there is none, brighter where the setting's picture is, {1:g} times amplified (black "
-        "and white are {2:.0f} levels off).",
-        detailEdge, amplification, 127.5 / amplification));
-    page.picture(overviewOf(study.converged, overviewEdge), "The converged reference, reduced");
+        "These are the luminances of the converged reference and of the middle {0} pixels an edge of each setting, "
+        "{3} times enlarged. Beside each setting stands its difference from the reference, {1:g} times amplified: it "
+        "is grey where there is none and brighter where the setting's picture is (black and white are {2:.0f} levels "
+        "off).",
+        detailEdge, amplification, 127.5 / amplification, zoom));
+    page.picture(inGrey(overviewOf(study.converged, overviewEdge)), "The converged reference, reduced", zoom);
     const Picture detail = middleOf(study.converged, detailEdge, detailEdge);
-    page.picture(detail, "Its middle");
+    page.picture(inGrey(detail), "Its middle", zoom);
     RayCaster caster(one.volume);
-    page.picture(overviewOf(signedDifference(pictureOf(study.results.front().variant, one, caster), study.converged,
-                                             amplification),
-                            overviewEdge),
-                 "The reference setting's difference over the whole picture, reduced");
+    const Picture reference = pictureOf(study.results.front().variant, one, caster);
+    page.picture(inGrey(overviewOf(signedDifference(reference, study.converged, amplification), overviewEdge)),
+                 "The reference setting's difference over the whole picture, reduced", zoom);
     for (const auto& [name, result] : shownResults(study)) {
         const Picture middle = middleOf(pictureOf(result->variant, one, caster), detailEdge, detailEdge);
-        page.picture(middle, fmt::format("{}. {}: {}", result->letter, name, result->variant.name()));
-        page.picture(signedDifference(middle, detail, amplification),
+        page.picture(inGrey(middle), fmt::format("{}. {}: {}", result->letter, name, result->variant.name()), zoom);
+        page.picture(inGrey(signedDifference(middle, detail, amplification)),
                      fmt::format("{}. Difference. RMSE {:.3g}, maximum {:.3g}, SSIM {:.5f}", result->letter,
-                                 result->error.rmse, result->error.largest, result->error.ssim));
+                                 result->error.rmse, result->error.largest, result->error.ssim),
+                     zoom);
     }
 }
 

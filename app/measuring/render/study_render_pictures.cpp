@@ -78,4 +78,13 @@ Picture overviewOf(const Picture& picture, int edge) {
     return overview;
 }
 
+Picture inGrey(Picture picture) {
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        float* pixel = &picture.rgba[i];
+        const float luminance = 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
+        std::fill_n(pixel, 3, luminance);
+    }
+    return picture;
+}
+
 }  // namespace echolucent::cli
