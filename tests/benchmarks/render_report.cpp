@@ -21,6 +21,9 @@ std::string fixed(const ordered_json& row, const char* key, int digits) {
     return fmt::format("{:.{}f}", row[key].get<double>(), digits);
 }
 
+/// The number with no more digits than it needs: steps are 0.25, 0.75 and 1.
+std::string shortest(const ordered_json& row, const char* key) { return fmt::format("{:g}", row[key].get<double>()); }
+
 std::string pair(const ordered_json& row, const char* first, const char* second, int digits) {
     return fixed(row, first, digits) + " / " + fixed(row, second, digits);
 }
@@ -137,7 +140,7 @@ Table levelsTable(const ordered_json& rows) {
     for (const auto& row : rows)
         if (row["what"] == "level")
             table.rows.push_back({row["volume"].get<std::string>(), row["otf"].get<std::string>(), row["size"].dump(),
-                                  fixed(row, "reduction", 1), fixed(row, "step", 2), fixed(row, "ours_wall_ms", 1),
+                                  fixed(row, "reduction", 1), shortest(row, "step"), fixed(row, "ours_wall_ms", 1),
                                   fixed(row, "frames_per_second", 0), fixed(row, "ours_rmse", 2),
                                   fixed(row, "ours_max", 1)});
     return table;
