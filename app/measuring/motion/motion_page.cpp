@@ -13,6 +13,8 @@ namespace echolucent::cli {
 
 namespace {
 
+constexpr int stillZoom = 3;
+
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
 /// Share of the unsmoothed figure.
@@ -144,8 +146,8 @@ Spread spreadOf(const std::vector<SampledCurve>& course) {
     return spread;
 }
 
-/// Intensity 1 on top, frames to the right; valueOf(opacity, sample) in [0,1]. A row is the mean over four intensities:
-/// finer rows cannot be told apart on the page.
+/// Intensity 1 on top, frames to the right; valueOf(opacity, sample) in [0,1]. A row is the mean over eight
+/// intensities: finer rows cannot be told apart on the page.
 template <typename ValueOf>
 HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& course, const std::string& title,
               const ValueOf& valueOf) {
@@ -158,7 +160,7 @@ HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& cou
                 .yLast = 0.0,
                 .columns = course.size(),
                 .values = {}};
-    constexpr std::size_t samplesOfRow = 4;
+    constexpr std::size_t samplesOfRow = 8;
     const std::size_t rows = course.front().opacities.size() / samplesOfRow;
     for (std::size_t row = 0; row < rows; ++row)
         for (const SampledCurve& curve : course) {
@@ -226,7 +228,7 @@ std::string motionPage(const std::vector<MotionFigures>& cases) {
         addMaps(page, figures);
         if (!figures.stills.empty())
             page.paragraph("Both ends of the motion, with one OTF for all frames and with the frame's own (Fig. 9):");
-        for (const Still& still : figures.stills) page.picture(still.picture, still.caption);
+        for (const Still& still : figures.stills) page.picture(still.picture, still.caption, stillZoom);
     }
     return page.text();
 }

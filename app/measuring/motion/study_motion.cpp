@@ -24,7 +24,7 @@ struct MotionStudyOptions {
     std::string output;
 };
 
-constexpr int stillEdge = 224;
+constexpr int stillEdge = 64;  // pixels; larger ones would fill the page (HtmlPage::mostBytes)
 /// The paper's volume is 99.5 mm wide.
 constexpr double phantomExtentMm = 99.5;
 
