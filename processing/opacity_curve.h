@@ -54,7 +54,7 @@ using OpacityCurve = std::variant<ManualCurve, LinearCurve, PowerCurve, SampledC
 [[nodiscard]] double logOpacityAt(const OpacityCurve& curve, double intensity);
 
 /// The opacity that composites to the same transmittance over `stepRatio` reference steps: 1 - (1-opacity)^stepRatio,
-/// by -expm1(stepRatio * log1p(-opacity)), exact for opacities near 0 and 1 (method.md, traps).
+/// by -expm1(stepRatio * log1p(-opacity)), exact for opacities near 0 and 1 (docs/stability.md, "Numbers").
 [[nodiscard]] double opacityForStep(double opacity, double stepRatio);
 
 }  // namespace echolucent

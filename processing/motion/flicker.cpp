@@ -52,7 +52,8 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
     double heightMm = 0.0;
     for (const SweepFrame& frame : frames)
         heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).geometry(), frame.view, aspect).heightMm);
-    // Made where a frame first needs them; a caster keeps the samples of a view that is rendered with several OTFs.
+    // Casters are made where a frame first needs them; a caster keeps the samples of a view that is rendered with
+    // several OTFs.
     auto casters = std::make_shared<std::vector<std::optional<RayCaster>>>(phases.size());
     return [volumes = std::vector(phases.begin(), phases.end()), casters, heightMm, aspect, settings, progress](
                const SweepFrame& frame, const SampledCurve& otf) {

@@ -13,8 +13,8 @@ constexpr std::array<std::string_view, 4> smoothingNames{"none", "mean", "mls", 
 constexpr std::size_t framesOfPaper = 5;
 constexpr std::size_t orderOfPaper = 2;
 
-/// Newest first, over their sum: least second difference of all weights that are never negative and have a mean age of
-/// two frames (docs/motion.md derives them; a test proves the optimum).
+/// The taps, newest first. Over their sum they have the least second difference of all weights that are never negative
+/// and have a mean age of two frames (docs/motion.md derives them; a test proves the optimum).
 constexpr std::array<double, 6> leastFlickerTaps{63, 114, 124, 96, 51, 14};
 
 /// What is left of a power of time once the lower ones are taken out, relative to it, must exceed this.
@@ -28,8 +28,8 @@ double dot(const Column& left, const Column& right) {
     return sum;
 }
 
-/// Times from the newest back, in [0,1] of the history's span. Differences first, in extended range: epoch
-/// milliseconds keep every digit, and no span overflows or underflows.
+/// Times from the newest back, in [0,1] of the history's span. Differences are taken first and in extended range, so
+/// that epoch milliseconds keep every digit and no span overflows or underflows.
 std::vector<double> sharesOfSpan(std::span<const double> times) {
     const long double newest = times.back(), span = newest - static_cast<long double>(times.front());
     std::vector<double> shares;
@@ -67,7 +67,7 @@ std::vector<double> polynomialWeights(std::span<const double> times) {
     return weights;
 }
 
-/// Linear between the taps, by age in frames.
+/// The weight at an age in frames, linear between the taps.
 double leastFlickerTapAt(double age) {
     const auto before = std::min(static_cast<std::size_t>(age), leastFlickerTaps.size() - 1);
     const std::size_t after = std::min(before + 1, leastFlickerTaps.size() - 1);
@@ -146,7 +146,7 @@ SmoothingGains gainsOf(std::span<const double> weights) {
         if (i < count) gains.delay += at(i) * static_cast<double>(count - 1 - i);
         if (i < count) gains.leastWeight = std::min(gains.leastWeight, at(i));
     }
-    // Independent noise alone: 1 + 4 + 1.
+    // The second difference of independent noise alone has the variance 1 + 4 + 1.
     constexpr double unsmoothedSquares = 6.0;
     gains.noise = std::sqrt(squares);
     gains.flicker = std::sqrt(squaredDifferences / unsmoothedSquares);

@@ -11,12 +11,12 @@
 
 namespace echolucent {
 
-/// How the OTF of a frame follows from those of the frames before. Delay and gains: docs/motion.md.
+/// How the OTF of a frame follows from those of the frames before (docs/motion.md tells delay and gains).
 enum class OtfSmoothing {
-    none,                ///< each frame its own OTF
-    mean,                ///< mean of the newest five, the present one included
-    movingLeastSquares,  ///< polynomial of order two through the newest five, taken at the present time: may overshoot
-    leastFlicker,        ///< weights that are never negative and give the least flicker for their delay: the default
+    none,                ///< each frame has its own OTF
+    mean,                ///< the mean of the newest five, the present one included
+    movingLeastSquares,  ///< a polynomial of order two fitted to the newest five, at the present time; it may overshoot
+    leastFlicker,        ///< weights that are never negative and give the least flicker for their delay; the default
 };
 /// "none", "mean", "mls", "least-flicker".
 [[nodiscard]] std::string_view nameOf(OtfSmoothing smoothing);
@@ -25,27 +25,28 @@ enum class OtfSmoothing {
 /// How many frames a smoothing looks at, the present one included.
 [[nodiscard]] std::size_t framesUsed(OtfSmoothing smoothing);
 
-/// What the frames at these times weigh in the OTF of the newest of them. times: 1 to framesUsed() of them, oldest
-/// first, strictly ascending, finite, of any unit and origin. Weights in the same order; their sum is 1, and none is
-/// negative but for movingLeastSquares.
-///   mean                1/n each.
-///   movingLeastSquares  the newest time's row of the projection onto the polynomials of order min(2, n - 1), by QR on
-///                       centred, scaled times; where times lie too close to tell the powers apart, a lower order.
-///   leastFlicker        the taps of docs/motion.md, read at each frame's age in mean intervals (linear between taps),
-///                       times the time the frame stands for, over their sum. At equal intervals these are the taps
-///                       themselves, or the newest n of them over their sum.
+/// What the frames at these times weigh in the OTF of the newest of them. `times` are 1 to framesUsed() times, oldest
+/// first, strictly ascending, finite, of any unit and origin. The weights are in the same order; their sum is 1, and
+/// only those of movingLeastSquares can be negative.
+///   mean                Each of n frames weighs 1/n.
+///   movingLeastSquares  The weights are the newest time's row of the projection onto the polynomials of order
+///                       min(2, n - 1), by QR on centred, scaled times; where times lie too close to tell the powers
+///                       apart, the order is lower.
+///   leastFlicker        The weights are the taps of docs/motion.md, read at each frame's age in mean intervals (linear
+///                       between taps), times the time the frame stands for, over their sum. At equal intervals
+///                       these are the taps themselves, or the newest n of them over their sum.
 [[nodiscard]] std::vector<double> smoothingWeights(OtfSmoothing smoothing, std::span<const double> times);
 
 /// What weights do to a course whose frames follow each other at equal intervals.
 struct SmoothingGains {
-    double delay = 0.0;        ///< mean age, frames: how far a steady change is shown late
-    double noise = 1.0;        ///< of independent noise: root of the sum of squares
-    double flicker = 1.0;      ///< of the second temporal difference of independent noise
-    double leastWeight = 1.0;  ///< below 0: opacities can overshoot and become negative
+    double delay = 0.0;        ///< mean age of the weights: by how many frames a steady change is shown late
+    double noise = 1.0;        ///< gain of independent noise: root of the sum of the squared weights
+    double flicker = 1.0;      ///< gain of the second temporal difference of independent noise
+    double leastWeight = 1.0;  ///< where it is below 0, opacities can overshoot and become negative
 };
-/// weights: oldest first, summing to 1.
+/// The gains of weights that are given oldest first and sum to 1.
 [[nodiscard]] SmoothingGains gainsOf(std::span<const double> weights);
-/// Of a smoothing whose history is full.
+/// The gains of a smoothing whose history is full.
 [[nodiscard]] SmoothingGains gainsOf(OtfSmoothing smoothing);
 
 /// The unsmoothed OTFs of the frames shown so far, as many as the smoothing needs.
@@ -55,11 +56,11 @@ public:
 
     [[nodiscard]] OtfSmoothing smoothing() const { return m_smoothing; }
     /// Takes the unsmoothed OTF of a new frame and returns the one to show: opacities in [0,1], as many samples as
-    /// `unsmoothed`. time: of any unit and origin, never descending; a frame at the time of the newest one replaces it.
-    /// Where frames are equal, so is the result, to the bit. Opacities outside [0,1] are clamped, NaN counts as 0.
+    /// `unsmoothed`. Times are of any unit and origin and never descend; a frame at the time of the newest one replaces
+    /// it. Where frames are equal, so is the result, to the bit. Opacities outside [0,1] are clamped, NaN counts as 0.
     /// Throws std::invalid_argument where time descends or is not finite, or the number of samples changes.
     [[nodiscard]] SampledCurve add(double time, const SampledCurve& unsmoothed);
-    /// Forgets the past: the next frame has no history (another volume, a jump of the view).
+    /// Forgets the past, so that the next frame has no history (another volume is shown, the view has jumped).
     void clear() { m_frames.clear(); }
 
 private:
@@ -68,7 +69,7 @@ private:
         std::vector<double> opacities;
     };
     OtfSmoothing m_smoothing;
-    std::deque<Frame> m_frames;  // oldest first
+    std::deque<Frame> m_frames;  ///< oldest first
 };
 
 }  // namespace echolucent

@@ -37,7 +37,8 @@ bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
     return left.phase == right.phase && left.view == right.view;
 }
 
-/// For each frame the first one with the same phase and view. Frames by the thousand: sorted, not compared pairwise.
+/// For each frame the first one with the same phase and view. Frames come by the thousand, so they are sorted and not
+/// compared pairwise.
 std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
     std::vector<std::size_t> order(frames.size()), first(frames.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -60,7 +61,7 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
             throw std::invalid_argument("sweepOtfs: a frame's phase is not there");
 }
 
-/// The frames named in `wanted`, side by side. False where cancelled.
+/// Computes the frames named in `wanted` side by side. False where the run was cancelled.
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
                    std::span<FrameOtf> results) {
@@ -111,7 +112,7 @@ std::vector<SweepFrame> sweepFrames(const Viewpoint& start, SweepAxis axis, doub
     if (!(steps < mostFrames)) throw std::invalid_argument("sweepFrames: more than a million frames");
     std::vector<SweepFrame> frames;
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
-        // Not summed up, so that a sweep of a hundred steps of 0.1 ends where it should.
+        // Angles are not summed up, so that a sweep of a hundred steps of 0.1 ends where it should.
         const double degrees = from + (to < from ? -step : step) * i;
         frames.push_back({static_cast<double>(i), degrees, i % phases, turned(start, axis, degrees)});
     }

@@ -19,9 +19,9 @@ enum class SweepAxis { x, y, z };
 
 /// One frame of a motion.
 struct SweepFrame {
-    double time = 0.0;     ///< frames since the first
-    double degrees = 0.0;  ///< turned so far from the first view
-    int phase = 0;         ///< of the 4D study
+    double time = 0.0;     ///< number of frames since the first
+    double degrees = 0.0;  ///< angle from the first view
+    int phase = 0;         ///< phase of the 4D study, from 0
     Viewpoint view;
 };
 
@@ -29,11 +29,12 @@ struct SweepFrame {
 struct SweptOtf {
     SweepFrame frame;
     SampledCurve unsmoothed;
-    SampledCurve shown;  ///< after smoothing
-    double sumOfD = 0.0;
-    int tubesWithSurface = 0;
+    SampledCurve shown;        ///< after smoothing
+    double sumOfD = 0.0;       ///< of the unsmoothed OTF's tube cores
+    int tubesWithSurface = 0;  ///< of the unsmoothed OTF
 };
 
+/// The frames alone.
 [[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
 
 /// The frames of a probe that turns from `from` to `to` degrees in steps; where there are several phases, the object
@@ -47,18 +48,19 @@ struct SweptOtf {
 struct Motion {
     SweepAxis axis = SweepAxis::y;
     double from = -45.0, to = 45.0, step = 1.0;  ///< degrees, as for sweepFrames()
-    bool probeMoves = true;                      ///< false: every frame has the first view, degrees 0
-    bool objectMoves = false;                    ///< phases follow each other; false: firstPhase stays
+    bool probeMoves = true;                      ///< where false, every frame has the first view at 0 degrees
+    bool objectMoves = false;                    ///< whether phases follow each other; where false, firstPhase stays
     int firstPhase = 0;
 };
-/// phases: of the study. Throws std::invalid_argument as sweepFrames() does, and where firstPhase is not one of them.
+/// The frames of a motion in a study of so many `phases`. Throws std::invalid_argument as sweepFrames() does, and where
+/// firstPhase is not one of them.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
-/// Computes every frame's OTF. phases: the volumes of the study, by phase. Empty only where cancelled.
-/// Frames are computed side by side; the same bits for any number of threads. Frames of one phase and view are computed
-/// once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs in frame order
-/// afterwards: frame times must not descend. Throws std::invalid_argument where a phase is not there or
-/// problemOf(config) is not empty.
+/// Computes every frame's OTF; `phases` are the volumes of the study. The result is empty only where the run was
+/// cancelled. Frames are computed side by side, with the same bits for any number of threads. Frames of one phase and
+/// view are computed once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs
+/// in frame order afterwards, so frame times must not descend. Throws std::invalid_argument where a phase is not there
+/// or problemOf(config) is not empty.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,

@@ -24,7 +24,7 @@ struct LocalFrame {
     }
 };
 
-/// |q/r| (|q/r| - 1) / |q/r^2|: exact to first order at the surface.
+/// The distance is |q/r| (|q/r| - 1) / |q/r^2|, which is exact to first order at the surface.
 struct EllipsoidDistance {
     LocalFrame local;
     Vec3 inverse;

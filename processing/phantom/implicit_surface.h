@@ -64,7 +64,7 @@ class ImplicitBody {
 public:
     static constexpr double far = 1e6;  ///< distance to an empty body, mm
 
-    /// `seam`: width of the rounded seam, mm; 0 for a sharp one.
+    /// `seam` is the width of the rounded seam in mm; 0 makes a sharp one.
     void join(ImplicitPrimitive primitive, double seam = 0.0) { add(std::move(primitive), seam, false); }
     void carve(ImplicitPrimitive primitive, double seam = 0.0) { add(std::move(primitive), seam, true); }
 
@@ -72,7 +72,7 @@ public:
         ImplicitPrimitive primitive;
         double seam = 0.0;
         bool carves = false;
-        double reach = 0.0;  ///< widest of its own and all later seams: how far beyond its surface it matters
+        double reach = 0.0;  ///< how far beyond its surface it matters: the widest of its own and all later seams
     };
     [[nodiscard]] const std::vector<Term>& terms() const { return m_terms; }
 

@@ -19,7 +19,7 @@ struct PhantomPrimitive {
     std::string name;      ///< "head", "window of fluid"
     std::string kind;      ///< "ellipsoid", "round cone", "round box", "cylinder" or "wavy plane"
     std::string material;  ///< "fluid", "tissue" or "object"
-    bool carves = false;   ///< taken away from the body it belongs to, instead of added
+    bool carves = false;   ///< whether it is taken away from the body it belongs to, instead of added
     double seamMm = 0;     ///< width of the rounded seam with the primitives before it in its body
     double echo = 0;       ///< mean echo, 0..255
     /// In grid mm. Ellipsoid: centre (3), radii (3), axes (9, row-major, columns are the axes). Round cone: ends (3 +
@@ -30,13 +30,14 @@ struct PhantomPrimitive {
 
 struct PhantomScenery;
 
-/// The scene's materials in closed form. Scenes are laid out on a +z beam. Cheap to copy.
+/// The scene's materials in closed form. Scenes are laid out on a +z beam. Copies are cheap.
 class PhantomTruth {
 public:
     /// Throws std::invalid_argument where the config makes no sense (see makePhantom()).
     explicit PhantomTruth(const PhantomConfig& config);
     [[nodiscard]] std::vector<PhantomPrimitive> primitives() const;
-    /// Noise-free echo (0..255) at a position in grid mm: ramps, no gain variation, specular, attenuation or speckle.
+    /// Noise-free echo (0..255) at a position in grid mm: with ramps, without gain variation, specular brightening,
+    /// attenuation and speckle.
     [[nodiscard]] double echoAt(const Vec3& gridMm) const;
     /// Distance in units from the ray's entry into the volume's box to the first transition from at least 8 units of
     /// fluid to tissue or object (the sharp boundary, the middle of the ramp); none: no such interface on this ray.
@@ -49,9 +50,9 @@ public:
     [[nodiscard]] std::optional<Vec3> firstInterfacePoint(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
-    /// The sharp material at a position in grid mm; on a boundary that of the body it bounds.
+    /// The sharp material at a position in grid mm; on a boundary the material of the body it bounds.
     [[nodiscard]] PhantomMaterial materialAt(const Vec3& gridMm) const;
-    /// Signed distance (mm) to the fluid, negative within it: the sharp materials.
+    /// Signed distance (mm) to the fluid with sharp boundaries, negative within the fluid.
     [[nodiscard]] double fluidDistance(const Vec3& gridMm) const;
 
 private:
@@ -65,9 +66,9 @@ private:
                                                             double nearPlaneDepthMm) const;
 };
 
-/// Builds the volume: the same bits for the same config on any number of threads. Empty only where cancelled.
-/// White level: 255, 4095 or 65535. Throws std::invalid_argument where the config makes no sense: a size below 1, a
-/// spacing not above 0, bits other than 8, 12, 16, a negative length or share.
+/// Builds the volume: the same bits for the same config on any number of threads. The result is empty only where the
+/// run was cancelled. The white level is 255, 4095 or 65535. Throws std::invalid_argument where the config makes no
+/// sense: a size below 1, a spacing not above 0, bits other than 8, 12, 16, a negative length or share.
 [[nodiscard]] std::optional<Volume> makePhantom(const PhantomConfig& config, const Progress& progress = {});
 
 }  // namespace echolucent

@@ -1,5 +1,4 @@
-// The conditions of the studies behind the method's settled points, by name, so that tests and later studies share
-// them.
+// The conditions of docs/experiments.md by name, so that tests and studies share them.
 #include "processing/phantom/phantom.h"
 
 namespace echolucent {

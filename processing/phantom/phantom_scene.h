@@ -1,5 +1,4 @@
-// The anatomy of the simulated scans: bodies in grid mm, painted one over the other. Shared by the voxels and the
-// truth.
+// The anatomy of the simulated scans: bodies in grid mm, painted one over the other. The voxels and the truth share it.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +19,11 @@ struct PhantomLayer {
     ImplicitBody body;
     PhantomMaterial material = PhantomMaterial::tissue;
     double echo = 0;       ///< mean echo, 0..255
-    double shadowing = 0;  ///< share of PhantomConfig::shadow it casts, [0,1]
+    double shadowing = 0;  ///< share of PhantomConfig::shadow that it casts, [0,1]
 };
 
 struct PhantomScenery {
-    double tissueEcho = 0;  ///< of what no layer covers
+    double tissueEcho = 0;  ///< mean echo of what no layer covers, 0..255
     std::vector<PhantomLayer> layers;
 };
 
@@ -49,8 +48,9 @@ struct PaintedEcho {
 /// Grid geometry of the phantom. Throws std::invalid_argument where the config makes no sense.
 [[nodiscard]] VolumeGeometry phantomGeometry(const PhantomConfig& config);
 
-/// The scene's layers, laid out relative to the volume's extent in mm: one scale for all axes (the smallest extent),
-/// centred across the beam, anchored at the probe's face along it. A front wall, if any, is the last layer.
+/// The scene's layers, laid out relative to the volume's extent in mm. They have one scale for all axes (the smallest
+/// extent), are centred across the beam and anchored at the probe's face along it. A front wall, if any, is the last
+/// layer.
 [[nodiscard]] PhantomScenery buildScenery(const PhantomConfig& config);
 
 /// Where scenes are drawn: [0,1] across the smallest extent, x and y centred at 0.5, z from the probe's face.
@@ -59,8 +59,8 @@ struct PaintedEcho {
 void addShapes(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
 void addFetus(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
 
-/// The noise-free, unattenuated echo of every voxel, and what follows from it along the beam: specular brightening,
-/// shadow, attenuation, gain. Empty where cancelled.
+/// The noise-free echo of every voxel with what follows along the beam: specular brightening, shadow, attenuation,
+/// gain. The result is empty only where the run was cancelled.
 [[nodiscard]] std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config,
                                                const Progress& progress);
 

@@ -1,5 +1,5 @@
 // Rayleigh speckle: the modulus of complex Gaussian noise, smoothed where speckle is correlated (Petersch 2005, section
-// 5; method.md, "The conditions").
+// 5; docs/experiments.md, "The conditions").
 #pragma once
 
 #include <array>
@@ -12,23 +12,24 @@ namespace echolucent {
 struct SpeckleConfig {
     std::uint64_t seed = 1;
     std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z
-    double smoothing = 2;  ///< FWHM of the Gaussian that smooths the complex noise, voxels; 0: uncorrelated
+    double smoothing = 2;  ///< FWHM of the Gaussian that smooths the complex noise, voxels; 0 is uncorrelated
 };
 
-/// Taps of the separable smoothing, centre in the middle, cut at 3 standard deviations, with a sum of squares of 1 so
-/// that smoothing keeps the noise's variance. A single 1 where there is none.
+/// Taps of the separable smoothing, with the centre in the middle, cut at 3 standard deviations, with a sum of squares
+/// of 1 so that smoothing keeps the noise's variance. Without smoothing there is a single tap of 1.
 [[nodiscard]] std::vector<float> speckleTaps(double smoothing);
 
 /// Gives the unit-mean Rayleigh field of slices [first, last) in order of z to `use(z, values, stride)`: row y begins
-/// at values + y * stride. A voxel's value follows from the seed and its index alone: the same bits whatever the range,
-/// the thread or the machine's instruction set. The field goes on beyond the volume's borders, so they are not special.
+/// at values + y * stride. A voxel's value follows from the seed and its index alone: so it has the same
+/// bits whatever the range, the thread or the machine's instruction set. The field goes on beyond the volume's borders,
+/// so they are not special.
 using SpeckleUse = std::function<void(std::int64_t z, const float* values, std::int64_t stride)>;
 void makeSpeckle(const SpeckleConfig& config, std::int64_t first, std::int64_t last, const SpeckleUse& use);
 
 /// How an echo becomes a stored number.
 struct EchoFinish {
     float speckle = 0.5F;    ///< s of 1 + s (R - 1)
-    float decibel = 0;       ///< dynamic range of the logarithmic compression; 0: none
+    float decibel = 0;       ///< dynamic range of the logarithmic compression; 0 compresses nothing
     float whiteLevel = 255;  ///< stored value of echo 255
 };
 

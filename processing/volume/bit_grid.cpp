@@ -22,7 +22,7 @@ void forEachRow(const std::array<std::int64_t, 3>& size, const Body& body) {
     });
 }
 
-/// Spreads `row` along x through runs of `passable`, both directions, whole runs.
+/// Spreads `row` along x in both directions until every run of `passable` that it touches is full.
 void spreadAlongRow(std::uint64_t* row, const std::uint64_t* passable, std::int64_t words) {
     std::uint64_t carry = 0;
     const auto fill = [&](std::int64_t i, std::uint64_t entering) {

@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// Rows along x are packed into 64-bit words. Neighbourhood is 6-connected. Cost of each operation: one or a few passes
-/// over the words, 1/64 of the voxels.
+/// Rows along x are packed into 64-bit words. Voxels are neighbours where they share a face. Each operation costs one
+/// or a few passes over the words, which are 1/64 of the voxels.
 class BitGrid {
 public:
     explicit BitGrid(const std::array<std::int64_t, 3>& size);
@@ -23,9 +23,9 @@ public:
     [[nodiscard]] std::uint64_t* row(std::int64_t y, std::int64_t z) { return &m_bits[index(y, z)]; }
     [[nodiscard]] const std::uint64_t* row(std::int64_t y, std::int64_t z) const { return &m_bits[index(y, z)]; }
 
-    /// Members and their six neighbours.
+    /// The members and their six neighbours.
     [[nodiscard]] BitGrid dilated() const;
-    /// Members whose six neighbours are members; what lies outside the grid counts as member.
+    /// The members whose six neighbours are members; what lies outside the grid counts as a member.
     [[nodiscard]] BitGrid eroded() const;
     [[nodiscard]] BitGrid operator&(const BitGrid& other) const;
     [[nodiscard]] BitGrid operator|(const BitGrid& other) const;
@@ -39,8 +39,8 @@ private:
     }
 
     std::array<std::int64_t, 3> m_size;
-    std::int64_t m_words;               ///< of one row
-    std::vector<std::uint64_t> m_bits;  ///< bits beyond the row's end are 0
+    std::int64_t m_words;               ///< number of words of one row
+    std::vector<std::uint64_t> m_bits;  ///< the bits beyond a row's end are 0
 };
 
 }  // namespace echolucent

@@ -1,5 +1,6 @@
 // Points, directions and rotations. "Grid mm" is the frame whose axes are the voxel grid's axes, in mm, with its
-// origin at the centre of voxel (0,0,0); tubes, rays, cameras and light live in it. The patient frame is DICOM's LPS.
+// origin at the centre of voxel (0,0,0); tube cores, rays, cameras and light live in it. The patient frame is DICOM's
+// LPS.
 #pragma once
 
 #include <opencv2/core/matx.hpp>
@@ -9,10 +10,12 @@ namespace echolucent {
 using Vec3 = cv::Vec3d;
 using Mat3 = cv::Matx33d;
 
+/// The Euclidean length.
 [[nodiscard]] double length(const Vec3& vector);
 /// The vector divided by its length; a zero vector is a broken contract (std::invalid_argument).
 [[nodiscard]] Vec3 normalized(const Vec3& vector);
-/// Right-handed rotations about the grid axes; angle in degrees. Exact (no 6e-17) at multiples of 90 degrees.
+/// Right-handed rotations about the grid axes; the angle is in degrees. At multiples of 90 degrees the elements are
+/// exactly 0, 1 and -1.
 [[nodiscard]] Mat3 rotationX(double degrees);
 [[nodiscard]] Mat3 rotationY(double degrees);
 [[nodiscard]] Mat3 rotationZ(double degrees);

@@ -8,10 +8,11 @@
 
 namespace echolucent {
 
-/// Counts of data voxels by normalised intensity: bin i holds [i/256, (i+1)/256), the last one 1 too.
+/// Counts of the voxels with data by normalised intensity: bin i counts [i/256, (i+1)/256), and the last one counts 1
+/// too.
 struct IntensityHistogram {
     std::array<std::uint64_t, 256> counts{};
-    std::uint64_t total = 0;
+    std::uint64_t total = 0;  ///< sum of the counts
     friend bool operator==(const IntensityHistogram&, const IntensityHistogram&) = default;
 };
 

@@ -1,4 +1,4 @@
-// The outside of the scanned sector, told from true fluid.
+// How the outside of the scanned sector is told from true fluid.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -36,7 +36,7 @@ std::uint64_t blankBits(const Voxel* voxels, const std::uint8_t* mask, std::int6
     return bits;
 }
 
-/// 64 bytes at once: which of them are zero.
+/// Which of 64 bytes are zero, as one bit each.
 std::uint64_t zeroBytes(const std::uint8_t* voxels) {
     constexpr std::uint64_t low7 = 0x7F7F7F7F7F7F7F7FULL;
     std::uint64_t bits = 0;

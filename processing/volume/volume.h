@@ -24,14 +24,15 @@ struct VolumeGeometry {
     Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
     Vec3 origin{0, 0, 0};                       ///< patient position (mm, LPS) of the centre of voxel (0,0,0)
     Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
-    bool spacingKnown = true;  ///< false: spacing is a guess; the picture must say so, no mm shown as fact
+    bool spacingKnown = true;  ///< where false, the spacing is a guess: the picture must say so, and no length in mm
+                               ///< may be shown as a fact
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
     /// Offset of voxel (x,y,z) in the voxel array.
     [[nodiscard]] std::int64_t offset(std::int64_t x, std::int64_t y, std::int64_t z) const {
         return x + size[0] * (y + size[1] * z);
     }
-    /// The unit of length along tubes and rays: the smallest spacing, in mm (method.md).
+    /// The unit of length along tube cores and rays: the smallest spacing, in mm (docs/method.md, "Words and units").
     [[nodiscard]] double unit() const;
     [[nodiscard]] Vec3 gridMmFromVoxel(const Vec3& voxel) const { return voxel.mul(spacing); }
     [[nodiscard]] Vec3 voxelFromGridMm(const Vec3& mm) const;
@@ -45,10 +46,10 @@ struct VolumeGeometry {
 /// One volume (one phase of a 4D study).
 class Volume {
 public:
-    /// Takes the voxels. whiteLevel: the stored value that is normalised intensity 1; none: 255 for 8 bits, else
-    /// whiteLevelOf() these voxels, the largest but for absurd ones (1 where there is none above 0). Float voxels that
-    /// are not finite count as no data.
-    /// Throws std::invalid_argument where sizes disagree or geometry is not valid (readers check before).
+    /// Takes the voxels. whiteLevel is the stored value that is normalised intensity 1. Where none is given it is 255
+    /// for 8 bits, and for other types whiteLevelOf() these voxels, the largest but for absurd ones (1 where no voxel
+    /// is above 0). Float voxels that are not finite count as no data.
+    /// Throws std::invalid_argument where sizes disagree or the geometry is not valid (readers check before).
     Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
 
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
@@ -56,17 +57,18 @@ public:
     [[nodiscard]] double whiteLevel() const { return m_whiteLevel; }
     [[nodiscard]] std::string_view typeName() const;  ///< "uint8", "uint16" or "float32"
 
-    /// One byte a voxel, 1 = data, 0 = no data (outside the scanned sector, or not finite); empty: all are data.
+    /// One byte a voxel: 1 is data, 0 is no data (outside the scanned sector, or not finite). It is empty where all
+    /// voxels are data.
     [[nodiscard]] const std::vector<std::uint8_t>& dataMask() const { return *m_dataMask; }
     [[nodiscard]] bool hasData(std::int64_t offset) const {
         return m_dataMask->empty() || (*m_dataMask)[static_cast<std::size_t>(offset)] != 0;
     }
-    /// Stored value as double; NaN stays NaN.
+    /// The stored value as double; NaN stays NaN.
     [[nodiscard]] double storedValue(std::int64_t offset) const;
-    /// Stored value / white level, clamped to [0,1]; 0 where it is NaN.
+    /// The stored value over the white level, clamped to [0,1]; 0 where the value is NaN.
     [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;
 
-    /// A volume that shares these voxels but marks other voxels as data. Mask: empty or one byte a voxel.
+    /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte a voxel.
     [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
 
 private:
@@ -76,10 +78,11 @@ private:
     std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
 };
 
-/// Guess of the voxels outside the scanned sector: exactly 0 and connected (6-neighbourhood) through such voxels to a
-/// corner of the grid, which a sector always leaves free and a pool of fluid at the probe does not; at least 2 % of the
-/// grid, and thick (speckle's zeros are not). Single noisy voxels in the midst of it belong to it. Returns one byte a
-/// voxel (1 = data), joined with the volume's own mask; where there is no such region, the volume's own mask.
+/// Guesses which voxels lie outside the scanned sector. They are exactly 0 and connected over faces through such voxels
+/// to a corner of the grid, which a sector always leaves free and a pool of fluid at the probe does not. Together they
+/// are at least 2 % of the grid, and thick (the zeros of speckle are not). Single noisy voxels in the midst of them
+/// belong to them. Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such
+/// region, the volume's own mask.
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
 
 }  // namespace echolucent

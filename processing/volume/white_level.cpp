@@ -13,7 +13,7 @@ namespace {
 constexpr int octaves = 255;
 constexpr int exponentBias = 127;
 
-/// Of a value of at least 0; 0 and the subnormal numbers count as the lowest octave.
+/// The octave of a value of at least 0; 0 and the subnormal numbers count as the lowest octave.
 std::size_t octaveOf(float value) {
     constexpr int fractionBits = 23;
     return std::bit_cast<std::uint32_t>(value) >> fractionBits;

@@ -9,9 +9,9 @@
 namespace echolucent {
 
 struct WhiteLevel {
-    double level = 0.0;      ///< stored value of normalised intensity 1; 0: no finite value lies above 0
-    double largest = 0.0;    ///< largest finite value; above `level` only where float voxels hold absurd ones
-    std::int64_t above = 0;  ///< voxels above `level`
+    double level = 0.0;      ///< stored value of normalised intensity 1; 0 where no finite value lies above 0
+    double largest = 0.0;    ///< largest finite value; it exceeds `level` only where float voxels hold absurd values
+    std::int64_t above = 0;  ///< number of voxels above `level`
 };
 
 /// The largest finite value of all phases, so that they share one level. Float voxels may hold values that no echo has
