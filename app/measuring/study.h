@@ -40,14 +40,14 @@ private:
     std::vector<std::string> m_names;
 };
 
-/// A number is written with the digits that tell doubles apart; one that is not finite as an empty cell.
+/// A number is written with the digits that tell doubles apart, and one that is not finite as an empty cell.
 using CsvCell = std::variant<std::string, double, std::int64_t>;
 
 /// Comma-separated values (RFC 4180, lines end in a line feed): the columns' names first, then row by row.
 class CsvTable {
 public:
     explicit CsvTable(const std::vector<std::string>& columns);
-    /// One cell a column; throws std::invalid_argument where they are more or fewer.
+    /// Adds a row of one cell a column; throws std::invalid_argument where there are more or fewer.
     void row(const std::vector<CsvCell>& cells);
     [[nodiscard]] const std::string& text() const { return m_text; }
 

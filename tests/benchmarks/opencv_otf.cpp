@@ -14,7 +14,7 @@ namespace {
 
 constexpr int curveSamples = AdaptiveOtf::sampleCount;
 
-/// What a found surface says.
+/// What a surface that was found says.
 struct Surface {
     double low = 0.0, high = 0.0, lowMax = 0.0, slope = 0.0, d = 0.0;
 };

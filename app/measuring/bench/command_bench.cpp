@@ -33,7 +33,7 @@ struct BenchOptions {
     int runs = 51;
 };
 
-/// The view where nobody asks for an oblique one, degrees.
+/// The oblique view where nobody asks for another, degrees.
 constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
 /// Before any run counts, caches and page tables are filled.
 constexpr int warmUps = 3;

@@ -14,20 +14,20 @@ namespace echolucent::cli {
 [[nodiscard]] std::vector<TubeSamples> samplesOfTubes(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config);
 
-/// Reads what the method must read and does nothing with it but add it up. On voxels: all voxels of every row of the
-/// array (along x) that holds a sample. Else: one voxel a sample, at floor(position), in the order in which the method
-/// takes the samples.
+/// Reads what the method must read and does nothing with it but add it up. Where the tubes lie on voxels these are all
+/// voxels of every row of the array (along x) that holds a sample. Elsewhere it is one voxel a sample, at
+/// floor(position), in the order in which the method takes the samples.
 class Touch {
 public:
     Touch(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);
-    /// The sum, so that nothing is optimised away.
+    /// Returns the sum, so that nothing is optimised away.
     [[nodiscard]] double run() const;
 
 private:
     const Volume& m_volume;
     int m_columns;
     std::vector<TubeSamples> m_tubes;
-    std::vector<std::size_t> m_rows;  ///< offsets of the rows; none: the tubes do not lie on voxels
+    std::vector<std::size_t> m_rows;  ///< offsets of the rows; empty where the tubes do not lie on voxels
 };
 
 }  // namespace echolucent::cli

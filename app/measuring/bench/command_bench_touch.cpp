@@ -102,7 +102,7 @@ private:
     Vec3 m_reach{0, 0, 0};
 };
 
-/// The method reads so many slabs of a tube before it turns to the next.
+/// How many slabs of a tube core the method reads before it turns to the next.
 constexpr int slabsPerTurn = 16;
 
 template <typename Voxel>

@@ -1,4 +1,4 @@
-// How much of the weight lies on tubes that found the true surface of a phantom.
+// How much of the weight lies on tube cores that found the true surface of a phantom.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 namespace echolucent {
 
 struct DetectionQuality {
-    double weight = 0.0;       ///< sum of d over the tubes in the count
-    double rightWeight = 0.0;  ///< ... on tubes whose surface is within 3 units of the first fluid-tissue interface
-    double emptyWeight = 0.0;  ///< ... on tubes without such an interface
+    double weight = 0.0;       ///< sum of d over the tube cores that count
+    double rightWeight = 0.0;  ///< the part of `weight` on tube cores whose surface is within 3 units of the first
+                               ///< fluid-tissue interface
+    double emptyWeight = 0.0;  ///< the part of `weight` on tube cores without such an interface
     int tubesWithInterface = 0, tubesRight = 0, tubesLeftOut = 0;
-    int tubesFound = 0;          ///< of those with an interface: where any surface was found
-    double distanceUnits = 0.0;  ///< sum over them of |found - true|, units
+    int tubesFound = 0;          ///< tube cores with an interface on which any surface was found
+    double distanceUnits = 0.0;  ///< sum over tubesFound of |found - true|, units
 
     [[nodiscard]] double rightShare() const { return weight > 0 ? rightWeight / weight : 0.0; }
     [[nodiscard]] double emptyShare() const { return weight > 0 ? emptyWeight / weight : 0.0; }
@@ -38,7 +39,7 @@ struct DetectionQuality {
 };
 
 /// Distance in mm along the view, from the grid's origin, of the first interface on a ray parallel to the axis, shifted
-/// by offsetMm (grid mm); none: no interface.
+/// by offsetMm (grid mm); nothing where the ray has no interface.
 [[nodiscard]] std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry,
                                                      const Viewpoint& view, const TubeAxis& axis, const Vec3& offsetMm);
 
@@ -46,17 +47,18 @@ struct DetectionQuality {
 [[nodiscard]] bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                 const TubeAxis& axis, int cellSize);
 
-/// What the truth says of each tube core, as AdaptiveOtf::tubes is ordered: asked once for many runs over one grid.
+/// What the truth says of each tube core, in the order of AdaptiveOtf::tubes. It is asked once for many runs over one
+/// grid.
 struct TubeTruth {
-    bool counts = false;                     ///< false: outside, or its corners disagree
-    std::optional<double> interfaceDepthMm;  ///< along its axis, as interfaceDepthMm()
+    bool counts = false;                     ///< false where the tube core is outside or its corners disagree
+    std::optional<double> interfaceDepthMm;  ///< depth along its axis, as interfaceDepthMm() gives it
 };
 [[nodiscard]] std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry,
                                                 const Viewpoint& view, const AdaptiveOtfConfig& config);
 
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth,
                                                 const VolumeGeometry& geometry);
-/// The same with the truth at hand: tubeTruths() of the same geometry, view, grid and cell size.
+/// The same where the truth is at hand: tubeTruths() of the same geometry, view, grid and cell size.
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<TubeTruth>& truths,
                                                 const VolumeGeometry& geometry);
 

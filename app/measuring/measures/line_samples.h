@@ -1,5 +1,5 @@
-// Intensities along straight lines through the volume, in double: what the measures of a picture are made from. Slower
-// and plainer than the ray caster.
+// Intensities along straight lines through the volume, in double. The measures of a picture are made from them; they
+// are slower and plainer than the ray caster.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ namespace echolucent {
 void sampleLine(const Volume& volume, const Vec3& firstVoxel, const Vec3& stepVoxel, std::span<double> intensities);
 
 /// Where a line is within the volume's box: the parameters of pointMm + t * directionMm (grid mm) at which it enters
-/// and leaves it; none where it misses the box.
+/// and leaves it; nothing where it misses the box.
 struct LineSpan {
     double from = 0.0, to = 0.0;
 };
 [[nodiscard]] std::optional<LineSpan> spanInBox(const VolumeGeometry& geometry, const Vec3& pointMm,
                                                 const Vec3& directionMm);
 
-/// Opacity per unit as 256 samples of a curve, linear between: what the measures composite with.
+/// Opacity per unit as 256 samples of a curve, linear between them. The measures composite with it.
 class OpacityTable {
 public:
     explicit OpacityTable(const OpacityCurve& curve);
-    /// intensity in [0,1].
+    /// The opacity at an intensity in [0,1].
     [[nodiscard]] double at(double intensity) const;
 
 private:

@@ -19,7 +19,7 @@ void requireEqualSizes(const Picture& picture, const Picture& reference) {
         throw std::invalid_argument("differenceOf: the pictures differ in size");
 }
 
-/// In 8-bit levels.
+/// The luminance in 8-bit levels.
 cv::Mat1d luminanceOf(const Picture& picture) {
     cv::Mat1d luminance(picture.height, picture.width);
     const float* pixel = picture.rgba.data();

@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // of the true surface: what counts as its light
+constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // what counts as the true surface's light
 constexpr double levels = 255.0;
 /// A hundred millionth of white can still come through: less than any figure shows.
 constexpr double leastTransmittance = 1e-8;
@@ -83,7 +83,7 @@ public:
         sampleLine(volume, geometry.voxelFromGridMm(firstMm), geometry.voxelFromGridMm(forward * unit), m_intensities);
     }
 
-    /// Front to back, eq. 3.
+    /// Composites front to back (eq. 3).
     [[nodiscard]] RayLight lightOf(const OpacityTable& table, double surfaceDepth, double unit) const {
         RayLight light;
         double transmittance = 1.0;
@@ -164,7 +164,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
                 lights[r * tables.size() + c] = ray.lightOf(tables[c], rays[r].surfaceDepthMm, unit);
         }
     });
-    // Each ray has its place and the sums are made in one order: the same bits for any number of threads.
+    // Each ray has its place and the sums are made in one order, so that any number of threads gives the same bits.
     std::vector<SurfaceContrast> contrasts;
     for (std::size_t c = 0; c < tables.size(); ++c) contrasts.push_back(summedUp(lights, c, tables.size()));
     return contrasts;

@@ -12,31 +12,31 @@
 
 namespace echolucent {
 
-/// Over the rays whose first interface (PhantomTruth::firstInterface) leads from fluid into object.
+/// The light of the rays whose first interface (PhantomTruth::firstInterface) leads from fluid into object.
 struct SurfaceContrast {
-    double meanSurface = 0.0;  ///< mean over these rays of the composited intensity that comes from -2 ... +6 units
-                               ///< around the true surface; levels of 255
-    double meanRest = 0.0;     ///< ... from before and behind
+    double meanSurface = 0.0;  ///< mean over these rays of the composited intensity that comes from 2 units before to 6
+                               ///< units behind the true surface; levels of 255
+    double meanRest = 0.0;     ///< mean of the composited intensity from before and behind; levels of 255
     double varianceSurface = 0.0, varianceRest = 0.0;
     int rays = 0;
-    /// (meanSurface - meanRest) / sqrt(varianceSurface + varianceRest); none: no such ray or no variance.
+    /// (meanSurface - meanRest) / sqrt(varianceSurface + varianceRest); nothing without such a ray or without variance.
     [[nodiscard]] std::optional<double> contrastToNoise() const;
 };
 
-/// Parallel rays, one per unit across the view, samples one unit apart, trilinear, no shading; eq. 3 with white for
-/// full intensity, on a black ground (docs/method.md).
+/// Rays are parallel, one per unit across the view; samples lie one unit apart, are trilinear and not shaded. Light is
+/// composited by eq. 3 with white for full intensity on a black ground (docs/experiments.md, "The curve").
 [[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
                                               const OpacityCurve& curve);
 
-/// One of these rays.
+/// One of the rays that surfaceContrast() looks at.
 struct ObjectRay {
-    Vec3 pointMm{0, 0, 0};        ///< a point of it, grid mm; its direction is the view's forward
-    double surfaceDepthMm = 0.0;  ///< of the true surface along forward, from the grid's origin
+    Vec3 pointMm{0, 0, 0};        ///< a point of the ray, grid mm; its direction is the view's forward
+    double surfaceDepthMm = 0.0;  ///< depth of the true surface along forward, from the grid's origin
 };
-/// The rays that surfaceContrast looks at, row by row: where the truth is asked once for many curves.
+/// The rays that surfaceContrast() looks at, row by row, so that the truth is asked once for many curves.
 [[nodiscard]] std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
                                                 const Viewpoint& view);
-/// One contrast a curve, of given rays; each equals surfaceContrast's, bit for bit. The volume is sampled once.
+/// The contrast of each curve on given rays; each equals surfaceContrast()'s, bit for bit. The volume is sampled once.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const OpacityCurve> curves);

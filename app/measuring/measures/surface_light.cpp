@@ -20,7 +20,7 @@ struct TubeLight {
     double share = 0.0, intensity = 0.0;
 };
 
-/// Of the ray along a tube core's axis, from the tube's first sample on.
+/// The light of the ray along a tube core's axis, from the tube's first sample on.
 TubeLight lightAlong(const Volume& volume, const TubeCore& tube, const TubeAxis& axis, const OpacityTable& table) {
     const VolumeGeometry& geometry = volume.geometry();
     const double unit = geometry.unit();

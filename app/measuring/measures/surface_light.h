@@ -1,4 +1,4 @@
-// How much of a picture's light comes from the surfaces the tube cores found.
+// How much of a picture's light comes from the surfaces that the tube cores found.
 #pragma once
 
 #include "processing/adaptive/adaptive_otf.h"
@@ -7,13 +7,13 @@
 
 namespace echolucent {
 
-/// For each tube core with a surface and a weight, the ray along its axis: the share of its composited intensity that
-/// comes from within 3 units of the surface found (0 where the ray has no light at all). The rays begin at the tube
-/// core's first sample and are sampled where it is, one unit apart, trilinear, without shading.
+/// Each tube core with a surface and a weight has a ray along its axis. Its share is that of the composited intensity
+/// which comes from within 3 units of the surface found (0 where the ray has no light at all). The rays begin at the
+/// tube core's first sample and are sampled where it is, one unit apart, trilinear, without shading.
 struct SurfaceLight {
     double meanShare = 0.0;  ///< mean over these rays, [0,1]
     double medianShare = 0.0;
-    double meanIntensity = 0.0;  ///< composited intensity, [0,1]
+    double meanIntensity = 0.0;  ///< mean composited intensity, [0,1]
     int rays = 0;
 };
 [[nodiscard]] SurfaceLight surfaceLight(const Volume& volume, const AdaptiveOtf& otf, const OpacityCurve& curve);

@@ -136,7 +136,7 @@ double flickerLeft(const std::vector<SweptOtf>& frames, const Domain& domain) {
     return unsmoothed > 0.0 ? otfFlicker(after) / unsmoothed : 0.0;
 }
 
-// ln(1e-4): the floor of the logarithm; -ln(1e-3): where extinction is cut.
+// The floor of the logarithm is ln(1e-4); extinction is cut at -ln(1e-3).
 constexpr double lowestLogarithm = -9.210340371976182;
 constexpr double highestExtinction = 6.907755278982137;
 
@@ -149,7 +149,7 @@ DomainFigures domainsOf(const std::vector<SweptOtf>& frames) {
                                  [](double y) { return -std::expm1(-y * highestExtinction); }})};
 }
 
-/// At both ends of the motion, with the one OTF and with the frame's own.
+/// Takes pictures at both ends of the motion, with the one OTF and with the frame's own.
 void takeStills(MotionFigures& figures, int edge) {
     RayCastSettings settings = pictureSettings(edge);
     settings.colourMap = ColourMap::sepia;

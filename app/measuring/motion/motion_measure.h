@@ -13,17 +13,18 @@ namespace echolucent::cli {
 
 /// One motion of one study.
 struct MotionCase {
-    std::string name;   ///< of files: "fetus_both"
-    std::string title;  ///< "Simulated fetus, probe and object move"
+    std::string name;   ///< name in files, as "fetus_both"
+    std::string title;  ///< name for people, as "Simulated fetus, probe and object move"
     std::vector<std::shared_ptr<const Volume>> phases;
     Viewpoint start;
     Motion motion;
     bool stills = false;  ///< whether the page shows pictures of it
 };
 
-/// A way to choose the OTFs of the frames; none: one OTF, that of the first view, for all of them.
+/// How the OTFs of the frames are chosen: by a smoothing, or, without one, as the OTF of the first view for all of
+/// them.
 using MotionMode = std::optional<OtfSmoothing>;
-/// static, none, mean, mls, least-flicker.
+/// The modes static, none, mean, mls and least-flicker.
 [[nodiscard]] std::vector<MotionMode> motionModes();
 [[nodiscard]] std::string nameOf(const MotionMode& mode);
 
@@ -38,11 +39,11 @@ struct ModeFigures {
 
 /// How far apart the OTFs of two frames are, and the pictures of the first view made with them.
 struct CurveDifference {
-    std::string name;  ///< "-45 and 0 degrees"
+    std::string name;  ///< name of the pair of frames, as "-45 and 0 degrees"
     double rms = 0.0, largest = 0.0, pictureRms = 0.0;
 };
 
-/// Flicker left by leastFlicker where opacities are smoothed as another quantity, share of the unsmoothed flicker.
+/// The flicker that leastFlicker leaves where opacities are smoothed as another quantity, as a share of the unsmoothed.
 struct DomainFigures {
     double opacity = 0.0, logarithm = 0.0, extinction = 0.0;
 };
@@ -58,8 +59,8 @@ struct MotionFigures {
     SampledCurve initial, oneOtf;    ///< the initial function; the OTF of the start view and first phase
     std::vector<ModeFigures> modes;  ///< in the order of motionModes()
     std::vector<CurveDifference> differences;
-    double adaptation = 0.0;         ///< RMS difference between oneOtf and the initial function: what to compare with
-    double adaptationPicture = 0.0;  ///< and of the pictures made with them
+    double adaptation = 0.0;         ///< RMS difference between oneOtf and the initial function, to compare with
+    double adaptationPicture = 0.0;  ///< RMS difference of the pictures made with these two
     /// RMS over pixels and frames between pictures with oneOtf and with the OTF of each frame, and the largest RMS of
     /// one frame.
     double staticPictureRms = 0.0, worstStaticPictureRms = 0.0;
@@ -67,7 +68,7 @@ struct MotionFigures {
     std::vector<Still> stills;
 };
 
-/// edge: pixels of the square pictures that are compared; stillEdge: of those that are shown.
+/// Square pictures of `edge` pixels an edge are compared, and pictures of `stillEdge` pixels are shown.
 [[nodiscard]] MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfig& config, int edge,
                                           int stillEdge);
 

@@ -17,7 +17,7 @@ constexpr int stillZoom = 3;
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
-/// Share of the unsmoothed figure.
+/// A figure as a share of the unsmoothed one.
 std::string share(double value, double unsmoothed) {
     return unsmoothed > 0.0 ? fmt::format("{:.3f}", value / unsmoothed) : std::string("-");
 }
@@ -97,7 +97,7 @@ void addDifferences(HtmlPage& page, const MotionFigures& figures) {
                     number(figures.staticPictureRms), number(figures.worstStaticPictureRms)));
 }
 
-/// The paper's Fig. 10.
+/// Adds the curves as the paper's Fig. 10 shows them.
 void addCurves(HtmlPage& page, const MotionFigures& figures) {
     Plot plot{.title = "OTF at both ends and in the middle (Fig. 10)",
               .xLabel = "normalised intensity",
@@ -174,7 +174,7 @@ HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& cou
     return map;
 }
 
-/// The paper's Fig. 11, as maps: the OTF, and how it deviates from its mean, unsmoothed and smoothed on one scale.
+/// Adds the paper's Fig. 11 as maps: the OTF, and how it deviates from its mean, unsmoothed and smoothed on one scale.
 void addMaps(HtmlPage& page, const MotionFigures& figures) {
     const auto &raw = unsmoothed(figures).shown, &shown = figuresOf(figures, OtfSmoothing::leastFlicker).shown;
     const Spread spread = spreadOf(raw);

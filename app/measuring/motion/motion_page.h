@@ -8,7 +8,7 @@
 
 namespace echolucent::cli {
 
-/// The page; self-contained HTML.
+/// The page as HTML that needs nothing beside it.
 [[nodiscard]] std::string motionPage(const std::vector<MotionFigures>& cases);
 /// A row for each case and mode.
 [[nodiscard]] std::string motionFiguresTable(const std::vector<MotionFigures>& cases);

@@ -45,8 +45,8 @@ std::vector<GroupedPhantom> allConditions(const PhantomConfig& base) {
     return all;
 }
 
-/// The settings' errors are measured on these, the readings on all. Their run times only on the first: how long a run
-/// takes hardly depends on what the voxels hold.
+/// The settings' errors are measured on these, the readings on all. Run times are measured on the first alone, because
+/// how long a run takes hardly depends on what the voxels hold.
 bool isForErrors(const std::string& condition) {
     return condition == "base" || condition == "attenuation_shadow" || condition == "hard_full_speckle" ||
            condition == "hard_ramp8" || condition == "front_wall";

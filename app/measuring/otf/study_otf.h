@@ -21,17 +21,17 @@ struct OtfVariant {
     std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": nothing but the interface function
     std::string value;
     AdaptiveOtfConfig config;
-    bool isReference = false;  ///< the densest: tube cores every 4 units, double precision
+    bool isReference = false;  ///< whether it is the densest: tube cores every 4 units, double precision
     [[nodiscard]] std::string name() const { return value.empty() ? parameter : parameter + " " + value; }
 };
 /// The interface functions that are compared.
 inline const std::array<std::string, 2> interfaceFunctions{"variance", "ratio"};
 
 /// For the variance and then for the ratio: unchanged, the reference, and one parameter at a time. A grid of tube cores
-/// of a given spacing covers this volume in this view. The same number of variants in the same order for any volume.
+/// of a given spacing covers this volume in this view. There are as many variants in the same order for any volume.
 [[nodiscard]] std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const Viewpoint& view);
 
-/// A volume in a view. truth: none where it is not known.
+/// A volume in a view. It has no truth where none is known.
 struct OtfCase {
     std::string name;
     const Volume* volume = nullptr;
@@ -43,10 +43,11 @@ struct OtfCase {
 struct VariantResult {
     OtfVariant variant;
     DetectionQuality detection;
-    double largestDifference = 0.0;  ///< of opacity, from the reference of the same interface function and case
-    double sumOfSquares = 0.0;       ///< of these differences, over all cases' samples
+    double largestDifference =
+        0.0;  ///< largest difference of opacity from the reference of the same interface function and case
+    double sumOfSquares = 0.0;  ///< sum of the squares of these differences over all cases' samples
     std::size_t samples = 0;
-    std::vector<double> times, timeRatios;  ///< one a case: median ms; that over the default setting's
+    std::vector<double> times, timeRatios;  ///< for each case the median in ms, and its ratio to the default setting's
     bool onFront = false;                   ///< no other is both faster and nearer to the reference
 
     [[nodiscard]] double rmsDifference() const;
@@ -55,7 +56,7 @@ struct VariantResult {
 };
 /// Adds the errors of every variant on a case to what is known.
 void measureErrors(const OtfCase& one, std::vector<VariantResult>& results);
-/// Adds the run times: every variant `repeats` times, interleaved. After measureErrors() of some case.
+/// Adds the run times of every variant, which run `repeats` times in turn. measureErrors() of some case comes before.
 void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
 /// Marks, for each interface function, the variants that no other beats in both run time and RMS difference. The
 /// reference is out of it: its difference is 0 by definition.
@@ -63,17 +64,18 @@ void markFront(std::vector<VariantResult>& results);
 
 /// One reading on one case.
 struct ReadingResult {
-    std::string condition, group;  ///< group: "ordinary", "hard", "front wall", "empty"; of a volume: empty
+    std::string condition,
+        group;  ///< the group is "ordinary", "hard", "front wall" or "empty"; both are empty for a volume without truth
     std::uint64_t seed = 0;
     Viewpoint view;
     MethodReading reading = MethodReading::standard;
     DetectionQuality detection;
-    std::optional<double> contrast;  ///< CNR_S, of the six conditions along the beam
+    std::optional<double> contrast;  ///< CNR_S, where it is one of the six conditions along the beam
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithSurface = 0;
-    SurfaceLight light;          ///< of the reading's own curve
-    SurfaceLight parabolaLight;  ///< of x^2 along the same tube cores
-    SurfaceLight linearLight;    ///< of eq. 1 with L_L = 20/255, a = 0.5
+    SurfaceLight light;          ///< light with the reading's own curve
+    SurfaceLight parabolaLight;  ///< light with x^2 along the same tube cores
+    SurfaceLight linearLight;    ///< light with eq. 1, L_L = 20/255, a = 0.5
     std::string message;
     SampledCurve curve;
 };
@@ -104,19 +106,19 @@ struct OtfStudy {
 [[nodiscard]] Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection);
 [[nodiscard]] std::string otfPage(const OtfStudy& study);
 
-/// A table of text: columns, then rows.
+/// A table of text: the names of its columns, then its rows.
 struct TextTable {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
 };
 [[nodiscard]] TextTable variantTable(const OtfStudy& study);
-/// The readings side by side: detection by condition and by group.
+/// Detection of the readings side by side, by condition and by group.
 [[nodiscard]] TextTable detectionTable(const OtfStudy& study);
-/// CNR_S by condition, with the fixed curves.
+/// CNR_S of the readings and of the fixed curves, by condition.
 [[nodiscard]] TextTable contrastTable(const OtfStudy& study);
-/// Of a volume without truth: tube cores, weight, surface light.
+/// What is known of a volume without truth: tube cores, weight, surface light.
 [[nodiscard]] TextTable volumeTable(const OtfStudy& study);
-/// For the terminal: columns padded with spaces.
+/// A table for the terminal, its columns padded with spaces.
 [[nodiscard]] std::string plainText(const TextTable& table);
 
 }  // namespace echolucent::cli

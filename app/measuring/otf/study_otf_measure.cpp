@@ -40,8 +40,8 @@ void addDifference(const SampledCurve& curve, const SampledCurve& reference, Var
     result.samples += curve.opacities.size();
 }
 
-/// Median run time of each variant, ms, and last the default setting's; every round runs all of them once, so that
-/// whatever else the machine does meets them alike.
+/// The median run time of each variant in ms, and last the default setting's. Every round runs all of them once, so
+/// that whatever else the machine does meets them alike.
 std::vector<double> medianTimes(const OtfCase& one, const std::vector<OtfVariant>& variants, int repeats) {
     std::vector<std::vector<double>> times(variants.size() + 1);
     for (int round = 0; round < repeats; ++round)

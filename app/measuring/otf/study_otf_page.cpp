@@ -120,7 +120,7 @@ Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetec
     }
     plot.series.push_back(frontSeries(own, ofDetection));
     for (const std::string& parameter : parameters) {
-        // Its error is 0 by definition: no place on a logarithmic axis.
+        // Its error is 0 by definition, which has no place on a logarithmic axis.
         if (parameter == "reference" && !ofDetection) continue;
         std::vector<const VariantResult*> some;
         for (const VariantResult* result : own)

@@ -165,7 +165,7 @@ std::string variantsCsv(const OtfStudy& study) {
                   "rms_difference", "max_difference", "right_weight_share", "empty_weight_share", "found_share",
                   "mean_error_units", "tubes_with_interface"});
     for (const VariantResult& result : study.variants) {
-        // Without a truth these are not 0 but unknown: an empty cell.
+        // Without a truth these are not 0 but unknown, so their cells are empty.
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
         const DetectionQuality& detection = result.detection;
         csv.row({result.variant.interfaceFunction, result.variant.parameter, result.variant.value,

@@ -63,7 +63,7 @@ void VariantList::addGrids() {
     for (const int spacing : {40, 26, 20, 10, 8, 6, 4})
         add("tube spacing", std::to_string(spacing), ofSpacing(spacing));
     for (const int count : {5, 10}) {
-        // The middle of the picture only, at the spacing the whole grid has.
+        // These grids cover only the middle of the picture, at the spacing that the whole grid has.
         AdaptiveOtfConfig fewer = m_base;
         const double across = std::max(m_covered[0] / m_base.grid.columns, 1.0 * m_base.cells.size);
         fewer.grid.spacing = static_cast<int>(across);

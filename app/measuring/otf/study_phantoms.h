@@ -13,7 +13,7 @@
 
 namespace echolucent::cli {
 
-/// --seeds, --size: which phantoms a study is made over.
+/// The options --seeds and --size: over which phantoms a study is made.
 struct PhantomChoice {
     std::string seeds = "1,2", size;
     void addTo(CLI::App& command);
@@ -21,8 +21,8 @@ struct PhantomChoice {
     [[nodiscard]] Result<std::vector<PhantomConfig>> bases() const;
 };
 
-/// The six conditions of CNR_S in method.md: base, specular, little_speckle, attenuation_shadow, hard_full_speckle,
-/// hard_log_compressed.
+/// The six conditions of CNR_S (docs/experiments.md, "The curve"): base, specular, little_speckle, attenuation_shadow,
+/// hard_full_speckle, hard_log_compressed.
 [[nodiscard]] std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base);
 
 /// One volume with its truth.
@@ -33,11 +33,11 @@ struct StudyPhantom {
     explicit StudyPhantom(const PhantomConfig& given) : config(given), truth(given), volume(*makePhantom(given)) {}
 };
 
-/// What the adaptive curve is compared with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
+/// The curves that the adaptive one is compared with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
 [[nodiscard]] OpacityCurve parabolaCurve();
 [[nodiscard]] OpacityCurve linearCurve();
 
-/// What contrast is measured of: the fixed curves and the readings' curves, in this order everywhere.
+/// The curves whose contrast is measured: the fixed curves and the readings' curves, in this order everywhere.
 struct ContrastCurves {
     std::vector<std::string> names;
     std::vector<OpacityCurve> curves;
@@ -48,7 +48,7 @@ struct ContrastCurves {
 /// CNR_S of each of these curves.
 [[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view);
 
-/// Mean of the values there are; none: there is none.
+/// The mean of those values that are there; nothing where none is.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);
 
 }  // namespace echolucent::cli

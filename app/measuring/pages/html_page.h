@@ -9,14 +9,14 @@
 
 namespace echolucent::cli {
 
-/// One line or cloud of points of a plot. Values that are not finite are left out (a gap in a line).
+/// One line or cloud of points of a plot. Values that are not finite are left out and make a gap in a line.
 struct PlotSeries {
     std::string name;
     std::vector<double> x, y;
     bool line = true;
     bool markers = false;
-    std::vector<std::string> labels;   ///< beside the markers; empty: none
-    std::vector<std::string> names{};  ///< what a marker says under the pointer; empty: its label
+    std::vector<std::string> labels;   ///< names beside the markers; empty for none
+    std::vector<std::string> names{};  ///< what each marker says under the pointer; empty where it says its label
 };
 
 struct Plot {
@@ -30,7 +30,8 @@ struct Plot {
 /// A matrix of values in [0,1] as a picture: rows downwards, columns to the right (an OTF-over-angle map).
 struct HeatMap {
     std::string title, xLabel, yLabel;
-    double xFirst = 0, xLast = 1, yFirst = 0, yLast = 1;  ///< of the centres of the outermost cells; row 0 is yFirst
+    double xFirst = 0, xLast = 1, yFirst = 0,
+           yLast = 1;  ///< values at the centres of the outermost cells; row 0 is at yFirst
     std::size_t columns = 0;
     std::vector<double> values;  ///< row-major
 };
@@ -43,11 +44,11 @@ public:
     /// The pictures of a page are never made coarser than by this factor, so that something is still seen.
     static constexpr int coarsest = 8;
 
-    /// Text is escaped everywhere.
+    /// A page with a title. Text is escaped everywhere.
     explicit HtmlPage(std::string title);
     void heading(const std::string& text);
     void paragraph(const std::string& text);
-    /// Right-aligned where a column holds numbers.
+    /// Adds a table. Columns that hold numbers are right-aligned.
     void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                const std::string& caption = {});
     void plot(const Plot& plot);

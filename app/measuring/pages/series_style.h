@@ -12,9 +12,9 @@ namespace echolucent::cli {
 /// The colours of the program's own curves (the editor's); a plot drawn on light ground takes the darker ones, which
 /// stand off white by 4.5:1 and more.
 struct SeriesColour {
-    std::string_view curve;  ///< the opacity curve that has this colour; empty: no curve's own
+    std::string_view curve;  ///< the opacity curve that has this colour; empty where it is no curve's own
     std::string_view onLight, onDark;
-    std::string_view dashes;  ///< SVG's stroke-dasharray; empty: solid
+    std::string_view dashes;  ///< SVG's stroke-dasharray; empty for a solid line
 };
 inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8c", "#4fb3bf", ""},
                                                             {"manual", "#966400", "#e8b04b", ""},
@@ -25,8 +25,8 @@ inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8
                                                             {"", "#2f66b5", "#81a9e0", "10 3"},
                                                             {"", "#a04e26", "#e39a78", "4 2"}}};
 
-/// For each series the index of its colour: a curve's own where the series' name begins with the curve's, else the next
-/// one that is free; beyond the eighth they repeat.
+/// For each series the index of its colour. It is a curve's own where the series' name begins with the curve's, else
+/// the next one that is free; beyond the eighth they repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
 }  // namespace echolucent::cli

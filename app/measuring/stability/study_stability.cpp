@@ -37,7 +37,7 @@ std::string casesCsv(const std::vector<ExtremeResult>& results) {
     return csv.text();
 }
 
-/// Of the basis function, over the gap.
+/// The errors of the basis function over the gap.
 Plot basisPlot(const std::vector<NumericCheck>& checks) {
     Plot plot{"Error of the basis function", "I_H - I_L", "largest error", true, true, {}};
     for (const bool here : {true, false}) {

@@ -36,7 +36,7 @@ Volume constantOf(std::array<std::int64_t, 3> size, double value) {
     return volumeOf<std::uint8_t>(geometryOf(size), [value](auto, auto, auto) { return value; });
 }
 
-/// Fluid (14) and behind depth z = `at` tissue (120), over a ramp of 4 voxels, noise of +-`noise`.
+/// Fluid (14) lies before depth z = `at` and tissue (120) behind it, over a ramp of 4 voxels with noise of +-`noise`.
 struct Plane {
     double at = 40, noise = 6;
     double operator()(std::int64_t x, std::int64_t y, std::int64_t z) const {

@@ -10,7 +10,7 @@
 
 namespace echolucent::reference {
 
-/// In [0,1), a multiple of 2^-53.
+/// A number in [0,1) that is a multiple of 2^-53.
 inline double unit(std::uint64_t counter) { return static_cast<double>(splitmix64(counter) >> 11) * 0x1p-53; }
 
 struct Range {
@@ -30,7 +30,7 @@ struct BasisInput {
     Range range;
 };
 
-/// Row i of basis_function.csv: every fourth intensity anywhere, the others about the range.
+/// Row i of basis_function.csv: every fourth intensity lies anywhere, the others about the range.
 inline BasisInput basisInput(std::uint64_t i) {
     const Range range = narrowOrWide(8 * i);
     const double share = unit(8 * i + 3);
@@ -43,7 +43,8 @@ struct TubeInput {
     Range range;
 };
 
-/// Tube core t of log_opacity_*.csv: every eighth has a range from narrowOrWide(), the others one 0.1 to 0.6 wide.
+/// Tube core t of log_opacity_*.csv: every eighth has a range from narrowOrWide(), the others have one that is 0.1 to
+/// 0.6 wide.
 inline TubeInput tubeInput(std::uint64_t t, double dMax) {
     const std::uint64_t counter = (std::uint64_t{1} << 40) + 8 * t;
     const double d = dMax * unit(counter + 3);

@@ -131,7 +131,7 @@ void checkSteps(std::vector<NumericCheck>& checks) {
     }
 }
 
-/// 16-bit voxels around a mean, spread over 5 values, in a cube: the cells in its far corner.
+/// The cells in the far corner of a cube of 16-bit voxels around a mean, spread over 5 values.
 class BrightCube {
 public:
     static constexpr std::size_t edge = 160, cell = 5;
@@ -156,7 +156,7 @@ public:
     [[nodiscard]] std::uint16_t voxel(std::size_t x, std::size_t y, std::size_t z) const {
         return static_cast<std::uint16_t>(m_mean - 2 + static_cast<int>(splitmix64(x + edge * (y + edge * z)) % 5));
     }
-    /// Of the cell that begins there, from the eight corners of the summed-area table.
+    /// The sum of the cell that begins there, from the eight corners of the summed-area table.
     [[nodiscard]] double varianceByTable(std::size_t x, std::size_t y, std::size_t z) const {
         constexpr double n = cell * cell * cell;
         const auto box = [&](const std::vector<double>& table) {
@@ -224,7 +224,7 @@ void checkVariance(std::vector<NumericCheck>& checks) {
             std::int64_t sum = 0, squares = 0;
             for (std::size_t k = 0; k < cell * cell * cell; ++k) {
                 values.push_back(cube.voxel(x + k % cell, y + k / cell % cell, z + k / (cell * cell)));
-                // Deviations from a known mean are small whole numbers: the reference.
+                // The reference uses deviations from a known mean, which are small whole numbers.
                 const std::int64_t deviation = values.back() - mean;
                 sum += deviation;
                 squares += deviation * deviation;
