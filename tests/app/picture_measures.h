@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// Root mean square difference of two pictures in 8-bit levels.
+/// The root mean square difference of two pictures in 8-bit levels.
 inline double difference(const Picture& left, const Picture& right) {
     if (left.rgba.size() != right.rgba.size() || left.rgba.empty()) return 255.0;
     double sum = 0;

@@ -18,7 +18,7 @@ namespace {
 
 struct Mode {
     const char* name;
-    std::optional<OtfSmoothing> smoothing;  // none: one OTF
+    std::optional<OtfSmoothing> smoothing;  // without one there is one OTF
 };
 constexpr std::array modes{
     Mode{"static", std::nullopt}, Mode{"eachView", OtfSmoothing::none}, Mode{"mean", OtfSmoothing::mean},
@@ -236,7 +236,7 @@ private:
             rows += window().otfCourse().curve(row, mode) != nullptr ? 1 : 0;
         return rows;
     }
-    /// Plays until so many frames were shown; what each was shown with.
+    /// Plays until this many frames were shown, and returns what each was shown with.
     std::vector<Shown> play(std::size_t count) {
         std::vector<Shown> frames;
         MotionPlayer& player = window().motionPlayer();

@@ -19,7 +19,7 @@ QList<double> range(int from, int to) {
     return angles;
 }
 
-/// Shows the present frame and takes the next step, so many times.
+/// Shows the present frame and takes the next step, again and again.
 void showAndStep(MotionPlayer& player, int times) {
     for (int i = 0; i < times; ++i) {
         player.frameShown();

@@ -16,9 +16,10 @@ namespace echolucent::bench {
 
 struct BenchVolume {
     std::string name;
-    std::shared_ptr<const Volume> volume;  ///< every voxel counts as data: VTK knows no mask
-    std::shared_ptr<const Volume> masked;  ///< with the no-data mask that the program uses; null: it marks nothing
-    Viewpoint view;                        ///< oblique: along no axis of the grid
+    std::shared_ptr<const Volume> volume;  ///< every voxel counts as data, because VTK knows no mask
+    std::shared_ptr<const Volume>
+        masked;      ///< with the no-data mask that the program uses; null where the mask marks nothing
+    Viewpoint view;  ///< an oblique view, along no axis of the grid
 };
 
 /// A volume that could not be had, and why.
@@ -28,7 +29,7 @@ struct Skipped {
 
 /// The phantoms of 199x197x199 voxels and the real volumes of `folder` that are there.
 [[nodiscard]] std::vector<BenchVolume> benchVolumes(const std::string& folder, std::vector<Skipped>& skipped);
-/// A phantom of the default conditions, of that many voxels.
+/// A phantom of the default conditions with this many voxels an edge.
 [[nodiscard]] BenchVolume benchPhantom(PhantomScene scene, const std::array<std::int64_t, 3>& size);
 /// The volume with twice the voxels along each axis over the same extent between the outermost voxel centres
 /// (trilinear).
@@ -38,7 +39,7 @@ struct NamedCurve {
     std::string name;
     OpacityCurve curve;
 };
-/// "linear" (Petersch 2005, eq. 1), "parabolic" (0.5 x^2), "adaptive" (the standard method for the volume's view).
+/// "linear" (Petersch 2005, eq. 1), "parabolic" (0.5 x^2), "adaptive" (the default method for the volume's view).
 [[nodiscard]] std::vector<NamedCurve> benchCurves(const BenchVolume& volume);
 [[nodiscard]] NamedCurve parabolicCurve();
 
@@ -47,7 +48,8 @@ struct NamedCurve {
 /// planes counted from that box's foremost corner. turnDegrees turns the view about `down` without moving the volume.
 [[nodiscard]] RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDegrees = 0.0);
 
-/// So far the camera is turned between frames that are timed: nothing of a picture may be had from the one before.
+/// Degrees by which the camera is turned between frames that are timed, so that nothing of a picture may be had from
+/// the one before.
 inline constexpr double turnBetweenFrames = 0.01;
 
 }  // namespace echolucent::bench

@@ -6,13 +6,13 @@
 
 namespace echolucent::bench {
 
-/// Milliseconds.
+/// What was spent, in milliseconds.
 struct Cost {
     double wallMs = 0.0;
     double cpuMs = 0.0;  ///< of all threads together
 };
 
-/// CPU time of the process until now, all its threads, ms.
+/// The CPU time of the process and all its threads until now, ms.
 [[nodiscard]] double processCpuMs();
 [[nodiscard]] double wallClockMs();
 

@@ -10,11 +10,11 @@
 namespace echolucent::bench {
 
 struct BenchPlan {
-    int threads = 2;            ///< of oneTBB and of VTK's mapper
+    int threads = 2;            ///< threads of oneTBB and of VTK's mapper
     int repeats = 9;            ///< of which medians are taken; VTK's slow frames get three
-    bool quick = false;         ///< a small phantom, small pictures, few rows: to see that it works
-    std::string cacheFolder;    ///< of references
-    std::string pictureFolder;  ///< ours and VTK's side by side as PNG; empty: none
+    bool quick = false;         ///< whether a small phantom, small pictures and few rows only show that it works
+    std::string cacheFolder;    ///< where references are kept
+    std::string pictureFolder;  ///< ours and VTK's are kept here side by side as PNG; empty where none are kept
     std::vector<int> sizes{512, 1024};
     int errorSize = 512;  ///< pixels of the pictures whose error is measured
 };
@@ -28,9 +28,9 @@ struct BenchPlan {
 /// A few of them with VTK's GPU mapper on whatever OpenGL is there; `openGl` becomes its name.
 [[nodiscard]] nlohmann::ordered_json gpuRows(const BenchPlan& plan, const std::vector<BenchVolume>& volumes,
                                              std::string& openGl);
-/// From 64^3 to 512^3 voxels, the same picture.
+/// The same picture of volumes from 64^3 to 512^3 voxels.
 [[nodiscard]] nlohmann::ordered_json growthRows(const BenchPlan& plan);
-/// On 1, 2, ... all threads, the same picture.
+/// The same picture on one thread, on two, and so on up to all threads.
 [[nodiscard]] nlohmann::ordered_json threadRows(const BenchPlan& plan, const BenchVolume& volume);
 /// Ours alone: whole pictures, OTF edits, and levels of quality, as frames a second.
 [[nodiscard]] nlohmann::ordered_json frameRateRows(const BenchPlan& plan, const BenchVolume& volume);

@@ -11,7 +11,7 @@
 
 namespace echolucent::bench {
 
-/// Medians, and what came once.
+/// The medians, and what is paid once.
 struct SideBySide {
     Cost ours;        ///< RayCaster::cast(), all of it
     Cost oursFirst;   ///< the first picture under this curve
@@ -25,11 +25,11 @@ struct SideBySide {
 struct Contenders {
     const BenchVolume& volume;
     RayCaster& ours;
-    RayCaster* oursMasked;  ///< null: no mask
+    RayCaster* oursMasked;  ///< null where there is no mask
     VtkScene& vtk;
 };
 
-/// Times ours, VTK, ours, VTK, ... one frame each, at most `repeats` of each and fewer (three, or `repeats` if that is
+/// Times ours and VTK in turn, one frame each, at most `repeats` of each and fewer (three, or `repeats` if that is
 /// less) where VTK's takes longer than a second. The camera turns a little from frame to frame, the same for both.
 [[nodiscard]] SideBySide measureSideBySide(const Contenders& contenders, const OpacityCurve& curve,
                                            const RayCastSettings& look, int size, int repeats);

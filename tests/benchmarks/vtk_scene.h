@@ -50,7 +50,7 @@ public:
     /// Red, green, blue over black, rows from the top: the CPU mapper's own picture of 15 bits a channel, before OpenGL
     /// makes 8 of them; the GPU mapper's from the window, 8 bits.
     [[nodiscard]] std::vector<float> rgb() const;
-    /// "llvmpipe (LLVM 15.0.6, 256 bits)". After the first frame.
+    /// The name of the OpenGL renderer, as "llvmpipe (LLVM 15.0.6, 256 bits)"; it is known after the first frame.
     [[nodiscard]] std::string openGlRenderer() const;
 
 private:
@@ -64,7 +64,7 @@ private:
     vtkNew<vtkVolume> m_volumeProp;
     vtkNew<vtkVolumeProperty> m_property;
     vtkSmartPointer<vtkVolumeMapper> m_mapper;
-    vtkSmartPointer<StagedFixedPointMapper> m_fixedPoint;  ///< null: the GPU's
+    vtkSmartPointer<StagedFixedPointMapper> m_fixedPoint;  ///< null where the GPU's mapper is measured
 };
 
 }  // namespace echolucent::bench

@@ -17,7 +17,7 @@ namespace {
 struct Options {
     QList<int> sizes;
     Amount amount;
-    int edge = 0;  // voxels of the phantom; 0: the fetus as the paper's scan, 199 x 197 x 199
+    int edge = 0;  // voxels of the phantom; with 0 the fetus is as large as the paper's scan, 199 x 197 x 199
     bool shaded = false;
     QString json, pictures;
 };

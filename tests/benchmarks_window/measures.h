@@ -14,16 +14,17 @@ namespace echolucent::bench {
 struct Row {
     QString action;  ///< "orbit", "edit" or "high quality"
     QString curve;
-    int edge = 0;  ///< of the picture, device pixels
+    int edge = 0;  ///< edge of the picture, device pixels
     bool shaded = false;
-    double framesPerSecond = 0.0;  ///< drawn; of "high quality": 1 / median time from the change to the picture
+    double framesPerSecond =
+        0.0;  ///< pictures drawn a second; for "high quality" 1 / median time from change to picture
     double deliveredPerSecond = 0.0;
-    double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; "high quality": of the times
+    double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" the times
     double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians
     QString level;                                          ///< the most frequent one
     QSize rays;
     double step = 0.0;
-    double levelShare = 0.0;      ///< of the pictures that had it
+    double levelShare = 0.0;      ///< share of the pictures that had this level
     double processorShare = 0.0;  ///< processor time of this program over wall time times processors
     int frames = 0;
 };

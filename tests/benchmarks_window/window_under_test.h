@@ -15,8 +15,8 @@ namespace echolucent::bench {
 /// How much is measured of each action.
 struct Amount {
     double seconds = 4.0;
-    int frames = 0;  ///< above 0: so many frames, however long they take
-    int views = 20;  ///< of the high-quality picture
+    int frames = 0;  ///< where above 0, this many frames are measured, however long they take
+    int views = 20;  ///< number of jumps to a high-quality picture
 };
 
 class WindowUnderTest {
@@ -32,9 +32,9 @@ public:
     /// Turns the view by a degree with each mouse event; there is always one event more than pictures on the screen, as
     /// from a hand that does not wait for the picture.
     [[nodiscard]] Row orbit(const Amount& amount);
-    /// Another curve for each picture on the screen, the camera at rest.
+    /// Shows another curve for each picture on the screen, with the camera at rest.
     [[nodiscard]] Row edit(const OpacityCurve& curve, const Amount& amount);
-    /// From a jump to another view to the high-quality picture on the screen.
+    /// Measures from a jump to another view to the high-quality picture on the screen.
     [[nodiscard]] Row highQuality(const Amount& amount);
     /// Saves what is on the screen in motion and at rest.
     void takePictures(const QString& folder, const QString& name);

@@ -16,7 +16,7 @@
 namespace echolucent {
 
 struct Outcome {
-    int status = -1;  ///< exit status; -1: ended by a signal
+    int status = -1;  ///< exit status; -1 where a signal ended the program
     std::string output;
     std::string errors;
 };
@@ -46,7 +46,7 @@ inline void write(const std::string& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// arguments as a shell would take them.
+/// Runs the program with arguments as a shell would take them.
 inline Outcome runProgram(const std::string& arguments) {
     const Folder folder;
     const std::string command = std::string("\"" ECHOLUCENT_CLI "\" ") + arguments + " >\"" + folder / "out" +
@@ -55,7 +55,7 @@ inline Outcome runProgram(const std::string& arguments) {
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentsOf(folder / "out"), contentsOf(folder / "err")};
 }
 
-/// A phantom file made once for all tests of a program run: 72 voxels an edge, anisotropic on request.
+/// A phantom file that is made once for all tests of a program run. It has 72 voxels an edge, anisotropic on request.
 inline std::string phantomFile(const std::string& name, const std::string& options) {
     static const Folder folder;
     const std::string path = folder / name;

@@ -10,7 +10,7 @@
 namespace echolucent {
 namespace {
 
-/// The commands that the help of a command lists; empty: it has none.
+/// The commands that the help of a command lists; empty where it has none.
 std::set<std::string> commandsOf(const std::string& command) {
     std::istringstream help(runProgram(command + " --help").output);
     std::set<std::string> names;

@@ -39,7 +39,7 @@ struct TestFrame {
 struct TestImage {
     int columns = 4;
     int rows = 3;
-    int frames = 0;  ///< 0: no Number of Frames
+    int frames = 0;  ///< 0 where there is no Number of Frames
     int samples = 1;
     int bitsAllocated = 8;
     int bitsStored = 8;
@@ -57,9 +57,9 @@ struct TestImage {
     std::optional<double> spacingBetweenSlices;
     std::vector<double> gridOffsets;
     std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
-    bool patientFrame = false;                ///< Plane Position (Patient) instead
+    bool patientFrame = false;                ///< whether it is Plane Position (Patient) instead
     std::optional<TestPalette> palette;
-    bool frameTime = false;  ///< frames are said to follow each other in time
+    bool frameTime = false;  ///< whether frames are said to follow each other in time
 };
 
 /// Throws std::runtime_error where DCMTK cannot write it.

@@ -1,4 +1,4 @@
-// Slices and frames put in their places.
+// Slices and frames are put in their places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

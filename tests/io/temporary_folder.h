@@ -46,7 +46,7 @@ std::string bytesFrom(const std::vector<T>& values, bool bigEndian = false) {
     return bytes;
 }
 
-/// Everything as data, so that tests see the voxels and not the guess.
+/// Takes every voxel as data, so that tests see the voxels and not the guess.
 inline ReadOptions withoutGuess() {
     ReadOptions options;
     options.guessNoData = false;

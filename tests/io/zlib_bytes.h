@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-/// windowBits: 15 zlib, 31 gzip, -15 raw deflate.
+/// Compresses bytes: windowBits is 15 for zlib, 31 for gzip, -15 for raw deflate.
 inline std::string deflated(const std::string& bytes, int windowBits = 15) {
     z_stream stream{};
     deflateInit2(&stream, 6, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);

@@ -19,7 +19,7 @@
 
 namespace echolucent::testing {
 
-/// Red, green, blue, 0..255.
+/// A colour of red, green and blue, 0..255.
 using Level = std::array<int, 3>;
 
 /// A scene in an off-screen window.
@@ -51,7 +51,7 @@ struct DrawnScene {
     vtkNew<vtkUnsignedCharArray> pixels;
 };
 
-/// The same premultiplied pixel everywhere.
+/// A picture with the same premultiplied pixel everywhere.
 inline ScreenPicture plainPicture(int width, int height, const std::array<std::uint8_t, 4>& rgba) {
     ScreenPicture picture;
     picture.width = width;
@@ -60,7 +60,7 @@ inline ScreenPicture plainPicture(int width, int height, const std::array<std::u
     return picture;
 }
 
-/// Unlit, in one colour; `resolution` facets around.
+/// A sphere without light in one colour, with `resolution` facets around.
 inline vtkNew<vtkActor> sphereAt(const Vec3& centre, double radius, const std::array<double, 3>& colour,
                                  int resolution = 32) {
     vtkNew<vtkSphereSource> sphere;

@@ -17,7 +17,7 @@ namespace echolucent::testing {
 inline constexpr int patience = 30000;  // ms, a bound for broken programs
 inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
-/// A shown view with the corner ball, its converged picture there.
+/// A view on the display with the corner ball, whose converged picture is there.
 struct ShownView {
     explicit ShownView(std::shared_ptr<const Volume> shown = ballInTheCorner(), const Viewpoint& from = {})
         : volume(std::move(shown)) {
@@ -50,7 +50,8 @@ struct ShownView {
     bool ready = false;
 };
 
-/// Largest difference in levels between the screen and a picture over black, corners with marker and bar left out.
+/// The largest difference in levels between the screen and a picture over black; the corners with marker and bar are
+/// left out.
 inline int largestDifference(const QImage& screen, const Picture& picture) {
     const std::vector<std::uint8_t> rgb = overBackground(picture, {0, 0, 0});
     int largest = 0;
@@ -67,7 +68,7 @@ inline int largestDifference(const QImage& screen, const Picture& picture) {
     return largest;
 }
 
-/// Centre of what is brighter than a level, in shares of the picture's height from the centre.
+/// The centre of what is brighter than a level, in shares of the picture's height from the picture's centre.
 inline QPointF brightCentre(const Picture& picture) {
     double x = 0, y = 0, weight = 0;
     for (int row = 0; row < picture.height; ++row) {

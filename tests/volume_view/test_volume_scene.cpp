@@ -1,4 +1,4 @@
-// The scene drawn off screen by VTK alone: no QApplication.
+// The scene is drawn off screen by VTK alone, without a QApplication.
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>

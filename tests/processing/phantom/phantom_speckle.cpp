@@ -74,7 +74,7 @@ TEST(Speckle, SmoothingKeepsTheDistribution) {
 
 TEST(Speckle, CorrelationFollowsFromTheSmoothing) {
     // Gaussian smoothing of deviation sigma correlates the noise by exp(-k^2 / (4 sigma^2)), its squared modulus by the
-    // square of that: half at k = FWHM / 2 * sqrt(2) * ... checked here at whole lags along every axis.
+    // square of that. It is checked here at whole lags along every axis.
     for (const double smoothing : {2.0, 4.0}) {
         const std::array<std::int64_t, 3> size{110, 100, 90};
         const auto field = fieldOf({5, size, smoothing});

@@ -12,7 +12,7 @@
 namespace echolucent {
 namespace {
 
-/// The materials and nothing else: no speckle, no ramp, no gain variation, no loss.
+/// A phantom of the materials alone, without speckle, ramp, gain variation and loss.
 PhantomConfig bare(PhantomScene scene, std::int64_t edge = 120, double ramp = 0) {
     PhantomConfig config;
     config.scene = scene;

@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// `layers` along z, each constant across.
+/// A volume of `layers` along z, each of which is constant across.
 template <typename Voxel>
 Volume layered(const std::vector<Voxel>& layers, double white = 255.0) {
     VolumeGeometry geometry;
@@ -23,7 +23,7 @@ inline Volume slab(std::size_t depth, std::uint8_t value) { return layered(std::
 
 inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
 
-/// Opacity p from intensity a up to b, 0 elsewhere.
+/// A curve of opacity p from intensity a up to b, and of 0 elsewhere.
 inline OpacityCurve between(double a, double b, double p) { return ManualCurve{{{a, 0}, {a, p}, {b, p}, {b, 0}}}; }
 
 inline RayCastSettings greySettings(const Volume& volume) {
@@ -41,7 +41,7 @@ inline Picture cast(const Volume& volume, const OpacityCurve& curve, const RayCa
 inline const float* centreOf(const Picture& picture) { return pixelAt(picture, 2, 2); }
 inline double centreDepth(const Picture& picture) { return static_cast<double>(picture.depthMm.at(2 * 5 + 2)); }
 
-/// Of values in [0,1] that end as float.
+/// The rounding of values in [0,1] that end as float.
 inline constexpr double floatError = 1.2e-7;
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Shading, and what carries no data.
+// Shading, and how voxels without data are treated.
 #include <gtest/gtest.h>
 
 #include <cmath>

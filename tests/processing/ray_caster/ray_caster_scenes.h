@@ -17,7 +17,7 @@ namespace echolucent {
 
 inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}, {1.0, opacity}}}; }
 
-/// Transparent but for a range of intensities, as adaptive curves are.
+/// A curve that is transparent but for a range of intensities, as adaptive curves are.
 inline OpacityCurve onlyBetween(double lowest, double highest, double opacity) {
     const double middle = 0.5 * (lowest + highest);
     return ManualCurve{{{0.0, 0.0}, {lowest, 0.0}, {middle, opacity}, {highest, 0.0}, {1.0, 0.0}}};
@@ -29,7 +29,7 @@ constexpr double whiteOf = std::is_same_v<Voxel, std::uint8_t>    ? 255.0
                            : std::is_same_v<Voxel, std::uint16_t> ? 4095.0
                                                                   : 3.5;
 
-/// intensity(x, y, z): normalised, of each voxel.
+/// A volume whose voxels have the normalised intensity(x, y, z).
 template <typename Voxel, typename Intensity>
 Volume volumeOf(const std::array<std::int64_t, 3>& size, const Vec3& spacing, const Intensity& intensity) {
     VolumeGeometry geometry;
@@ -100,7 +100,7 @@ inline Apart apart(const Picture& a, const Picture& b) {
     return result;
 }
 
-/// Every value a number in [0,1], no colour above its alpha.
+/// Expects that every value is a number in [0,1] and that no colour exceeds its alpha.
 inline void expectSound(const Picture& picture, const std::string& what) {
     for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
         ASSERT_TRUE(picture.rgba[i] >= 0.0f && picture.rgba[i] <= 1.0f) << what << ": " << picture.rgba[i];

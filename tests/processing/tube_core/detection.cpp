@@ -1,5 +1,5 @@
-// The share of the weight that lies on right tubes, on phantoms with known surfaces under method.md's conditions. The
-// figures are printed, so that a change of the method shows what it brought.
+// The share of the weight that lies on right tubes, on phantoms with known surfaces under the conditions of
+// docs/experiments.md. The figures are printed, so that a change of the method shows what it brought.
 #include <gtest/gtest.h>
 
 #include <array>

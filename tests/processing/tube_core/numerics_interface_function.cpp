@@ -1,4 +1,4 @@
-// Signals without a peak, given as the interface function itself, hold no maximum: not at any scale.
+// Signals without a peak, given as the interface indicating function itself, hold no maximum at any scale.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// The same bits for any number of threads and any order of the tubes.
+// The curve has the same bits for any number of threads and any order of the tube cores.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

@@ -1,4 +1,4 @@
-// Against 50 digits: tests/fixtures holds the reference values and the script that made them.
+// The numbers of the method against 50 digits. tests/fixtures holds the reference values and the script that made them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// Fluid before the plane, tissue behind it, a linear ramp between, mild noise.
+/// A volume with fluid before the plane, tissue behind it, a linear ramp between and mild noise.
 struct PlaneVolume {
     std::array<std::int64_t, 3> size{100, 100, 100};
     Vec3 spacing{1, 1, 1};
@@ -31,7 +31,7 @@ struct PlaneVolume {
     [[nodiscard]] double toPlane(const Vec3& fromMm, const Vec3& direction) const {
         return (distanceMm - normal.dot(fromMm)) / normal.dot(direction);
     }
-    /// 0 ... 255 as any voxel type; scale multiplies.
+    /// The volume in any voxel type; its values 0 to 255 are multiplied by the scale.
     template <typename Stored>
     [[nodiscard]] std::vector<Stored> voxels(double scale = 1.0) const {
         std::mt19937 random(seed);

@@ -11,14 +11,14 @@
 
 namespace echolucent {
 
-/// What one tube core shall see: as many means as spreads, normalised intensity.
+/// What one tube core shall see: as many means as spreads, in normalised intensity.
 struct MadeProfile {
     std::vector<double> means, spreads;
 };
 
 inline constexpr int madeCellSize = 5;
 
-/// The profiles, every slab full of data.
+/// The profiles of such tube cores, with every slab full of data.
 inline TubeProfiles profilesOf(const std::vector<MadeProfile>& made) {
     std::size_t longest = 0;
     for (const MadeProfile& profile : made) longest = std::max(longest, profile.means.size());
@@ -37,7 +37,7 @@ inline TubeProfiles profilesOf(const std::vector<MadeProfile>& made) {
 /// Slabs of multiplicative speckle around true levels.
 class SpeckledSlabs {
 public:
-    /// spread: of voxels, as a share of their mean; spreadOfMeans: of a slab's mean, the same way.
+    /// `spread` is that of voxels and `spreadOfMeans` that of a slab's mean, both as a share of the mean.
     SpeckledSlabs(std::uint32_t seed, double spread = 0.25, double spreadOfMeans = 0.08)
         : m_random(seed), m_spread(spread), m_spreadOfMeans(spreadOfMeans) {}
 

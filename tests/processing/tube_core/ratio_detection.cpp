@@ -248,7 +248,7 @@ TEST(RatioDetection, FindsNothingInPureSpeckle) {
     }
 }
 
-/// Tissue without fluid, in the kinds of speckle that the conditions have.
+/// Tissue without fluid, in the kinds of speckle of docs/experiments.md, "The conditions".
 std::vector<NamedPhantom> emptyPhantoms(PhantomConfig base) {
     base.scene = PhantomScene::empty;
     PhantomConfig full = base, uncorrelated = base, compressed = base;
