@@ -84,7 +84,7 @@ TEST(PictureFile, APaletteGivesTheSamePixelsInFewerBytes) {
     const std::vector<std::uint8_t> palette{10, 20, 30, 200, 100, 50, 255, 255, 255};
     std::vector<std::uint8_t> indices, rgb;
     for (std::size_t i = 0; i < 64 * 32; ++i) {
-        indices.push_back(static_cast<std::uint8_t>(i * i % 3));
+        indices.push_back(static_cast<std::uint8_t>((i + i / 5) % 3));
         for (std::size_t channel = 0; channel < 3; ++channel) rgb.push_back(palette[indices.back() * 3u + channel]);
     }
     const std::string bytes = palettePngBytes(64, 32, indices, palette);
