@@ -15,13 +15,13 @@ struct CurveNode {
 };
 
 /// Piecewise linear through its nodes, constant outside the first and last. Nodes ascend in intensity; two nodes may
-/// share one intensity (a step: the later one holds at that intensity). No node: opacity 0 everywhere.
+/// share one intensity (a step: the later one holds at that intensity). Without a node opacity is 0 everywhere.
 struct ManualCurve {
     std::vector<CurveNode> nodes;
     friend bool operator==(const ManualCurve&, const ManualCurve&) = default;
 };
 
-/// Petersch 2005, eq. 1, on normalised intensity: 0 below lower, slope (x - lower) up to upper, constant beyond.
+/// Petersch 2005, eq. 1, on normalised intensity: it is 0 below lower, slope (x - lower) up to upper, constant beyond.
 struct LinearCurve {
     double lower = 20.0 / 255.0;  ///< L_L, [0,1]
     double slope = 0.5;           ///< a, opacity per unit of normalised intensity, >= 0
@@ -36,9 +36,9 @@ struct PowerCurve {
     friend bool operator==(const PowerCurve&, const PowerCurve&) = default;
 };
 
-/// Opacities at equidistant intensities from 0 to 1, linear between; what the adaptive method gives.
+/// Opacities at equidistant intensities from 0 to 1, linear between them. The adaptive method gives such a curve.
 struct SampledCurve {
-    std::vector<double> opacities;  ///< two or more values in [0,1]; empty: opacity 0 everywhere
+    std::vector<double> opacities;  ///< two or more values in [0,1]; where it is empty, opacity is 0 everywhere
     friend bool operator==(const SampledCurve&, const SampledCurve&) = default;
 };
 

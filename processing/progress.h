@@ -6,7 +6,7 @@
 
 namespace echolucent {
 
-/// Handed down by the caller; the algorithm only polls and reports, it knows no thread.
+/// The caller hands it down. The algorithm only polls and reports; it knows no thread.
 struct Progress {
     /// Called now and then with the share done, in [0,1], from the computing thread; may be empty.
     std::function<void(double)> report;

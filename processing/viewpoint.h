@@ -1,4 +1,4 @@
-// From where the volume is looked at: beam axis, angles, near cut. The tubes and the rays share it.
+// From where the volume is looked at: beam axis, angles, near cut. Tube cores and rays share it.
 #pragma once
 
 #include <optional>
@@ -39,14 +39,14 @@ struct ViewFrame {
 [[nodiscard]] ViewFrame frameOf(const Viewpoint& view);
 
 /// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute
-/// for this view" needs. Both vectors of any length above 0, not parallel. Angles in (-180, 180], elevation in [-90,
-/// 90].
+/// for this view" needs. Both vectors have any length above 0 and are not parallel. Angles are in (-180, 180], the
+/// elevation in [-90, 90].
 [[nodiscard]] Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
 [[nodiscard]] Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry);
 
-/// How deep the volume's box is along the view, mm: the near cut that leaves nothing.
+/// How deep the volume's box is along the view, mm. A near cut at this depth leaves nothing.
 [[nodiscard]] double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
 /// Distance along `forward` (mm, measured from the grid origin) of the near cut plane: the foremost corner of the box
