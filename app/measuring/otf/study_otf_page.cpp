@@ -75,15 +75,15 @@ Plot curvesPlot(const OtfStudy& study) {
 void addReadings(const OtfStudy& study, HtmlPage& page) {
     page.heading("The readings of the method");
     page.paragraph(
-        "Published: the paper's words taken literally, with the erratum of eq. 5. Settled: the open points settled as "
-        "the project's method notes tell. Default: what the program uses where nobody asks for another.");
+        "Published is the paper taken literally, with the erratum of eq. 5. Settled has its open points settled by "
+        "experiment (docs/experiments.md). Default is what the program uses where nobody asks for another.");
     if (!study.truthKnown) {
         const TextTable table = volumeTable(study);
         page.table(
             table.columns, table.rows,
-            "Light from the surfaces: of the rays along the tube cores' axes, the share of the composited "
-            "intensity that comes from within 3 units of the surface found; of the reading's own curve and of the "
-            "curves that no tube core shapes.");
+            "Light from the surfaces is, for the rays along the tube cores' axes, the share of the composited "
+            "intensity that comes from within 3 units of the surface found. It is given for the reading's own curve "
+            "and for the curves that no tube core shapes.");
         for (const ReadingResult& result : study.readings)
             if (!result.message.empty()) page.paragraph(fmt::format("{}: {}", nameOf(result.reading), result.message));
         page.plot(curvesPlot(study));
@@ -91,13 +91,14 @@ void addReadings(const OtfStudy& study, HtmlPage& page) {
     }
     const TextTable detection = detectionTable(study);
     page.table(detection.columns, detection.rows,
-               "Right: share of the weight Σd on tube cores whose surface is within 3 units of the first interface "
-               "from fluid. On none: on tube cores without one. Found: share of the tube cores with an interface that "
-               "found it. Σd: a volume without fluid should have none.");
+               "Right is the share of the weight Σd on tube cores whose surface is within 3 units of the first "
+               "interface from fluid; on none is the share on tube cores without such an interface. Found is the "
+               "share of the tube cores with an interface that found it. A volume without fluid should have no Σd.");
     const TextTable contrast = contrastTable(study);
     page.table(contrast.columns, contrast.rows,
-               "CNR_S: light from 2 units before to 6 behind the true surface of objects against all other light, over "
-               "the root of the sum of both variances; parallel rays along the beam, step 1, no shading.");
+               "CNR_S compares the light from 2 units before to 6 behind the true surface of objects with all other "
+               "light, over the root of the sum of both variances. Rays are parallel along the beam, with step 1 and "
+               "without shading.");
     page.plot(curvesPlot(study));
 }
 
@@ -140,12 +141,11 @@ std::string otfPage(const OtfStudy& study) {
     HtmlPage page("The adaptive opacity transfer function: error against run time");
     page.paragraph(study.subject);
     page.paragraph(fmt::format(
-        "Each setting is the default but for one parameter. Run time: the median of {} runs, the settings in turn, as "
-        "a "
-        "ratio to the default setting's on the same volume and view; the mean of these ratios over the volumes is "
-        "geometric. Error of the curve: difference of opacity from the densest reference of the same interface "
-        "function "
-        "(tube cores every 4 units, double precision), over all intensities. The reference itself has no error by "
+        "Each setting is the default but for one parameter. Run time is the median of {} runs, in which the settings "
+        "take turns, as a ratio to the default setting's on the same volume and view; the mean of these ratios over "
+        "the volumes is geometric. The error of the curve is the difference of opacity, over all intensities, from "
+        "the densest reference of the same interface indicating function (tube cores every 4 units, double "
+        "precision). The reference itself has no error by "
         "definition; like every error of 0 it is not on a logarithmic axis.",
         study.repeats));
     page.heading("Error against run time");
@@ -155,7 +155,7 @@ std::string otfPage(const OtfStudy& study) {
     }
     const TextTable settings = variantTable(study);
     page.table(settings.columns, settings.rows,
-               "●: on the front of the curve's error, nothing else is both faster and nearer to the reference.");
+               "● marks the front of the curve's error: nothing else is both faster and nearer to the reference.");
     addReadings(study, page);
     return page.text();
 }

@@ -123,16 +123,16 @@ void addPictures(HtmlPage& page, const RenderStudy& study, const RenderCase& one
 void addMethod(HtmlPage& page, const RenderStudy& study) {
     page.paragraph(study.subject);
     page.paragraph(fmt::format(
-        "Error: red, green and blue over black, in 8-bit levels, computed from the floats before they are rounded; "
-        "from a converged reference by the plain route (step 0.1 unit, trilinear, double, no ray ends early; "
-        "it took {:.0f} s). RMSE over pixels and colours, the largest "
-        "difference, and the mean SSIM of luminance (Wang et al. "
-        "2004: 11 x 11 Gaussian window, sigma 1.5).",
+        "Errors are those of red, green and blue over black, in 8-bit levels, computed from the floats before they are "
+        "rounded. The reference is a converged picture by the plain route (step 0.1 unit, trilinear, double, no ray "
+        "ends early; it took {:.0f} s). The tables hold the RMSE over pixels and colours, the largest difference, and "
+        "the mean SSIM of luminance (Wang et al. 2004, with a Gaussian window of 11 x 11 and sigma 1.5).",
         study.referenceSeconds));
     page.paragraph(fmt::format(
-        "Run time: wall time of a picture with {} thread(s), the median of {} runs, all settings in turn, each after a "
-        "run that is not timed; as a ratio to the reference setting (step 1 unit, trilinear, float, rays end at 1/512, "
-        "whole size). Between runs the camera turns by 0.01 degree or more, so that no samples of an unchanged view "
+        "Run time is the wall time of a picture with {} thread(s): the median of {} runs, in which all settings take "
+        "turns, each after a run that is not timed. Ratios are to the reference setting (step 1 unit, trilinear, "
+        "float, rays end at 1/512, whole size). Between runs the camera turns by 0.01 degree or more, so that no "
+        "samples of an unchanged view "
         "are "
         "reused; errors are those at the reference camera. Smaller pictures are enlarged bilinearly as the screen does "
         "it: a texture stretched over the whole picture, its pixel centres at halves, clamped at the edges; the time "
@@ -173,7 +173,7 @@ std::string renderPage(const RenderStudy& study, const RenderCase& one) {
     page.heading("All settings");
     const TextTable settings = settingsTable(study);
     page.table(settings.columns, settings.rows,
-               "●: on the front, no other setting of the kernel is both faster and nearer to the reference. A "
+               "● marks the front: no other setting of the kernel is both faster and nearer to the reference. A "
                "combination ends its rays at a transmittance of 1/128.");
     page.heading("Compositing precision, and whole steps only");
     const TextTable precisions = precisionTable(study);

@@ -66,7 +66,7 @@ std::string shortened(const std::string& digits) {
 void addNumbers(const std::vector<NumericCheck>& checks, HtmlPage& page) {
     page.heading("Numbers");
     page.paragraph(
-        "Each quantity as the program computes it, and as the textbook formula gives it in the same precision. "
+        "Each quantity is given as the program computes it, and as the textbook formula has it in the same precision. "
         "References have 50 digits (tests/fixtures holds the script that made them, stability-numbers.csv all digits) "
         "or are exact fractions. The error is the largest of its condition; value and reference are those of the place "
         "where it is.");
