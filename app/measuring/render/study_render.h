@@ -76,7 +76,7 @@ void markFront(std::vector<RenderResult>& results);
 
 /// What a quality level may err by, in 8-bit levels: RMSE and largest difference from the converged reference.
 struct QualityBound {
-    std::string name;  ///< as the program names its level (widgets/volume_view/quality_levels.h)
+    std::string name;  ///< as the program names its level (widgets/volume_view/qualities.h)
     double rmse, largest = std::numeric_limits<double>::infinity();
 };
 /// From fine to coarse.
