@@ -1,4 +1,4 @@
-// The curve that the tube cores make of the initial function (Petersch 2005, eqs. 4 to 7; docs/method.md, "The curve").
+// The curve that the tube cores make of the initial function (Petersch 2005, eqs. 4 to 7; docs/method.md, "7. Curve").
 #pragma once
 
 #include <span>

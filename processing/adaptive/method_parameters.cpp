@@ -52,7 +52,7 @@ Row opacityScale() {
 
 constexpr std::string_view published = "Petersch 2005, 4.1";
 constexpr std::string_view withoutFluid =
-    "scans without fluid, in which no surface may be found: docs/method.md, The rule, 4 and 5";
+    "scans without fluid, in which no surface may be found: docs/experiments.md, Detection by ratio";
 
 std::vector<Row> gridAndCells() {
     return {
@@ -89,45 +89,45 @@ std::vector<Row> detectionByVariance() {
             {0, 10}, ParameterRange{1, 10}),
         number<&VarianceRule::sigmaPerKernelSize>(
             {"sigma_per_kernel_size", "Sigma", "Standard deviation of a kernel, as a share of its size", "kernel sizes",
-             "docs/method.md, settled reading"},
+             "docs/experiments.md, What the paper leaves open"},
             {0.01, 4}),
         number<&VarianceRule::kernelCut>(
             {"kernel_cut", "Kernel cut", "Kernels end at this many standard deviations and are renormalised",
-             "standard deviations", "docs/cli-otf.md, More maxima at a coarser scale"},
+             "standard deviations", "docs/experiments.md, What the paper leaves open"},
             {0.5, 10}),
         choice<&VarianceRule::kernelEndsAtZero, kernelEnds>(
             {"kernel_end", "Kernel end", "Kernels are lowered so that they end at zero, or they are cut", "",
-             "docs/cli-otf.md, More maxima at a coarser scale"}),
+             "docs/experiments.md, What the paper leaves open"}),
         choice<&VarianceRule::border, borders>(
             {"border", "Border", "Beyond a tube core's ends: mirrored in front and zero behind, or the other end", "",
-             "docs/method.md, settled reading"}),
+             "docs/experiments.md, What the paper leaves open"}),
         choice<&VarianceRule::smoothing, routes>(
             {"smoothing_route", "Smoothing route",
              "How the interface function is smoothed: sums of products, or a Fourier transform", "",
-             "docs/cli-otf.md, Routes"}),
+             "docs/experiments.md, What the paper leaves open"}),
         number<&VarianceRule::significance>(
             {"significance", "Significance", "A local maximum counts from this share of the largest value in its range",
-             "share", "docs/method.md, settled reading"},
+             "share", "docs/experiments.md, What the paper leaves open"},
             {0, 1}),
         number<&VarianceRule::floorQuantile>(
             {"floor_quantile", "Floor quantile",
              "This quantile of a tube's interface function is taken off before tracking; 0: nothing is", "share",
-             "docs/cli-otf.md, How a surface is found"},
+             "docs/experiments.md, Three readings"},
             {0, 1}),
         number<&VarianceRule::trackingRangeSigmas>(
             {"tracking_range", "Tracking range",
              "How far around a maximum the next scale looks; 0: from valley to valley", "standard deviations",
-             "docs/method.md, settled reading"},
+             "docs/experiments.md, What the paper leaves open"},
             {0, 1000}),
         choice<&VarianceRule::coarsestMustHaveMaximum, coarsestMaxima>(
             {"coarsest_maximum", "Coarsest maximum",
              "Needed: there is no surface without a maximum at the coarsest scale; any: tracking begins at the "
              "coarsest scale that has one",
-             "", "docs/cli-otf.md, How a surface is found"}),
+             "", "docs/experiments.md, Three readings"}),
         number<&VarianceRule::leastEdgeToNoise>(
             {"least_edge_to_noise", "Least edge to noise",
              "A surface that stands out less from its tube's own speckle weighs nothing; 0: there is no test", "",
-             "docs/cli-otf.md, How a surface is found"},
+             "docs/experiments.md, Three readings"},
             {0, 1e6}),
     };
 }
@@ -135,34 +135,37 @@ std::vector<Row> detectionByVariance() {
 std::vector<Row> detectionByRatio() {
     constexpr ParameterRange slabs{1, 1000};
     return {
-        number<&RatioRule::falseAlarm>(
-            {"false_alarm", "Least contrast",
-             "A surface counts from this contrast on, in standard deviations of the "
-             "contrast where there is no boundary",
-             "standard deviations", "docs/method.md, The rule, 1: in place of the fixed threshold of its table"},
-            {0, 1e6}, ParameterRange{0, 20}),
+        number<&RatioRule::falseAlarm>({"false_alarm", "Least contrast",
+                                        "A surface counts from this contrast on, in standard deviations of the "
+                                        "contrast where there is no boundary",
+                                        "standard deviations", "docs/experiments.md, Detection by ratio"},
+                                       {0, 1e6}, ParameterRange{0, 20}),
         number<&RatioRule::contrastFloor>(
             {"contrast_floor", "Contrast floor", "The least contrast of a surface is never below this",
-             "standard deviations of voxels", "no experiment on record; docs/method.md, The rule, 1"},
+             "standard deviations of voxels",
+             "docs/experiments.md, Detection by ratio: figures of other values were not kept"},
             {0, 1e6}),
         number<&RatioRule::contrastCeiling>(
             {"contrast_ceiling", "Contrast ceiling", "The least contrast of a surface is never above this",
-             "standard deviations of voxels", "no experiment on record; docs/method.md, The rule, 1"},
+             "standard deviations of voxels",
+             "docs/experiments.md, Detection by ratio: figures of other values were not kept"},
             {0, 1e6}),
-        number<&RatioRule::slabsBefore>({"slabs_before", "Slabs before", "Slabs averaged before a boundary", "units",
-                                         "docs/method.md, The rule: windows of 5 and 8, or 8 and 12, are within half "
-                                         "a point"},
-                                        slabs),
-        number<&RatioRule::slabsBehind>({"slabs_behind", "Slabs behind", "Slabs averaged behind a boundary", "units",
-                                         "docs/method.md, The rule: windows of 5 and 8, or 8 and 12, are within half "
-                                         "a point"},
-                                        slabs),
+        number<&RatioRule::slabsBefore>(
+            {"slabs_before", "Slabs before", "Slabs averaged before a boundary", "units",
+             "docs/experiments.md, Detection by ratio: windows of 5 and 8, or 8 and 12, are within half "
+             "a point"},
+            slabs),
+        number<&RatioRule::slabsBehind>(
+            {"slabs_behind", "Slabs behind", "Slabs averaged behind a boundary", "units",
+             "docs/experiments.md, Detection by ratio: windows of 5 and 8, or 8 and 12, are within half "
+             "a point"},
+            slabs),
         number<&RatioRule::rampSlabs>(
             {"ramp_slabs", "Ramp slabs", "Slabs on each side of a boundary that may lie on its ramp", "units",
-             "no experiment on record; docs/method.md, Weak places: ramps of 8 units"},
+             "docs/experiments.md, Detection by ratio"},
             {0, 1000}),
         number<&RatioRule::leastFluid>({"least_fluid", "Least fluid", "Slabs of fluid that must lie before a surface",
-                                        "units", "no experiment on record; docs/method.md, The rule, 3"},
+                                        "units", "docs/experiments.md, Detection by ratio"},
                                        slabs),
         number<&RatioRule::leastDark>(
             {"least_dark", "Least dark", "Slabs before a surface that must be darker than the fluid level", "units",
@@ -194,32 +197,32 @@ std::vector<Row> surfacesAndWeights() {
     return {
         number<&SurfaceRule::lowReach>(
             {"low_reach", "Low reach", "I_L is the mean over this many of the last prior cells; 0: over all of them",
-             "units", "docs/method.md, The rule; 0: Petersch 2005, 4.1"},
+             "units", "docs/method.md, 5. Read I_L, I_H and the slope; 0: Petersch 2005, 4.1"},
             {0, 1000}),
         number<&SurfaceRule::highReach>(
             {"high_reach", "High reach",
              "I_H is the largest cell mean up to this far behind the surface; 0: the mean at the surface", "units",
-             "docs/method.md, The rule; 0: Petersch 2005, 4.1"},
+             "docs/method.md, 5. Read I_L, I_H and the slope; 0: Petersch 2005, 4.1"},
             {0, 1000}),
         number<&SurfaceRule::slopeHalfStep>(
             {"slope_half_step", "Slope half step",
              "The slope at a surface is a central difference over this far to either side", "units",
-             "docs/method.md, settled reading"},
+             "docs/experiments.md, What the paper leaves open"},
             {1, 1000}, ParameterRange{1, 32}),
         choice<&SurfaceRule::priorCellsMayOverlap, priorCells>(
             {"prior_cells", "Prior cells",
              "Apart: cells that end before the surface cell; overlapping: all that begin before it", "",
-             "docs/method.md, settled reading; overlapping: Petersch 2005, eq. 8"}),
+             "docs/experiments.md, What the paper leaves open; overlapping: Petersch 2005, eq. 8"}),
         number<&WeightRule::rankBins>({"rank_bins", "Rank bins",
                                        "Bins of the histograms of eqs. 9 and 10, from 0 to the largest value; 0: exact "
                                        "ranks",
-                                       "", "docs/method.md, settled reading"},
+                                       "", "docs/experiments.md, What the paper leaves open"},
                                       {0, 1 << 20}),
     };
 }
 
 std::vector<Row> curves() {
-    constexpr std::string_view tried = "docs/method.md, The curve";
+    constexpr std::string_view tried = "docs/experiments.md, The curve";
     return {
         alternative<&AdaptiveOtfConfig::curve, ProductRule, RampRule>(
             {"form", "Form",
@@ -228,7 +231,7 @@ std::vector<Row> curves() {
              "", tried}),
         number<&ProductRule::strength>(
             {"strength", "Strength", "How far the found surfaces bend the initial function: T times d_max", "",
-             "docs/cli-otf.md, Readings of the paper: d_max 0.03 at 225 tube cores"},
+             "docs/experiments.md, What the paper leaves open: d_max 0.03 at 225 tube cores"},
             {0, 1e12}, ParameterRange{0, 40}),
         number<&RampRule::begin>({"ramp_begin", "Ramp begin",
                                   "An intensity is clear up to this share of the way from I_L to I_H", "share", tried},
@@ -247,7 +250,7 @@ std::vector<Row> curves() {
         number<&RampRule::trustedShare>({"trusted_share", "Trusted share",
                                          "Share of the tube cores that must have a weight for the initial function to "
                                          "have no say",
-                                         "share", "no experiment on record; docs/method.md, The curve"},
+                                         "share", "no experiment on record; docs/method.md, 7. Curve"},
                                         {0, 1}),
         opacityScale(),
     };
@@ -260,7 +263,7 @@ std::vector<Row> allRows() {
         {"interface_function", "Interface function",
          "What tells tissue from fluid along a tube core. Ratio: how much brighter it is behind than before, which "
          "speckle does not disturb; variance: where intensities vary most, followed through scale space, as published",
-         "", "docs/method.md, Detection by ratio"})});
+         "", "docs/experiments.md, Detection by ratio"})});
     append(detectionByVariance());
     append(detectionByRatio());
     append(surfacesAndWeights());

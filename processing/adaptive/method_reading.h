@@ -1,4 +1,4 @@
-// The readings of the method that are reported side by side (docs/cli-otf.md, "Readings of the paper").
+// The readings of the method that are reported side by side (docs/method.md, "Readings").
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace echolucent {
 
 enum class MethodReading {
     asPublished,  ///< the paper's words taken literally, with the erratum of eq. 5 and d_max 0.03
-    settled,      ///< the paper's open points settled by experiment (docs/method.md, "Three readings")
+    settled,      ///< the paper's open points settled by experiment (docs/experiments.md, "Three readings")
     standard,     ///< what the program uses where nobody asks for another
 };
 /// "published", "settled", "default".

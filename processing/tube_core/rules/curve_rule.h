@@ -5,7 +5,7 @@
 
 namespace echolucent {
 
-/// T * d_max of the paper: 0.03 at its 15 x 15 tube cores (docs/cli-otf.md, "Readings of the paper").
+/// T * d_max of the paper: 0.03 at its 15 x 15 tube cores (docs/method.md, "Readings").
 inline constexpr double paperStrength = 0.03 * 225;
 
 /// The initial function times one basis function per tube core (Petersch 2005, eq. 4).
