@@ -10,7 +10,7 @@
 #include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/motion_mode.h"
+#include "processing/motion/motion_mode.h"
 
 namespace echolucent {
 

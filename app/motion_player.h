@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "widgets/panels/motion_mode.h"
+#include "processing/motion/motion_mode.h"
 
 namespace echolucent {
 

@@ -43,7 +43,7 @@ Result<Motion> motionFrom(const SweepOptions& options) {
     if (std::abs(options.to - options.from) / options.step > mostFrames)
         return wrong("--step", "makes more than 100000 frames", "Use a larger one.");
     Motion motion{
-        .axis = *sweepAxisFromName(options.axis), .from = options.from, .to = options.to, .step = options.step};
+        .axis = *motionAxisFromName(options.axis), .from = options.from, .to = options.to, .step = options.step};
     motion.probeMoves = options.probe == "moving";
     motion.objectMoves = options.object == "moving";
     motion.firstPhase = options.volume.phase;

@@ -11,7 +11,6 @@ namespace echolucent::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::array<std::string_view, 3> axisNames{"x", "y", "z"};
 
 Json gainsJson(OtfSmoothing smoothing) {
     const SmoothingGains gains = gainsOf(smoothing);
@@ -32,14 +31,6 @@ std::string nameOfSmoothing(const SweepReport& report) {
 }
 
 }  // namespace
-
-std::string_view nameOf(SweepAxis axis) { return axisNames[static_cast<std::size_t>(axis)]; }
-
-std::optional<SweepAxis> sweepAxisFromName(std::string_view name) {
-    const auto found = std::find(axisNames.begin(), axisNames.end(), name);
-    if (found == axisNames.end()) return std::nullopt;
-    return static_cast<SweepAxis>(found - axisNames.begin());
-}
 
 std::vector<SampledCurve> unsmoothedOf(std::span<const SweptOtf> frames) {
     std::vector<SampledCurve> otfs;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "processing/motion/flicker.h"
+#include "processing/motion/motion_mode.h"
 #include "processing/motion/otf_sweep.h"
 
 namespace echolucent::cli {
@@ -18,10 +19,6 @@ struct SweepReport {
     std::span<const SweptOtf> frames = {};
     std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< where they were asked for
 };
-
-/// "x", "y", "z".
-[[nodiscard]] std::string_view nameOf(SweepAxis axis);
-[[nodiscard]] std::optional<SweepAxis> sweepAxisFromName(std::string_view name);
 
 /// One JSON object, numbers round-trip, ends with a newline.
 [[nodiscard]] std::string sweepJson(const SweepReport& report);

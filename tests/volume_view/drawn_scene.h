@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "tests/volume_view/test_volumes.h"
-#include "widgets/volume_view/scene/camera_pose.h"
+#include "processing/picture/camera_pose.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 
 namespace echolucent::testing {

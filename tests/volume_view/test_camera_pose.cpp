@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "tests/volume_view/test_volumes.h"
-#include "widgets/volume_view/scene/camera_pose.h"
+#include "processing/picture/camera_pose.h"
 
 using namespace echolucent;
 using echolucent::testing::geometryOf;

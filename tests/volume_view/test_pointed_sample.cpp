@@ -3,7 +3,7 @@
 
 #include "processing/ray_caster.h"
 #include "tests/volume_view/test_volumes.h"
-#include "widgets/volume_view/scene/camera_pose.h"
+#include "processing/picture/camera_pose.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 
 using namespace echolucent;

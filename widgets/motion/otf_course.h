@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/motion/otf_smoothing.h"
-#include "widgets/panels/motion_mode.h"
+#include "processing/motion/motion_mode.h"
 
 namespace echolucent {
 

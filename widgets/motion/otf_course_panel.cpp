@@ -18,7 +18,7 @@ struct ModeName {
     QString name;
 };
 
-ModeName nameOf(MotionOtf mode) {
+ModeName shownNameOf(MotionOtf mode) {
     switch (mode) {
         case MotionOtf::oneOtf: return {"static", OtfCoursePanel::tr("One OTF")};
         case MotionOtf::eachView: return {"eachView", OtfCoursePanel::tr("Each view")};
@@ -80,7 +80,7 @@ QWidget* OtfCoursePanel::createFlickerTable() {
     grid->addWidget(new QLabel(tr("Flicker of the OTF")), 0, 0, 1, 3);
     int line = 1;
     for (const MotionOtf mode : allMotionOtfs) {
-        const ModeName name = nameOf(mode);
+        const ModeName name = shownNameOf(mode);
         FlickerRow& row = m_flicker[static_cast<std::size_t>(mode)];
         row.name = new QLabel(name.name);
         row.value =

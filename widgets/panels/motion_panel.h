@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "widgets/panels/motion_mode.h"
+#include "processing/motion/motion_mode.h"
 
 class QButtonGroup;
 class QCheckBox;

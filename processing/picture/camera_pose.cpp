@@ -1,4 +1,4 @@
-#include "widgets/volume_view/scene/camera_pose.h"
+#include "processing/picture/camera_pose.h"
 
 #include <algorithm>
 #include <cmath>

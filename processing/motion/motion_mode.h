@@ -1,7 +1,9 @@
-// The choices of the motion mode, shared by its panel, its player and what is drawn of its OTFs.
+// The choices of the motion mode: what moves, and which OTF its frames show.
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string_view>
 
 #include "processing/motion/otf_sweep.h"
 
@@ -22,12 +24,22 @@ enum class MotionScenario {
 enum class MotionOtf {
     oneOtf,              ///< the one that was computed before the motion, for every frame
     eachView,            ///< computed anew for each frame, not smoothed
-    mean,                ///< ... and smoothed over time: OtfSmoothing::mean
-    movingLeastSquares,  ///< OtfSmoothing::movingLeastSquares
-    leastFlicker,        ///< OtfSmoothing::leastFlicker
+    mean,                ///< computed for each frame and smoothed over time by OtfSmoothing::mean
+    movingLeastSquares,  ///< the same, smoothed by OtfSmoothing::movingLeastSquares
+    leastFlicker,        ///< the same, smoothed by OtfSmoothing::leastFlicker
 };
 inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean,
                                           MotionOtf::movingLeastSquares, MotionOtf::leastFlicker};
+
+/// "x", "y", "z".
+[[nodiscard]] std::string_view nameOf(MotionAxis axis);
+[[nodiscard]] std::optional<MotionAxis> motionAxisFromName(std::string_view name);
+/// "probe", "object", "both".
+[[nodiscard]] std::string_view nameOf(MotionScenario scenario);
+[[nodiscard]] std::optional<MotionScenario> motionScenarioFromName(std::string_view name);
+/// "one_otf", "each_view", "mean", "moving_least_squares", "least_flicker".
+[[nodiscard]] std::string_view nameOf(MotionOtf otf);
+[[nodiscard]] std::optional<MotionOtf> motionOtfFromName(std::string_view name);
 
 /// The range of the motion, whole degrees from the view in which it was started.
 inline constexpr int firstMotionAngle = -45;

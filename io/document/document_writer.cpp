@@ -1,0 +1,135 @@
+#include <nlohmann/json.hpp>
+
+#include "io/document/document_file.h"
+#include "io/output/atomic_file.h"
+
+namespace echolucent {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json triple(const Vec3& vector) { return ordered_json::array({vector[0], vector[1], vector[2]}); }
+
+ordered_json rawLayoutJson(const RawLayout& layout) {
+    return {{"size", layout.size},
+            {"type", layout.type},
+            {"big_endian", layout.bigEndian},
+            {"header_bytes", layout.headerBytes},
+            {"spacing_mm", triple(layout.spacing)},
+            {"spacing_known", layout.spacingKnown}};
+}
+
+ordered_json studyJson(const StudyReference& study) {
+    if (const auto* file = std::get_if<StudyFile>(&study)) {
+        ordered_json raw;
+        if (file->options.raw) raw = rawLayoutJson(*file->options.raw);
+        return {{"file",
+                 {{"path", file->path},
+                  {"series", file->series},
+                  {"raw_layout", raw},
+                  {"frames_as_slices", file->options.framesAsSlices},
+                  {"guess_no_data", file->options.guessNoData},
+                  {"checksum", file->checksum}}}};
+    }
+    if (const auto* scan = std::get_if<SimulatedScan>(&study))
+        return {{"simulated_scan", {{"scene", nameOf(scan->scene)}, {"size", scan->size}, {"seed", scan->seed}}}};
+    return nullptr;
+}
+
+ordered_json directionJson(const ViewDirection& direction) {
+    return {{"azimuth", direction.azimuth}, {"elevation", direction.elevation}, {"roll", direction.roll}};
+}
+
+ordered_json poseJson(const Pose& pose) {
+    return {{"direction", directionJson(pose.direction)},
+            {"offset_mm", triple(pose.offsetMm)},
+            {"magnification", pose.magnification}};
+}
+
+ordered_json cutJson(const Cut& cut) { return {{"near_cut_mm", cut.nearCutMm}}; }
+
+ordered_json lookJson(const Look& look) {
+    return {{"mode", nameOf(look.mode)},
+            {"colour_map", nameOf(look.colourMap)},
+            {"shaded", look.shaded},
+            {"depth_coloured", look.depthColoured},
+            {"step", look.step}};
+}
+
+template <typename Value>
+ordered_json listJson(const std::vector<Shared<Value>>& list, ordered_json (*valueJson)(const Value&)) {
+    ordered_json entries = ordered_json::array();
+    for (const Shared<Value>& entry : list) {
+        ordered_json object{{"id", entry.id}};
+        object.update(valueJson(entry.value));
+        entries.push_back(std::move(object));
+    }
+    return entries;
+}
+
+ordered_json viewsJson(const std::vector<View>& views) {
+    ordered_json entries = ordered_json::array();
+    for (const View& view : views)
+        entries.push_back({{"id", view.id},
+                           {"pose", view.pose},
+                           {"cut", view.cut},
+                           {"look", view.look},
+                           {"phase", view.phase},
+                           {"curve", nameOf(view.curve)}});
+    return entries;
+}
+
+ordered_json curvesJson(const CurveSet& curves) {
+    ordered_json nodes = ordered_json::array();
+    for (const CurveNode& node : curves.manual.nodes)
+        nodes.push_back({{"intensity", node.intensity}, {"opacity", node.opacity}});
+    return {
+        {"manual", nodes},
+        {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
+        {"parabolic", {{"scale", curves.parabolic.scale}}},
+        {"quartic", {{"scale", curves.quartic.scale}}}};
+}
+
+ordered_json methodJson(const MethodChoice& method) {
+    return {{"initial", nameOf(method.initial)},
+            {"initial_scale", method.initialScale},
+            {"direction", directionJson(method.direction)}};
+}
+
+ordered_json motionJson(const Document& document) {
+    return {{"axis", nameOf(document.motion.axis)},
+            {"scenario", nameOf(document.motion.scenario)},
+            {"otf", nameOf(document.motion.otf)},
+            {"ping_pong", document.motion.pingPong},
+            {"angle", document.motionAngle}};
+}
+
+ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
+    ordered_json entries = ordered_json::array();
+    for (const Shared<int>& phase : phases) entries.push_back({{"id", phase.id}, {"phase", phase.value}});
+    return entries;
+}
+
+}  // namespace
+
+std::string jsonOf(const Document& document) {
+    ordered_json object{{"format", "echolucent-document"}, {"version", 1}};
+    object["study"] = studyJson(document.study);
+    object["beam"] = {{"axis", nameOf(document.beam.axis)}, {"source", nameOf(document.beam.source)}};
+    object["views"] = viewsJson(document.views);
+    object["poses"] = listJson(document.poses, &poseJson);
+    object["cuts"] = listJson(document.cuts, &cutJson);
+    object["looks"] = listJson(document.looks, &lookJson);
+    object["phases"] = phasesJson(document.phases);
+    object["curves"] = curvesJson(document.curves);
+    object["method"] = methodJson(document.method);
+    object["motion"] = motionJson(document);
+    return object.dump(2) + "\n";
+}
+
+Result<void> writeDocument(const std::string& path, const Document& document) {
+    return writeFileAtomically(path, jsonOf(document));
+}
+
+}  // namespace echolucent

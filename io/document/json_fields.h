@@ -1,0 +1,81 @@
+// Checked access to the values of a JSON object; the first that is wrong is kept as a failure that names its key.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "processing/parameter.h"
+#include "processing/result.h"
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// What went wrong while a file was read.
+struct JsonProblems {
+    std::string file;
+    std::optional<Failure> first;
+};
+
+/// The values of one object. What is missing or wrong gives the value passed as `otherwise` (or a default) and is told
+/// to the problems, which outlive this.
+class JsonFields {
+public:
+    /// place: keys from the file's root to this object, "poses[0]"; empty: the root.
+    JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
+
+    [[nodiscard]] bool has(const char* key) const;
+    bool isNull(const char* key);
+    /// A finite number in [least, largest].
+    double number(const char* key, double least = -std::numeric_limits<double>::infinity(),
+                  double largest = std::numeric_limits<double>::infinity());
+    std::int64_t whole(const char* key, std::int64_t least, std::int64_t largest);
+    std::uint64_t seed(const char* key);
+    bool flag(const char* key);
+    std::string text(const char* key);
+    /// Three finite numbers.
+    Vec3 vector(const char* key);
+    JsonFields object(const char* key);
+    std::vector<JsonFields> list(const char* key);
+    /// A choice by name; `named` gives none for an unknown name.
+    template <typename Choice>
+    Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {
+        const std::string name = text(key);
+        const std::optional<Choice> found = named(name);
+        if (!found) wrong(key, "must not be \"" + name + "\"");
+        return found.value_or(Choice{});
+    }
+    /// The parameters of a table that stand here; what is not here stays.
+    template <typename Values>
+    void parameters(std::span<const Parameter<Values>> table, Values& values) {
+        for (const Parameter<Values>& row : table) {
+            const std::string key(row.name);
+            const auto found = m_object->find(key);
+            if (found == m_object->end()) continue;
+            const std::optional<ParameterValue> value = parameterValue(*found, row.get(values));
+            if (!value || !row.set(values, *value)) {
+                wrong(key.c_str(), "must not be " + found->dump());
+            } else if (const auto number = numberOf(*value); number && !inRange(*number, row.range)) {
+                wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
+            }
+        }
+    }
+    /// problem: lower case, no full stop.
+    void wrong(const char* key, const std::string& problem);
+
+private:
+    const nlohmann::json* find(const char* key);
+    /// `value` as a parameter's value of the kind that `like` has; none: it is no such value.
+    static std::optional<ParameterValue> parameterValue(const nlohmann::json& value,
+                                                        const std::optional<ParameterValue>& like);
+
+    const nlohmann::json* m_object;
+    std::string m_place;
+    JsonProblems* m_problems;
+};
+
+}  // namespace echolucent

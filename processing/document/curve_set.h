@@ -1,0 +1,39 @@
+// The opacity curves that a person edits, and the names of all that can be rendered.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "processing/opacity_curve.h"
+
+namespace echolucent {
+
+/// The five curves a view can be rendered with.
+enum class CurveKind { adaptive, manual, linear, parabolic, quartic };
+
+/// All kinds in the order of the legend and of the shortcuts 1 to 5.
+inline constexpr std::array<CurveKind, 5> allCurveKinds{CurveKind::adaptive, CurveKind::manual, CurveKind::linear,
+                                                        CurveKind::parabolic, CurveKind::quartic};
+
+/// Position of a kind in allCurveKinds.
+[[nodiscard]] constexpr std::size_t indexOf(CurveKind kind) { return static_cast<std::size_t>(kind); }
+
+/// "adaptive", "manual", "linear", "parabolic", "quartic".
+[[nodiscard]] std::string_view nameOf(CurveKind kind);
+[[nodiscard]] std::optional<CurveKind> curveKindFromName(std::string_view name);
+
+/// The curves that a person edits. The adaptive curve is computed from the volume and is none of them.
+struct CurveSet {
+    ManualCurve manual{{{60.0 / 255.0, 0.0}, {120.0 / 255.0, 0.6}, {1.0, 0.8}}};  ///< 3D Slicer's fetal preset
+    LinearCurve linear;
+    PowerCurve parabolic{2, 1.0};  ///< the exponent stays 2
+    PowerCurve quartic{4, 1.0};    ///< the exponent stays 4
+    friend bool operator==(const CurveSet&, const CurveSet&) = default;
+};
+
+/// The curve of one kind; `adaptive` is what the method computed for the volume shown, empty before that.
+[[nodiscard]] OpacityCurve curveOf(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive);
+
+}  // namespace echolucent

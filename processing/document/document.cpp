@@ -1,0 +1,117 @@
+#include "processing/document/document.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "processing/motion/otf_sweep.h"
+
+namespace echolucent {
+
+namespace {
+
+template <typename List>
+auto& withId(List& list, int id, const char* what) {
+    const auto found = std::ranges::find(list, id, [](const auto& entry) { return entry.id; });
+    if (found == list.end()) throw std::out_of_range(std::string("the document has no ") + what + " of this id");
+    return *found;
+}
+
+template <typename List>
+bool has(const List& list, int id) {
+    return std::ranges::any_of(list, [id](const auto& entry) { return entry.id == id; });
+}
+
+template <typename List>
+bool unique(const List& list) {
+    return std::ranges::all_of(list, [&](const auto& entry) {
+        return std::ranges::count(list, entry.id, [](const auto& other) { return other.id; }) == 1;
+    });
+}
+
+}  // namespace
+
+const View& viewOf(const Document& document, int view) { return withId(document.views, view, "view"); }
+View& viewOf(Document& document, int view) { return withId(document.views, view, "view"); }
+
+const Pose& poseOf(const Document& document, int view) {
+    return withId(document.poses, viewOf(document, view).pose, "pose").value;
+}
+Pose& poseOf(Document& document, int view) { return withId(document.poses, viewOf(document, view).pose, "pose").value; }
+
+const Cut& cutOf(const Document& document, int view) {
+    return withId(document.cuts, viewOf(document, view).cut, "cut").value;
+}
+Cut& cutOf(Document& document, int view) { return withId(document.cuts, viewOf(document, view).cut, "cut").value; }
+
+const Look& lookOf(const Document& document, int view) {
+    return withId(document.looks, viewOf(document, view).look, "look").value;
+}
+Look& lookOf(Document& document, int view) { return withId(document.looks, viewOf(document, view).look, "look").value; }
+
+int phaseOf(const Document& document, int view) {
+    return withId(document.phases, viewOf(document, view).phase, "phase").value;
+}
+int& phaseOf(Document& document, int view) {
+    return withId(document.phases, viewOf(document, view).phase, "phase").value;
+}
+
+Pose shownPose(const Document& document, int view) {
+    const Pose& pose = poseOf(document, view);
+    if (document.motionAngle == 0.0) return pose;
+    const Viewpoint start = viewpointOf(document.beam.axis, pose.direction, 0.0);
+    return turnedTo(pose, document.beam.axis, directionOf(turned(start, document.motion.axis, document.motionAngle)));
+}
+
+Viewpoint viewpointOf(const Document& document, int view) {
+    const Viewpoint start =
+        viewpointOf(document.beam.axis, poseOf(document, view).direction, cutOf(document, view).nearCutMm);
+    return document.motionAngle == 0.0 ? start : turned(start, document.motion.axis, document.motionAngle);
+}
+
+Viewpoint otfViewpointOf(const Document& document, int view) {
+    return viewpointOf(document.beam.axis, document.method.direction, cutOf(document, view).nearCutMm);
+}
+
+OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive) {
+    return curveOf(document.curves, viewOf(document, view).curve, adaptive);
+}
+
+AdaptiveOtfConfig configOf(const Document& document) { return configOf(document.method, document.curves); }
+
+Document withShown(Document document, const Document& shown) {
+    document.phases = shown.phases;
+    document.motionAngle = shown.motionAngle;
+    return document;
+}
+
+Document openedDocument(const Document& before, const StudyReference& study) {
+    Document opened = before;
+    opened.study = study;
+    opened.beam = Beam{};
+    for (Shared<Pose>& pose : opened.poses) pose.value = Pose{};
+    for (Shared<Cut>& cut : opened.cuts) cut.value = Cut{};
+    for (Shared<int>& phase : opened.phases) phase.value = 0;
+    opened.method.direction = ViewDirection{};
+    opened.motionAngle = 0.0;
+    return opened;
+}
+
+std::string problemOf(const Document& document) {
+    if (document.views.empty()) return "views must hold at least one view";
+    if (!unique(document.views)) return "views must have an id of its own each";
+    if (!unique(document.poses)) return "poses must have an id of its own each";
+    if (!unique(document.cuts)) return "cuts must have an id of its own each";
+    if (!unique(document.looks)) return "looks must have an id of its own each";
+    if (!unique(document.phases)) return "phases must have an id of its own each";
+    for (std::size_t i = 0; i < document.views.size(); ++i) {
+        const View& view = document.views[i];
+        const std::string place = "views[" + std::to_string(i) + "].";
+        if (!has(document.poses, view.pose)) return place + "pose names no pose";
+        if (!has(document.cuts, view.cut)) return place + "cut names no cut";
+        if (!has(document.looks, view.look)) return place + "look names no look";
+        if (!has(document.phases, view.phase)) return place + "phase names no phase";
+    }
+    return {};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,104 @@
+// Everything that a person can set of what the program shows, as one value. What is computed from it (adaptive curves,
+// pictures) is no part of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "processing/document/curve_set.h"
+#include "processing/document/method_choice.h"
+#include "processing/document/pose.h"
+#include "processing/document/study_reference.h"
+#include "processing/motion/motion_mode.h"
+#include "processing/picture/look.h"
+
+namespace echolucent {
+
+/// What is cut off in front.
+struct Cut {
+    double nearCutMm = 0.0;  ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
+    friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+/// A value that views refer to by its id. Ids are unique in each list.
+template <typename Value>
+struct Shared {
+    int id = 1;
+    Value value{};
+    friend bool operator==(const Shared&, const Shared&) = default;
+};
+
+/// A picture of the study: what it shows of the lists below, by id. Views that share an id are linked.
+struct View {
+    int id = 1;
+    int pose = 1;
+    int cut = 1;
+    int look = 1;
+    int phase = 1;
+    CurveKind curve = CurveKind::adaptive;  ///< the curve that is rendered
+    friend bool operator==(const View&, const View&) = default;
+};
+
+/// The choices of the motion mode.
+struct MotionChoice {
+    MotionAxis axis = MotionAxis::y;
+    MotionScenario scenario = MotionScenario::probe;
+    MotionOtf otf = MotionOtf::oneOtf;
+    bool pingPong = true;  ///< turns at the ends; false: starts from the first frame again
+    friend bool operator==(const MotionChoice&, const MotionChoice&) = default;
+};
+
+/// The default is what the program shows of a study that was opened and not touched.
+struct Document {
+    StudyReference study;
+    Beam beam;
+    std::vector<View> views{View{}};
+    std::vector<Shared<Pose>> poses{{}};
+    std::vector<Shared<Cut>> cuts{{}};
+    std::vector<Shared<Look>> looks{{}};
+    CurveSet curves;
+    MethodChoice method;
+    MotionChoice motion;
+    // What plays. Showing another phase or frame is no step of the undo stack (withShown()).
+    std::vector<Shared<int>> phases{{}};  ///< of the 4D study, counted from 0
+    double motionAngle = 0.0;             ///< degrees by which the motion has turned the poses
+    friend bool operator==(const Document&, const Document&) = default;
+};
+
+// ---- Parts by id. An id that is not there is a broken contract (std::out_of_range).
+
+[[nodiscard]] const View& viewOf(const Document& document, int view);
+[[nodiscard]] View& viewOf(Document& document, int view);
+[[nodiscard]] const Pose& poseOf(const Document& document, int view);
+[[nodiscard]] Pose& poseOf(Document& document, int view);
+[[nodiscard]] const Cut& cutOf(const Document& document, int view);
+[[nodiscard]] Cut& cutOf(Document& document, int view);
+[[nodiscard]] const Look& lookOf(const Document& document, int view);
+[[nodiscard]] Look& lookOf(Document& document, int view);
+[[nodiscard]] int phaseOf(const Document& document, int view);
+[[nodiscard]] int& phaseOf(Document& document, int view);
+
+// ---- What follows from the parts
+
+/// The pose of a view, turned by the motion where it is not at angle 0.
+[[nodiscard]] Pose shownPose(const Document& document, int view);
+/// From where a view looks now: its shown pose and its near cut.
+[[nodiscard]] Viewpoint viewpointOf(const Document& document, int view);
+/// From where the adaptive OTF of a view is computed: the method's direction and the view's near cut.
+[[nodiscard]] Viewpoint otfViewpointOf(const Document& document, int view);
+/// The curve that a view is rendered with; `adaptive` as in curveOf(CurveSet, ...).
+[[nodiscard]] OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive);
+/// What adaptOpacity() is to be run with.
+[[nodiscard]] AdaptiveOtfConfig configOf(const Document& document);
+
+/// The document with the phases and the frame of the motion that another one shows.
+[[nodiscard]] Document withShown(Document document, const Document& shown);
+
+/// A document of another study: the look, curves, method parameters and motion choices of `before`, seen along the
+/// assumed beam, whole, uncut, from its first phase on.
+[[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
+
+/// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); empty: nothing does.
+[[nodiscard]] std::string problemOf(const Document& document);
+
+}  // namespace echolucent

@@ -1,0 +1,38 @@
+// How the adaptive method is run for a document.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/document/curve_set.h"
+#include "processing/document/pose.h"
+
+namespace echolucent {
+
+/// The kind of initial function that the adaptive method multiplies.
+enum class InitialKind {
+    parabolic,  ///< a x^2
+    quartic,    ///< a x^4
+    linear,     ///< the linear curve of the document
+    manual,     ///< the manual curve of the document
+};
+/// "parabolic", "quartic", "linear", "manual".
+[[nodiscard]] std::string_view nameOf(InitialKind kind);
+[[nodiscard]] std::optional<InitialKind> initialKindFromName(std::string_view name);
+
+/// A config whose initial function is named, so that a curve of the document stands in one place only.
+struct MethodChoice {
+    AdaptiveOtfConfig config;  ///< all but `initial`, which plays no part and stays as by default
+    InitialKind initial = InitialKind::parabolic;
+    double initialScale = defaultOpacityScale;  ///< a of the parabolic and quartic initial function, >= 0
+    ViewDirection direction;                    ///< along which the tube cores are placed
+    friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
+};
+
+/// The initial function that a choice names.
+[[nodiscard]] OpacityCurve initialCurve(const MethodChoice& method, const CurveSet& curves);
+/// What adaptOpacity() is to be run with.
+[[nodiscard]] AdaptiveOtfConfig configOf(const MethodChoice& method, const CurveSet& curves);
+
+}  // namespace echolucent

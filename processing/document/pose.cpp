@@ -1,0 +1,63 @@
+#include "processing/document/pose.h"
+
+namespace echolucent {
+
+namespace {
+constexpr std::array<std::string_view, 2> beamSourceNames{"assumed", "person"};
+
+/// Height of the picture at magnification 1, mm.
+double fittedHeightMm(const VolumeGeometry& geometry, BeamAxis beam, double aspect) {
+    return fittedPose(geometry, Viewpoint{.beamAxis = beam}, Projection::parallel, aspect).heightMm;
+}
+
+}  // namespace
+
+std::string_view nameOf(BeamSource source) { return beamSourceNames.at(static_cast<std::size_t>(source)); }
+
+std::optional<BeamSource> beamSourceFromName(std::string_view name) {
+    for (std::size_t i = 0; i < beamSourceNames.size(); ++i)
+        if (beamSourceNames[i] == name) return static_cast<BeamSource>(i);
+    return std::nullopt;
+}
+
+Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm) {
+    return {beam, direction.azimuth, direction.elevation, direction.roll, nearCutMm};
+}
+
+ViewDirection directionOf(const Viewpoint& viewpoint) {
+    return {viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};
+}
+
+Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {
+    const ViewFrame before = frameOf(viewpointOf(beam, pose.direction, 0.0));
+    const ViewFrame after = frameOf(viewpointOf(beam, direction, 0.0));
+    Pose turned = pose;
+    turned.direction = direction;
+    turned.offsetMm = after.right * pose.offsetMm.dot(before.right) + after.down * pose.offsetMm.dot(before.down) +
+                      after.forward * pose.offsetMm.dot(before.forward);
+    return turned;
+}
+
+CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const VolumeGeometry& geometry,
+                        Projection projection, double aspect) {
+    return {viewpointOf(beam, pose.direction, nearCutMm), geometry.centreMm() + pose.offsetMm,
+            fittedHeightMm(geometry, beam, aspect) / pose.magnification, projection};
+}
+
+Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const VolumeGeometry& geometry,
+               double aspect) {
+    Pose moved = pose;
+    moved.direction = directionOf(after.view);
+    if (after.focalPoint != before.focalPoint) moved.offsetMm = after.focalPoint - geometry.centreMm();
+    if (after.heightMm != before.heightMm)
+        moved.magnification = fittedHeightMm(geometry, after.view.beamAxis, aspect) / after.heightMm;
+    return moved;
+}
+
+Pose wholeVolumePose(const VolumeGeometry& geometry, const Viewpoint& viewpoint, Projection projection, double aspect) {
+    const CameraPose fitted = fittedPose(geometry, viewpoint, projection, aspect);
+    return {directionOf(viewpoint), fitted.focalPoint - geometry.centreMm(),
+            fittedHeightMm(geometry, viewpoint.beamAxis, aspect) / fitted.heightMm};
+}
+
+}  // namespace echolucent

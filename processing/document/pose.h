@@ -1,0 +1,63 @@
+// From where a view looks at the volume, in values that mean the same for every study and every shape of a picture.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "processing/picture/camera_pose.h"
+#include "processing/viewpoint.h"
+
+namespace echolucent {
+
+/// Who said along which way sound travelled.
+enum class BeamSource {
+    assumed,  ///< nobody: the default
+    person,   ///< chosen in the program
+};
+/// "assumed", "person".
+[[nodiscard]] std::string_view nameOf(BeamSource source);
+[[nodiscard]] std::optional<BeamSource> beamSourceFromName(std::string_view name);
+
+/// The way along which sound travelled: the default view direction.
+struct Beam {
+    BeamAxis axis = BeamAxis::plusZ;
+    BeamSource source = BeamSource::assumed;
+    friend bool operator==(const Beam&, const Beam&) = default;
+};
+
+/// A direction of looking, relative to the beam: the angles of Viewpoint, degrees. All 0: along the beam.
+struct ViewDirection {
+    double azimuth = 0.0;
+    double elevation = 0.0;  ///< [-90, 90]
+    double roll = 0.0;
+    friend bool operator==(const ViewDirection&, const ViewDirection&) = default;
+};
+
+/// A camera. The default shows the whole volume, seen along the beam.
+struct Pose {
+    ViewDirection direction;
+    Vec3 offsetMm{0, 0, 0};      ///< from the volume's centre to the point seen at the picture's centre, grid mm
+    double magnification = 1.0;  ///< > 0; 1: the whole volume, seen along the beam in parallel projection, fits
+    friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// A view's direction, beam and near cut (mm behind the volume's foremost point along the view, >= 0) in one value.
+[[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm);
+[[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);
+
+/// Looks from another direction; the volume's centre keeps its place in the picture.
+[[nodiscard]] Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction);
+
+/// The camera of a pose, for a picture of width / height `aspect` (> 0).
+[[nodiscard]] CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const VolumeGeometry& geometry,
+                                      Projection projection, double aspect);
+/// The pose after the hand has moved its camera from `before` (which cameraPoseOf() gave) to `after`, in a picture of
+/// that aspect. What the hand did not change keeps its bits.
+[[nodiscard]] Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after,
+                             const VolumeGeometry& geometry, double aspect);
+/// The pose of fittedPose(): the whole volume, seen from a viewpoint, fills the picture.
+[[nodiscard]] Pose wholeVolumePose(const VolumeGeometry& geometry, const Viewpoint& viewpoint, Projection projection,
+                                   double aspect);
+
+}  // namespace echolucent

@@ -1,0 +1,33 @@
+// How a person says that a file is to be read, where the file does not say it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// How a headerless raw file is laid out. Once a person has said it, it is kept beside the file as
+/// FILE.echolucent.json.
+struct RawLayout {
+    std::array<std::int64_t, 3> size{0, 0, 0};  ///< voxels along x (fastest), y and z
+    std::string type = "uint8";                 ///< uint8, int8, uint16, int16, uint32, int32, float32, float64
+    bool bigEndian = false;
+    std::int64_t headerBytes = 0;  ///< bytes before the first voxel
+    Vec3 spacing{1, 1, 1};         ///< mm
+    bool spacingKnown = false;     ///< false where `spacing` is only assumed
+    friend bool operator==(const RawLayout&, const RawLayout&) = default;
+};
+
+/// What a person may say about how a file is to be read.
+struct ReadOptions {
+    std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
+    bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
+    bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
+    friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,34 @@
+// Which study a document is about: named, not held.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "processing/document/read_options.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent {
+
+/// A study in a file, or in a folder of DICOM slices.
+struct StudyFile {
+    std::string path;
+    std::string series;  ///< DICOM series instance UID; empty: the file or folder holds one series
+    ReadOptions options;
+    std::string checksum;  ///< of the bytes that were read, with its algorithm in front; empty: not known
+    friend bool operator==(const StudyFile&, const StudyFile&) = default;
+};
+
+/// A scan that the program simulates: defaultPhantom(scene) of a size (voxels) and a seed.
+struct SimulatedScan {
+    PhantomScene scene = PhantomScene::fetus;
+    std::array<std::int64_t, 3> size{192, 192, 192};
+    std::uint64_t seed = 1;
+    friend bool operator==(const SimulatedScan&, const SimulatedScan&) = default;
+};
+
+/// std::monostate: nothing is open.
+using StudyReference = std::variant<std::monostate, StudyFile, SimulatedScan>;
+
+}  // namespace echolucent

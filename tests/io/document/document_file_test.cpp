@@ -1,0 +1,136 @@
+// Documents as JSON: nothing is lost, and what is wrong is refused by its key.
+#include "io/document/document_file.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/io/temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+/// A document in which every value differs from its default, with numbers that have no short decimal text.
+Document unusual() {
+    Document document;
+    StudyFile file{
+        .path = "/data/a \"study\" \\ with ümlauts.dcm", .series = "1.2.840.1", .options = {}, .checksum = "x"};
+    file.options.raw = RawLayout{{20, 21, 22}, "int16", true, 352, {0.1, 1.0 / 3.0, 2e-7}, true};
+    file.options.framesAsSlices = true;
+    file.options.guessNoData = false;
+    document.study = file;
+    document.beam = {BeamAxis::minusX, BeamSource::person};
+    document.poses = {
+        {7, {{std::numbers::pi * 50, -89.999999999999986, 1e-300}, {0.1 + 0.2, -1.0 / 3.0, 1e17}, 4.0 / 3.0}},
+        {2, Pose{}}};
+    document.cuts = {{4, {18.04000000000001}}, {5, {std::numeric_limits<double>::denorm_min()}}};
+    document.looks = {{9, Look{}}};
+    document.looks.front().value.mode = RenderMode::mean;
+    document.looks.front().value.colourMap = ColourMap::ice;
+    document.looks.front().value.depthColoured = true;
+    document.phases = {{1, 3}};
+    document.views = {{3, 7, 4, 9, 1, CurveKind::quartic}, {8, 2, 5, 9, 1, CurveKind::manual}};
+    document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
+    document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
+    document.curves.parabolic.scale = 0.1;
+    document.curves.quartic.scale = 17.3;
+    document.method.initial = InitialKind::linear;
+    document.method.initialScale = 0.55;
+    document.method.direction = {12.3, -4.5, 6.7};
+    document.motion = {MotionAxis::z, MotionScenario::both, MotionOtf::leastFlicker, false};
+    document.motionAngle = -17;
+    return document;
+}
+
+std::string changed(const std::string& text, const std::string& pointer, const nlohmann::ordered_json& value) {
+    auto object = nlohmann::ordered_json::parse(text);
+    object[nlohmann::ordered_json::json_pointer(pointer)] = value;
+    return object.dump();
+}
+
+TEST(DocumentFile, ReadsBackWhatItWroteBitForBit) {
+    Document simulated;
+    simulated.study = SimulatedScan{PhantomScene::shapes, {72, 68, 70}, std::numeric_limits<std::uint64_t>::max()};
+    for (const Document& document : {Document{}, unusual(), simulated}) {
+        const std::string text = jsonOf(document);
+        const auto read = documentFromJson(text);
+        ASSERT_TRUE(read) << read.error().sentence();
+        EXPECT_TRUE(*read == document);
+        EXPECT_EQ(jsonOf(*read), text);
+    }
+    EXPECT_NE(jsonOf(unusual()), jsonOf(Document{}));
+}
+
+TEST(DocumentFile, GoesToAFileAndBack) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("session.json");
+    ASSERT_TRUE(writeDocument(path, unusual()));
+    EXPECT_TRUE(readDocument(path).value() == unusual());
+    EXPECT_FALSE(readDocument(folder.file("absent.json")));
+    const auto nowhere = writeDocument(folder.file("no folder/session.json"), unusual());
+    ASSERT_FALSE(nowhere);
+    EXPECT_EQ(nowhere.error().kind, FailureKind::unwritable);
+}
+
+struct Wrong {
+    const char* place;  ///< JSON pointer
+    nlohmann::ordered_json value;
+    const char* key;  ///< in the sentence
+    const char* problem;
+};
+
+class WrongDocument : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongDocument, IsRefusedByItsKey) {
+    const auto read = documentFromJson(changed(jsonOf(unusual()), GetParam().place, GetParam().value), "session.json");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().element, GetParam().key);
+    EXPECT_NE(read.error().problem.find(GetParam().problem), std::string::npos) << read.error().problem;
+    EXPECT_EQ(read.error().sentence().find("session.json: "), 0u) << read.error().sentence();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    DocumentFile, WrongDocument,
+    testing::Values(Wrong{"/format", "echolucent-opacity-curve", "format", "echolucent-document"},
+                    Wrong{"/version", 2, "version", "must be 1, not 2"}, Wrong{"/version", "1", "version", "must be 1"},
+                    Wrong{"/views", 3, "views", "list"}, Wrong{"/views/1/pose", 99, "", "views[1].pose names no pose"},
+                    Wrong{"/views/1/id", 3, "", "views must have an id of its own each"},
+                    Wrong{"/views/0/curve", "sigmoid", "views[0].curve", "must not be \"sigmoid\""},
+                    Wrong{"/poses/0/magnification", 0, "poses[0].magnification", "above 0"},
+                    Wrong{"/poses/0/magnification", nullptr, "poses[0].magnification", "must be a number"},
+                    Wrong{"/poses/0/offset_mm", {1, 2}, "poses[0].offset_mm", "three numbers"},
+                    Wrong{"/poses/1/direction/elevation", 90.5, "poses[1].direction.elevation", "-90 to 90"},
+                    Wrong{"/poses/1/direction", 1, "poses[1].direction", "object"},
+                    Wrong{"/cuts/0/near_cut_mm", -1, "cuts[0].near_cut_mm", "0 or more"},
+                    Wrong{"/looks/0/mode", 1, "looks[0].mode", "must be a text"},
+                    Wrong{"/phases/0/phase", 1.5, "phases[0].phase", "whole number"},
+                    Wrong{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
+                    Wrong{"/curves/manual/1/opacity", 1.01, "curves.manual[1].opacity", "0 to 1"},
+                    Wrong{"/curves/manual/2/intensity", 0.2, "curves.manual[2].intensity", "before"},
+                    Wrong{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
+                    Wrong{"/curves/linear/upper", 0.2, "curves.linear.upper", "to 1"},
+                    Wrong{"/method/initial", "cubic", "method.initial", "cubic"},
+                    Wrong{"/motion/angle", 46, "motion.angle", "-45 to 45"},
+                    Wrong{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
+                    Wrong{"/beam/axis", "up", "beam.axis", "up"},
+                    Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
+                    Wrong{"/study/file/path", 5, "study.file.path", "text"}));
+
+TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
+    auto object = nlohmann::ordered_json::parse(jsonOf(unusual()));
+    for (const auto& [key, value] : object.items()) {
+        auto without = object;
+        without.erase(key);
+        EXPECT_FALSE(documentFromJson(without.dump())) << key;
+    }
+}
+
+TEST(DocumentFile, TextThatIsNoJsonIsRefused) {
+    for (const char* text : {"", "{", "[1]", "nonsense", "{\"format\": 1e999}"})
+        EXPECT_FALSE(documentFromJson(text)) << text;
+}
+
+}  // namespace
+}  // namespace echolucent
