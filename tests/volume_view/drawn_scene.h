@@ -13,8 +13,8 @@
 #include <array>
 #include <memory>
 
-#include "tests/volume_view/test_volumes.h"
 #include "processing/picture/camera_pose.h"
+#include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 
 namespace echolucent::testing {

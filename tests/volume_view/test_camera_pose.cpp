@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/volume_view/test_volumes.h"
 #include "processing/picture/camera_pose.h"
+#include "tests/volume_view/test_volumes.h"
 
 using namespace echolucent;
 using echolucent::testing::geometryOf;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "processing/ray_caster.h"
-#include "tests/volume_view/test_volumes.h"
 #include "processing/picture/camera_pose.h"
+#include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 
 using namespace echolucent;

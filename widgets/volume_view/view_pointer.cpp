@@ -101,7 +101,9 @@ void ViewPointer::move(const QMouseEvent& event) {
 }
 
 void ViewPointer::release(const QMouseEvent& event) {
-    if (event.button() == m_button) m_drag = Drag::none;
+    if (event.button() != m_button || !dragging()) return;
+    m_drag = Drag::none;
+    emit dragEnded();
 }
 
 void ViewPointer::turnWheel(const QWheelEvent& event) {

@@ -32,6 +32,7 @@ public:
 
 signals:
     void dragStarted();
+    void dragEnded();  ///< by the hand that let go
     void dragCancelled();
     void orbited(double right, double down);
     void panned(double right, double down);

@@ -76,17 +76,23 @@ void VolumeViewWidget::connectPointer() {
         setFocus(Qt::MouseFocusReason);
         pointAt(std::nullopt);
     });
+    connect(pointer, &ViewPointer::dragEnded, this, &VolumeViewWidget::dragEnded);
     connect(pointer, &ViewPointer::dragCancelled, this, [this] {
-        followHand(m_parts->poseBeforeDrag);
-        moveLight(m_parts->lightBeforeDrag);
+        setPose(m_parts->poseBeforeDrag, m_parts->beam);
+        if (m_parts->lightBeforeDrag != m_parts->look.light) {
+            m_parts->look.light = m_parts->lightBeforeDrag;
+            schedule();
+            emit lightChanged();
+        }
+        emit dragCancelled();
     });
     connect(pointer, &ViewPointer::orbited, this,
-            [this](double right, double down) { followHand(orbited(m_parts->pose, right, down)); });
+            [this](double right, double down) { followHand(orbited(camera(), right, down)); });
     connect(pointer, &ViewPointer::panned, this,
-            [this](double right, double down) { followHand(panned(m_parts->pose, right, down)); });
+            [this](double right, double down) { followHand(panned(camera(), right, down)); });
     connect(pointer, &ViewPointer::zoomed, this, [this](double factor) {
         if (!m_parts->volume) return;
-        followHand(zoomed(m_parts->pose, factor, zoomLimits(m_parts->volume->geometry())));
+        followHand(zoomed(camera(), factor, zoomLimits(m_parts->volume->geometry())));
     });
     connect(pointer, &ViewPointer::lightMoved, this,
             [this](double right, double down) { moveLight(moved(m_parts->look.light, right, down)); });
@@ -99,10 +105,17 @@ void VolumeViewWidget::connectPointer() {
     });
 }
 
-void VolumeViewWidget::followHand(const CameraPose& pose) {
-    if (!m_parts->volume || pose == m_parts->pose) return;
-    m_parts->pose = pose;
-    schedule();
+CameraPose VolumeViewWidget::camera() const {
+    const Parts& parts = *m_parts;
+    const VolumeGeometry geometry = parts.volume ? parts.volume->geometry() : VolumeGeometry{};
+    return cameraPoseOf(parts.pose, parts.beam, parts.nearCutMm, geometry, parts.look.projection, aspect());
+}
+
+void VolumeViewWidget::followHand(const CameraPose& camera) {
+    if (!m_parts->volume) return;
+    const Pose moved = movedPose(m_parts->pose, this->camera(), camera, m_parts->volume->geometry(), aspect());
+    if (moved == m_parts->pose) return;
+    setPose(moved, m_parts->beam);
     emit cameraChanged();
 }
 
@@ -127,7 +140,7 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume) {
         if (isVisible()) parts.renderWindow->Render();
         pointAt(std::nullopt);
     } else if (!keepsCamera) {
-        resetView(parts.pose.view);
+        parts.pose = wholeVolume(view());
     }
     schedule();
 }
@@ -139,40 +152,57 @@ void VolumeViewWidget::setCurve(const OpacityCurve& curve) {
 
 void VolumeViewWidget::setLook(const Look& look) {
     m_parts->look = look;
-    m_parts->pose.projection = look.projection;
     schedule();
 }
 
 const Look& VolumeViewWidget::look() const { return m_parts->look; }
 
 void VolumeViewWidget::setNearCut(double mm) {
-    m_parts->pose.view.nearCutMm = mm;
+    m_parts->nearCutMm = mm;
     schedule();
 }
 
+void VolumeViewWidget::setPose(const Pose& pose, BeamAxis beam) {
+    if (pose == m_parts->pose && beam == m_parts->beam) return;
+    m_parts->pose = pose;
+    m_parts->beam = beam;
+    schedule();
+}
+
+Pose VolumeViewWidget::pose() const { return m_parts->pose; }
+
+bool VolumeViewWidget::dragging() const { return m_parts->pointer->dragging(); }
+
 void VolumeViewWidget::setBeamAxis(BeamAxis axis) {
-    Viewpoint& view = m_parts->pose.view;
-    if (view.beamAxis == axis) return;
-    const ViewFrame frame = frameOf(view);
-    view = viewAlong(frame.forward, frame.down, axis, view.nearCutMm);
+    if (m_parts->beam == axis) return;
+    const ViewFrame frame = frameOf(view());
+    const CameraPose before = camera();
+    m_parts->pose.direction = directionOf(viewAlong(frame.forward, frame.down, axis, m_parts->nearCutMm));
+    m_parts->beam = axis;
+    // The height of the picture at magnification 1 depends on the beam.
+    m_parts->pose.magnification *= camera().heightMm / before.heightMm;
 }
 
 void VolumeViewWidget::setView(const Viewpoint& view) {
-    Parts& parts = *m_parts;
-    const Vec3 centre = parts.volume ? parts.volume->geometry().centreMm() : parts.pose.focalPoint;
-    parts.pose = turnedTo(parts.pose, view, centre);
+    m_parts->nearCutMm = view.nearCutMm;
+    setBeamAxis(view.beamAxis);
+    m_parts->pose = turnedTo(m_parts->pose, view.beamAxis, directionOf(view));
     schedule();
 }
 
-Viewpoint VolumeViewWidget::view() const { return m_parts->pose.view; }
+Viewpoint VolumeViewWidget::view() const {
+    return viewpointOf(m_parts->beam, m_parts->pose.direction, m_parts->nearCutMm);
+}
 
 void VolumeViewWidget::resetView(const Viewpoint& view) {
-    Parts& parts = *m_parts;
-    parts.fittedView = view;
-    parts.fittedAspect = aspect();
-    parts.pose.view = view;
-    if (parts.volume) parts.pose = fittedPose(parts.volume->geometry(), view, parts.look.projection, aspect());
+    m_parts->nearCutMm = view.nearCutMm;
+    setPose(wholeVolume(view), view.beamAxis);
     schedule();
+}
+
+Pose VolumeViewWidget::wholeVolume(const Viewpoint& view) const {
+    if (!m_parts->volume) return {directionOf(view), {0, 0, 0}, 1.0};
+    return wholeVolumePose(m_parts->volume->geometry(), view, m_parts->look.projection, aspect());
 }
 
 void VolumeViewWidget::showEvent(QShowEvent* event) {
@@ -188,20 +218,7 @@ void VolumeViewWidget::hideEvent(QHideEvent* event) {
 
 void VolumeViewWidget::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    refit();
     schedule();
-}
-
-/// What filled the picture before its shape changed fills it afterwards.
-void VolumeViewWidget::refit() {
-    Parts& parts = *m_parts;
-    const double before = std::exchange(parts.fittedAspect, aspect());
-    if (!parts.volume || parts.fittedAspect == before) return;
-    const VolumeGeometry& geometry = parts.volume->geometry();
-    const auto fittedHeight = [&](double ofAspect) {
-        return fittedPose(geometry, parts.fittedView, parts.look.projection, ofAspect).heightMm;
-    };
-    parts.pose.heightMm *= fittedHeight(parts.fittedAspect) / fittedHeight(before);
 }
 
 void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {

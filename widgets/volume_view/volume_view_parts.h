@@ -9,9 +9,9 @@
 #include <memory>
 #include <optional>
 
+#include "processing/document/pose.h"
 #include "widgets/volume_view/frame_meter.h"
 #include "widgets/volume_view/progressive_caster.h"
-#include "processing/picture/camera_pose.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 #include "widgets/volume_view/view_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -22,11 +22,11 @@ struct VolumeViewWidget::Parts {
     std::shared_ptr<const Volume> volume;
     OpacityCurve curve = PowerCurve{2, 1.0};
     Look look;
-    CameraPose pose;
-    CameraPose poseBeforeDrag;
+    Pose pose;
+    BeamAxis beam = BeamAxis::plusZ;
+    double nearCutMm = 0.0;
+    Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
-    Viewpoint fittedView;                      ///< the view and ...
-    double fittedAspect = 1.0;                 ///< ... the shape of the picture that the zoom is measured against
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
     std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
     bool scheduled = false;

@@ -32,8 +32,8 @@ RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
 PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
     PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
-    request.settings.camera = cameraFor(parts.pose);
-    if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(parts.pose.view, parts.volume->geometry());
+    request.settings.camera = cameraFor(camera());
+    if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view(), parts.volume->geometry());
     request.settings = m_parts->scene.withSceneLimits(request.settings);
     return request;
 }

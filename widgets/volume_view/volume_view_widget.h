@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "processing/document/pose.h"
 #include "processing/opacity_curve.h"
 #include "processing/picture/look.h"
 #include "processing/picture/picture.h"
@@ -54,14 +55,21 @@ public:
     /// Chooses the OpenGL that VTK needs; call before the QApplication is made.
     static void prepareApplication();
 
-    /// Null empties the view. The camera is kept where size and spacing are those of the volume before; otherwise it
-    /// is the default camera of the present view.
+    /// Null empties the view. The pose is kept where size and spacing are those of the volume before; otherwise it is
+    /// that of the default camera of the present view.
     void setVolume(std::shared_ptr<const Volume> volume);
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
     /// Millimetres behind the volume's foremost point along the view; the plane follows the camera. >= 0.
     void setNearCut(double mm);
+    /// The camera: a pose relative to the beam. The near cut stays.
+    void setPose(const Pose& pose, BeamAxis beam);
+    [[nodiscard]] Pose pose() const;
+    /// The pose of the default camera of a view: the whole volume fills this widget's picture.
+    [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
+    /// True while the hand drags; what it has moved so far may still be taken back.
+    [[nodiscard]] bool dragging() const;
     /// Tells the view in another beam axis's frame. The picture stays as it is.
     void setBeamAxis(BeamAxis axis);
     /// Turns the camera to a view about the volume's centre and takes its near cut; zoom and place in the picture stay.
@@ -109,8 +117,12 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void cameraChanged();  ///< by the person
-    void lightChanged();   ///< by the person
+    void cameraChanged();  ///< by the person: pose() is another
+    /// The hand has let go; what it moved stays. Wheel turns have no end.
+    void dragEnded();
+    /// Escape has ended the drag; pose() and look() are again as before it.
+    void dragCancelled();
+    void lightChanged();  ///< by the person
     /// The newest picture was made and drawn into the window's frame buffer.
     void pictureDelivered(const echolucent::PictureReport& report);
     /// It is on the screen.
@@ -132,7 +144,8 @@ protected:
 private:
     struct Parts;
     void connectPointer();
-    void followHand(const struct CameraPose& pose);
+    void followHand(const CameraPose& camera);
+    [[nodiscard]] CameraPose camera() const;
     void moveLight(const LightDirection& light);
     void schedule();
     void requestPicture();
@@ -144,7 +157,6 @@ private:
     void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
-    void refit();
     [[nodiscard]] QSize pixelSize() const;
     [[nodiscard]] double aspect() const;
 
