@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QTextStream>
 
-#include "app/main_window.h"
-#include "app/start_timer.h"
+#include "app/window/main_window.h"
+#include "app/window/start_timer.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 int main(int count, char** arguments) {

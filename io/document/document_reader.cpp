@@ -3,6 +3,7 @@
 #include "io/document/document_file.h"
 #include "io/document/json_fields.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
@@ -73,12 +74,8 @@ Pose poseIn(JsonFields& fields) {
 Cut cutIn(JsonFields& fields) { return {fields.number("near_cut_mm", 0)}; }
 
 Look lookIn(JsonFields& fields) {
-    Look look;
-    look.mode = fields.choice("mode", &renderModeFromName);
-    look.colourMap = fields.choice("colour_map", &colourMapFromName);
-    look.shaded = fields.flag("shaded");
-    look.depthColoured = fields.flag("depth_coloured");
-    look.step = fields.number("step", std::numeric_limits<double>::min());
+    Look look = lookAtStart();
+    fields.parameters(lookParameters(), look);
     return look;
 }
 
@@ -128,6 +125,10 @@ MethodChoice methodIn(JsonFields fields) {
     method.initial = fields.choice("initial", &initialKindFromName);
     method.initialScale = fields.number("initial_scale", 0);
     method.direction = directionIn(fields.object("direction"));
+    JsonFields parameters = fields.object("parameters");
+    parameters.parameters(methodParameters(), method.config);
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (const std::string problem = problemOf(method.config); !problem.empty()) fields.wrong("parameters", problem);
     return method;
 }
 

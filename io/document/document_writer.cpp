@@ -2,12 +2,23 @@
 
 #include "io/document/document_file.h"
 #include "io/output/atomic_file.h"
+#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+/// What a table says of its values; rows that mean nothing in them are left out.
+template <typename Values>
+ordered_json parametersJson(std::span<const Parameter<Values>> table, const Values& values) {
+    ordered_json object = ordered_json::object();
+    for (const Parameter<Values>& row : table)
+        if (const auto value = row.get(values))
+            std::visit([&](const auto& plain) { object[std::string(row.name)] = plain; }, *value);
+    return object;
+}
 
 ordered_json triple(const Vec3& vector) { return ordered_json::array({vector[0], vector[1], vector[2]}); }
 
@@ -49,13 +60,7 @@ ordered_json poseJson(const Pose& pose) {
 
 ordered_json cutJson(const Cut& cut) { return {{"near_cut_mm", cut.nearCutMm}}; }
 
-ordered_json lookJson(const Look& look) {
-    return {{"mode", nameOf(look.mode)},
-            {"colour_map", nameOf(look.colourMap)},
-            {"shaded", look.shaded},
-            {"depth_coloured", look.depthColoured},
-            {"step", look.step}};
-}
+ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
 
 template <typename Value>
 ordered_json listJson(const std::vector<Shared<Value>>& list, ordered_json (*valueJson)(const Value&)) {
@@ -92,9 +97,12 @@ ordered_json curvesJson(const CurveSet& curves) {
 }
 
 ordered_json methodJson(const MethodChoice& method) {
+    ordered_json parameters = parametersJson(methodParameters(), method.config);
+    parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
     return {{"initial", nameOf(method.initial)},
             {"initial_scale", method.initialScale},
-            {"direction", directionJson(method.direction)}};
+            {"direction", directionJson(method.direction)},
+            {"parameters", parameters}};
 }
 
 ordered_json motionJson(const Document& document) {

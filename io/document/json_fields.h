@@ -49,25 +49,29 @@ public:
         if (!found) wrong(key, "must not be \"" + name + "\"");
         return found.value_or(Choice{});
     }
-    /// The parameters of a table that stand here; what is not here stays.
+    /// The parameters of a table that stand here; what is not here stays. Choices come first, since what else has a
+    /// meaning follows from them.
     template <typename Values>
     void parameters(std::span<const Parameter<Values>> table, Values& values) {
-        for (const Parameter<Values>& row : table) {
-            const std::string key(row.name);
-            const auto found = m_object->find(key);
-            if (found == m_object->end()) continue;
-            const std::optional<ParameterValue> value = parameterValue(*found, row.get(values));
-            if (!value || !row.set(values, *value)) {
-                wrong(key.c_str(), "must not be " + found->dump());
-            } else if (const auto number = numberOf(*value); number && !inRange(*number, row.range)) {
-                wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
-            }
-        }
+        for (const Parameter<Values>& row : table)
+            if (!row.choices.empty() && row.get(values)) take(row, values);
+        for (const Parameter<Values>& row : table) take(row, values);
     }
     /// problem: lower case, no full stop.
     void wrong(const char* key, const std::string& problem);
 
 private:
+    template <typename Values>
+    void take(const Parameter<Values>& row, Values& values) {
+        const std::string key(row.name);
+        const auto found = m_object->find(key);
+        if (found == m_object->end()) return;
+        const std::optional<ParameterValue> value = parameterValue(*found, row.get(values));
+        if (!value || !row.set(values, *value))
+            wrong(key.c_str(), "must not be " + found->dump());
+        else if (const auto number = numberOf(*value); number && !inRange(*number, row.range))
+            wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
+    }
     const nlohmann::json* find(const char* key);
     /// `value` as a parameter's value of the kind that `like` has; none: it is no such value.
     static std::optional<ParameterValue> parameterValue(const nlohmann::json& value,

@@ -55,7 +55,7 @@ struct Document {
     std::vector<View> views{View{}};
     std::vector<Shared<Pose>> poses{{}};
     std::vector<Shared<Cut>> cuts{{}};
-    std::vector<Shared<Look>> looks{{}};
+    std::vector<Shared<Look>> looks{{1, lookAtStart()}};
     CurveSet curves;
     MethodChoice method;
     MotionChoice motion;

@@ -17,13 +17,14 @@
 #include <QtMath>
 #include <cmath>
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "io/curve_file.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
+#include "tests/app/window_fixture.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
@@ -140,7 +141,7 @@ private slots:
         Viewpoint turned;
         turned.azimuthDegrees = 20;
         turned.elevationDegrees = -10;
-        m_window->volumeView().setView(turned);
+        lookFrom(*m_window, turned);
         QTest::keyClick(m_window.get(), Qt::Key_A);
         waitUntilIdle();
         const auto& otf = *m_window->session().otf();
@@ -170,7 +171,7 @@ private slots:
         QCOMPARE(m_window->session().study()->phases.size(), std::size_t(2));
         Viewpoint turned;
         turned.azimuthDegrees = 12;
-        m_window->volumeView().setView(turned);
+        lookFrom(*m_window, turned);
         waitUntilIdle();
         const Picture before = shown();
         m_window->findChild<QAbstractSlider*>("view.phase")->setValue(1);

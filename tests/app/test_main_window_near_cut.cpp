@@ -65,7 +65,7 @@ private slots:
             });
         Viewpoint turned;
         turned.azimuthDegrees = 20;
-        m_fixture.window().volumeView().setView(turned);
+        lookFrom(m_fixture.window(), turned);
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->text().contains("5.0 mm"));

@@ -8,7 +8,7 @@
 #include <QWindow>
 #include <cmath>
 
-#include "app/picture_status.h"
+#include "app/picture/picture_status.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/view_panel.h"
 

@@ -1,7 +1,7 @@
 // The order of the angles in the transducer motion, and that playing never outruns the picture. No clocks: stepNow().
 #include <QtTest>
 
-#include "app/motion_player.h"
+#include "app/motion/motion_player.h"
 
 using namespace echolucent;
 

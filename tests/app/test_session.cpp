@@ -6,7 +6,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "app/session.h"
+#include "app/study/session.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 

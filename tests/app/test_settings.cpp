@@ -1,7 +1,7 @@
 // What is remembered survives in its file; recent files are few, unique and there.
 #include <QtTest>
 
-#include "app/settings.h"
+#include "app/window/settings.h"
 
 using namespace echolucent;
 

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <memory>
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -24,6 +24,13 @@ inline std::shared_ptr<const Volume> smallPhantom(PhantomScene scene, std::uint6
     config.seed = seed;
     config.phase = phase;
     return std::make_shared<const Volume>(*makePhantom(config));
+}
+
+/// The window's document looks from another direction, as if the hand had turned it.
+inline void lookFrom(MainWindow& window, const Viewpoint& view) {
+    Document next = window.document().document();
+    poseOf(next, 1).direction = directionOf(view);
+    window.document().edit(next, "turn view");
 }
 
 class WindowFixture {

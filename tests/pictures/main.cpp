@@ -11,7 +11,7 @@
 #include <QWindow>
 #include <cstdio>
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"

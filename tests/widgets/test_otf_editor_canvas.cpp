@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/widgets/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 
 using namespace echolucent;
@@ -69,12 +70,12 @@ private:
                 node.opacity - pixels.y() / axes.rect.height() * axes.opacity.length()};
     }
 
-    std::unique_ptr<OtfEditorModel> m_model;
+    std::unique_ptr<EditedModel> m_model;
     std::unique_ptr<CurveCanvas> m_canvas;
 };
 
 void TestOtfEditorCanvas::init() {
-    m_model = std::make_unique<OtfEditorModel>();
+    m_model = std::make_unique<EditedModel>();
     OtfEditorState state;
     state.manual = threeNodes;
     state.active = CurveKind::manual;
@@ -128,10 +129,11 @@ void TestOtfEditorCanvas::nodeIsHitEightPixelsAway() {
 
 void TestOtfEditorCanvas::clickAloneChangesNothing() {
     m_model->setActive(CurveKind::quartic);
+    const int before = m_model->undoStack()->count();
     QTest::mouseClick(window(), Qt::LeftButton, {}, pixelOf(threeNodes.nodes[2]) + QPoint(3, 2));
     QVERIFY(m_model->state().manual == threeNodes);
     QCOMPARE(m_model->state().active, CurveKind::quartic);
-    QCOMPARE(m_model->undoStack()->count(), 0);
+    QCOMPARE(m_model->undoStack()->count(), before);
     QCOMPARE(m_model->selectedNode(), 2);
     QTest::mouseClick(window(), Qt::LeftButton, {}, pixelOf({0.5, 0.9}));
     QCOMPARE(m_model->selectedNode(), -1);

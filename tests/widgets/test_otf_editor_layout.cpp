@@ -11,9 +11,9 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/widgets/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/otf_editor/otf_editor.h"
 
 using namespace echolucent;
 
@@ -48,7 +48,7 @@ private slots:
     void everyControlHasANameAndCanBeReached();
 
 private:
-    std::unique_ptr<OtfEditor> m_editor;
+    std::unique_ptr<EditedEditor> m_editor;
 };
 
 void TestOtfEditorLayout::initTestCase() {
@@ -59,7 +59,7 @@ void TestOtfEditorLayout::initTestCase() {
 }
 
 void TestOtfEditorLayout::init() {
-    m_editor = std::make_unique<OtfEditor>();
+    m_editor = std::make_unique<EditedEditor>();
     m_editor->resize(420, 520);
     m_editor->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_editor.get()));

@@ -1,13 +1,14 @@
 // The OTF editor's state: undo, drags as one step, throttled announcements, the modified flag.
 #include <QSignalSpy>
 #include <QTest>
+#include <QUndoStack>
 #include <cmath>
 #include <limits>
 
+#include "tests/widgets/edited_document.h"
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
 #include "widgets/otf_editor/node_reduction.h"
-#include "widgets/otf_editor/otf_editor_model.h"
 
 using namespace echolucent;
 
@@ -88,11 +89,11 @@ void TestOtfEditorModel::everyEditIsOneStepThatUndoRestoresExactly() {
     OtfEditorState before = stateWith(threeNodes, active);
     before.adaptive = steepSamples();
     before.linear.slope = 1.0 / 3.0;
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(before);
     edit(model);
     const OtfEditorState after = model.state();
-    QVERIFY(!sameEditableCurves(before, after));
+    QVERIFY(static_cast<const CurveSet&>(before) != after);
     QCOMPARE(model.undoStack()->count(), 1);
     model.undoStack()->undo();
     QVERIFY(model.state() == before);
@@ -102,7 +103,7 @@ void TestOtfEditorModel::everyEditIsOneStepThatUndoRestoresExactly() {
 }
 
 void TestOtfEditorModel::dragIsOneStep() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     model.beginDrag();
     for (int i = 1; i <= 10; ++i) model.dragNode(1, {0.5 + 0.01 * i, 0.4 + 0.02 * i});
@@ -116,7 +117,7 @@ void TestOtfEditorModel::dragIsOneStep() {
 }
 
 void TestOtfEditorModel::cancelledDragLeavesNothing() {
-    OtfEditorModel model;
+    EditedModel model;
     const OtfEditorState before = stateWith(threeNodes, CurveKind::parabolic);
     model.setState(before);
     model.beginDrag();
@@ -130,7 +131,7 @@ void TestOtfEditorModel::cancelledDragLeavesNothing() {
 }
 
 void TestOtfEditorModel::undoDuringADragEndsIt() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     model.moveNode(0, {0.25, 0.2});
     model.beginDrag();
@@ -144,7 +145,7 @@ void TestOtfEditorModel::undoDuringADragEndsIt() {
 }
 
 void TestOtfEditorModel::previewsAreCoalescedAndTheFinalValueArrives() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
     model.beginDrag();
@@ -160,7 +161,7 @@ void TestOtfEditorModel::previewsAreCoalescedAndTheFinalValueArrives() {
 }
 
 void TestOtfEditorModel::previewsArriveWhileADragGoesOn() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
     model.beginDrag();
@@ -173,7 +174,7 @@ void TestOtfEditorModel::previewsArriveWhileADragGoesOn() {
 void TestOtfEditorModel::activeSwitchEmitsThatCurve() {
     OtfEditorState state = stateWith(threeNodes);
     state.adaptive = steepSamples();
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(state);
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
     int expected = 0;
@@ -189,7 +190,7 @@ void TestOtfEditorModel::activeSwitchEmitsThatCurve() {
 }
 
 void TestOtfEditorModel::heldKeyIsOneStep() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     const auto held = model.newGesture();
     for (int i = 1; i <= 5; ++i) model.moveNode(1, {0.5 + 0.01 * i, 0.4}, held);
@@ -205,7 +206,7 @@ void TestOtfEditorModel::heldKeyIsOneStep() {
 void TestOtfEditorModel::editsOfInactiveNodesActivateManualAndUndoGoesBack() {
     OtfEditorState before = stateWith(threeNodes, CurveKind::quartic);
     before.visible[indexOf(CurveKind::manual)] = false;
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(before);
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
     model.addNode({0.3, 0.3});
@@ -218,7 +219,7 @@ void TestOtfEditorModel::editsOfInactiveNodesActivateManualAndUndoGoesBack() {
 }
 
 void TestOtfEditorModel::adaptiveCurveIsNoStep() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes, CurveKind::adaptive));
     QVERIFY(!model.copyAdaptiveIntoNodes());
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
@@ -236,7 +237,7 @@ void TestOtfEditorModel::adaptiveCurveIsNoStep() {
 }
 
 void TestOtfEditorModel::copiedAdaptiveStaysWithinTheStatedError() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes, CurveKind::adaptive));
     model.setAdaptiveCurve(steepSamples());
     QVERIFY(model.copyAdaptiveIntoNodes());
@@ -265,7 +266,7 @@ void TestOtfEditorModel::reductionKeepsBoundForHarshCurves() {
 }
 
 void TestOtfEditorModel::modifiedFollowsTheNodes() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     QSignalSpy flag(&model, &OtfEditorModel::manualModifiedChanged);
     QVERIFY(!model.isManualModified());
@@ -286,7 +287,7 @@ void TestOtfEditorModel::modifiedFollowsTheNodes() {
 }
 
 void TestOtfEditorModel::clampsBetweenNeighboursAndRefusesNaN() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(threeNodes));
     model.moveNode(1, {2.0, 7.0});
     QVERIFY((model.state().manual.nodes[1] == CurveNode{0.9, 1.0}));
@@ -303,7 +304,7 @@ void TestOtfEditorModel::clampsBetweenNeighboursAndRefusesNaN() {
 }
 
 void TestOtfEditorModel::lastNodeStays() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(ManualCurve{{{0.4, 0.5}, {0.6, 0.7}}}));
     model.removeNode(0);
     QVERIFY(!model.canRemoveNode());
@@ -312,7 +313,7 @@ void TestOtfEditorModel::lastNodeStays() {
 }
 
 void TestOtfEditorModel::stepCurveKeepsOrderOnAdd() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setState(stateWith(ManualCurve{{{0.4, 0.0}, {0.4, 1.0}, {0.8, 1.0}}}));
     QCOMPARE(model.addNode({0.4, 0.5}), 2);  // after the nodes it shares the intensity with
     QCOMPARE(model.addNode({0.0, 0.0}), 0);
@@ -326,7 +327,7 @@ void TestOtfEditorModel::stepCurveKeepsOrderOnAdd() {
 }
 
 void TestOtfEditorModel::parametersAreKeptInRange() {
-    OtfEditorModel model;
+    EditedModel model;
     model.setLinear({0.6, -2.0, 0.3});
     QVERIFY((model.state().linear == LinearCurve{0.6, 0.0, 0.6}));
     model.setScale(CurveKind::parabolic, -1.0);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/widgets/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 
@@ -35,12 +36,12 @@ private:
     [[nodiscard]] QImage picture() const { return m_canvas->grab().toImage(); }
     [[nodiscard]] double shareOfPathPainted(CurveKind kind) const;
 
-    std::unique_ptr<OtfEditorModel> m_model;
+    std::unique_ptr<EditedModel> m_model;
     std::unique_ptr<CurveCanvas> m_canvas;
 };
 
 void TestOtfEditorPainting::init() {
-    m_model = std::make_unique<OtfEditorModel>();
+    m_model = std::make_unique<EditedModel>();
     OtfEditorState state;
     state.manual = threeNodes;
     state.active = CurveKind::manual;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "processing/motion/otf_smoothing.h"
 #include "processing/motion/motion_mode.h"
+#include "processing/motion/otf_smoothing.h"
 
 namespace echolucent {
 

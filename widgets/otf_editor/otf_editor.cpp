@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ QLabel* secondaryLabel(const QString& text = {}) {
 
 }  // namespace
 
-OtfEditor::OtfEditor(QWidget* parent) : QWidget(parent) {
+OtfEditor::OtfEditor(CurveOwner& owner, QWidget* parent) : QWidget(parent), m_model(owner) {
     setObjectName("otfEditor");
     setAccessibleName(tr("Opacity transfer function"));
     makeActions();

@@ -27,12 +27,11 @@ class OtfEditor : public QWidget {
     Q_OBJECT
 
 public:
-    explicit OtfEditor(QWidget* parent = nullptr);
+    /// The owner outlives the editor.
+    explicit OtfEditor(CurveOwner& owner, QWidget* parent = nullptr);
     ~OtfEditor() override;
 
     [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }
-    /// Replaces everything; forgets the undo steps, and the manual curve counts as saved.
-    void setState(const OtfEditorState& state) { m_model.setState(state); }
     /// What Reset goes back to.
     void setDefaults(const OtfEditorState& defaults) { m_model.setDefaults(defaults); }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/otf_editor/curve_edit_step.h"
 #include "widgets/otf_editor/node_reduction.h"
 
 namespace echolucent {
@@ -39,19 +38,14 @@ double middleOfGap(const std::vector<CurveNode>& nodes, int selected) {
 
 }  // namespace
 
-OtfEditorModel::OtfEditorModel(QObject* parent)
-    : QObject(parent), m_savedManual(m_state.manual), m_announced(activeCurve()) {
+OtfEditorModel::OtfEditorModel(CurveOwner& owner, QObject* parent) : QObject(parent), m_owner(owner) {
     m_announceTimer.setSingleShot(true);
     m_announceTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_announceTimer, &QTimer::timeout, this, &OtfEditorModel::announceNow);
-}
-
-void OtfEditorModel::setState(const OtfEditorState& state) {
-    m_beforeDrag.reset();
-    m_undoStack.clear();
-    m_savedManual = state.manual;
-    selectNode(-1);
-    apply(state, Announce::now);
+    connect(&m_owner, &CurveOwner::changed, this, &OtfEditorModel::takeFromOwner);
+    takeFromOwner();
+    m_savedManual = m_state.manual;
+    updateManualModified();
 }
 
 void OtfEditorModel::setActive(CurveKind kind) {
@@ -59,7 +53,10 @@ void OtfEditorModel::setActive(CurveKind kind) {
     OtfEditorState next = m_state;
     next.active = kind;
     next.visible[indexOf(kind)] = true;
-    apply(next, Announce::now);
+    // A person who goes through the curves to compare them goes back with one step.
+    constexpr Gesture choosing = -1;
+    edit(next, tr("choose curve"), choosing);
+    announceNow();
 }
 
 void OtfEditorModel::setVisible(CurveKind kind, bool visible) {
@@ -170,28 +167,24 @@ void OtfEditorModel::dragNode(int index, const CurveNode& node) {
     OtfEditorState next = withManualActive();
     next.manual.nodes.at(static_cast<std::size_t>(index)) = clampedNode(index, node);
     // Until the node has really moved, the drag has changed nothing: not the active curve either.
-    if (next.manual != m_state.manual) apply(next, Announce::soon);
+    if (next.manual != m_state.manual) preview(next);
 }
 
 void OtfEditorModel::endDrag() {
     if (!m_beforeDrag) return;
-    const OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
-    if (before.manual == m_state.manual) {  // dragged back to where it came from
-        OtfEditorState restored = m_state;
-        restored.active = before.active;
-        restored.visible = before.visible;
-        apply(restored, Announce::now);
-        return;
-    }
-    pushStep(before, m_state, tr("move node"), noGesture);
+    if (m_beforeDrag->manual == m_state.manual) return cancelDrag();  // dragged back to where it came from
+    m_beforeDrag.reset();
+    m_owner.commitPreview();
     announceNow();
 }
 
 void OtfEditorModel::cancelDrag() {
     if (!m_beforeDrag) return;
-    OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
-    before.adaptive = m_state.adaptive;  // a result that came in meanwhile stays
-    apply(before, Announce::now);
+    const OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
+    m_owner.cancelPreview();
+    OtfEditorState shown = m_state;
+    shown.visible = before.visible;
+    apply(shown, Announce::now);
 }
 
 CurveNode OtfEditorModel::clampedNode(int index, const CurveNode& node) const {
@@ -217,36 +210,36 @@ void OtfEditorModel::setManualSaved() {
 }
 
 void OtfEditorModel::edit(const OtfEditorState& next, const QString& what, Gesture gesture) {
-    if (sameEditableCurves(m_state, next) && m_state.active == next.active) return;
     if (next.visible != m_state.visible) {  // drawing a curve is no part of the step
         OtfEditorState shown = m_state;
         shown.visible = next.visible;
         apply(shown, Announce::soon);
     }
-    pushStep(m_state, next, what, gesture);
+    m_announce = gesture == noGesture ? Announce::now : Announce::soon;
+    m_owner.edit({next, next.active}, what, gesture);
+    m_announce = Announce::now;
 }
 
-void OtfEditorModel::pushStep(const OtfEditorState& before, const OtfEditorState& after, const QString& what,
-                              Gesture gesture) {
-    if (gesture != noGesture) m_stepAnnounce = Announce::soon;
-    m_undoStack.push(new CurveEditStep(
-        before, after, what, gesture,
-        [this](const OtfEditorState& curves, std::optional<CurveKind> active) { applyStep(curves, active); }));
-    m_stepAnnounce = Announce::now;
+void OtfEditorModel::preview(const OtfEditorState& next) {
+    OtfEditorState shown = m_state;
+    shown.visible = next.visible;
+    apply(shown, Announce::soon);
+    m_announce = Announce::soon;
+    m_draggedNode = true;
+    m_owner.preview({next, next.active}, tr("move node"));
+    m_draggedNode = false;
+    m_announce = Announce::now;
 }
 
-void OtfEditorModel::applyStep(const OtfEditorState& curves, std::optional<CurveKind> active) {
-    cancelDrag();
+void OtfEditorModel::takeFromOwner() {
+    const EditedCurves edited = m_owner.edited();
+    if (edited == EditedCurves{m_state, m_state.active}) return;
+    if (m_beforeDrag && !m_draggedNode && !m_owner.previewing()) m_beforeDrag.reset();  // an undo has ended the drag
     OtfEditorState next = m_state;
-    next.manual = curves.manual;
-    next.linear = curves.linear;
-    next.parabolic = curves.parabolic;
-    next.quartic = curves.quartic;
-    if (active) {
-        next.active = *active;
-        next.visible[indexOf(*active)] = true;
-    }
-    apply(next, m_stepAnnounce);
+    static_cast<CurveSet&>(next) = edited.curves;
+    if (next.active != edited.active) next.visible[indexOf(edited.active)] = true;
+    next.active = edited.active;
+    apply(next, m_announce);
 }
 
 void OtfEditorModel::apply(const OtfEditorState& next, Announce announce) {

@@ -1,20 +1,20 @@
-// The editor's state with undo, selection and the throttled announcement of the active curve; knows no widget.
+// What the editor shows, its edits, its selection and the throttled announcement of the active curve; knows no widget.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <QUndoStack>
-#include <functional>
 #include <optional>
 
+#include "widgets/otf_editor/curve_owner.h"
 #include "widgets/otf_editor/otf_editor_state.h"
 
 namespace echolucent {
 
-/// Every change of the manual, linear, parabolic or quartic curve is one step of the undo stack; a drag is one step,
-/// and so are edits that share a gesture (a key or button held down). Which curve is active or drawn, the selection
-/// and new adaptive curves are not steps; a step that made the manual curve active takes that back too.
+/// The curves and the active one are the owner's; every edit goes there, as one step: a drag is one, and so are edits
+/// that share a gesture (a key or button held down) and choices of the active curve that follow each other. Which
+/// curves are drawn, the selection and new adaptive curves are no steps; a step that made the manual curve active takes
+/// that back too.
 class OtfEditorModel : public QObject {
     Q_OBJECT
 
@@ -23,11 +23,10 @@ public:
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
-    explicit OtfEditorModel(QObject* parent = nullptr);
+    /// The owner outlives the model.
+    explicit OtfEditorModel(CurveOwner& owner, QObject* parent = nullptr);
 
     [[nodiscard]] const OtfEditorState& state() const { return m_state; }
-    /// Replaces everything; forgets the undo steps, and the manual curve counts as saved.
-    void setState(const OtfEditorState& state);
     /// What resetActiveCurve goes back to; at first OtfEditorState's defaults.
     void setDefaults(const OtfEditorState& defaults) { m_defaults = defaults; }
 
@@ -40,7 +39,7 @@ public:
     /// True while activeCurveChanged is still to come for what the state holds.
     [[nodiscard]] bool announcementPending() const { return m_announceTimer.isActive(); }
 
-    [[nodiscard]] QUndoStack* undoStack() { return &m_undoStack; }
+    [[nodiscard]] QUndoStack* undoStack() { return m_owner.undoStack(); }
     [[nodiscard]] Gesture newGesture() { return ++m_lastGesture; }
 
     /// Puts a node among the others (clamped into [0,1]), selects it and returns its index.
@@ -76,7 +75,8 @@ public:
     [[nodiscard]] int selectedNode() const { return m_selectedNode; }
     void selectNode(int index);
 
-    /// True where the manual curve is neither the one last saved, opened or set, nor a preset: work that could be lost.
+    /// True where the manual curve is neither the one first shown, last saved or opened, nor a preset: work that could
+    /// be lost.
     [[nodiscard]] bool isManualModified() const { return m_manualModified; }
     void setManualSaved();
 
@@ -94,24 +94,25 @@ signals:
 private:
     enum class Announce { now, soon };
 
-    /// Pushes a step from the present state to `next`.
+    /// Asks the owner for a step from the present state to `next`.
     void edit(const OtfEditorState& next, const QString& what, Gesture gesture = noGesture);
-    void pushStep(const OtfEditorState& before, const OtfEditorState& after, const QString& what, Gesture gesture);
-    void applyStep(const OtfEditorState& curves, std::optional<CurveKind> active);
+    void preview(const OtfEditorState& next);
+    void takeFromOwner();
     void apply(const OtfEditorState& next, Announce announce);
     void announceNow();
     void updateManualModified();
     [[nodiscard]] OtfEditorState withManualActive() const;
 
-    OtfEditorState m_state;
+    CurveOwner& m_owner;
+    OtfEditorState m_state;  ///< curves and active curve as the owner has them, beside what only the editor shows
     OtfEditorState m_defaults;
     std::optional<OtfEditorState> m_beforeDrag;
     ManualCurve m_savedManual;
     OpacityCurve m_announced;
-    QUndoStack m_undoStack;
     QTimer m_announceTimer;
     QElapsedTimer m_sinceAnnounced;
-    Announce m_stepAnnounce = Announce::now;  // soon while a step of a gesture is pushed
+    Announce m_announce = Announce::now;  ///< how a change of the owner is announced: soon within a gesture
+    bool m_draggedNode = false;           ///< the present change of the owner is the drag's own
     Gesture m_lastGesture = noGesture;
     int m_selectedNode = -1;
     bool m_manualModified = false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/document/method_choice.h"
 #include "processing/parameter.h"
 
 class QComboBox;
@@ -18,14 +19,6 @@ class QToolButton;
 namespace echolucent {
 
 class ValueSlider;
-
-/// The kind of initial function that the adaptive method multiplies.
-enum class InitialKind {
-    parabolic,  ///< a x^2
-    quartic,    ///< a x^4
-    linear,     ///< the linear curve of the editor
-    manual,     ///< the manual nodes of the editor
-};
 
 /// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
 /// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,

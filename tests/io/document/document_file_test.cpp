@@ -30,6 +30,8 @@ Document unusual() {
     document.looks.front().value.mode = RenderMode::mean;
     document.looks.front().value.colourMap = ColourMap::ice;
     document.looks.front().value.depthColoured = true;
+    document.looks.front().value.light = {100.0 / 3.0, -0.1};
+    document.looks.front().value.step = 2.0 / 3.0;
     document.phases = {{1, 3}};
     document.views = {{3, 7, 4, 9, 1, CurveKind::quartic}, {8, 2, 5, 9, 1, CurveKind::manual}};
     document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
@@ -39,6 +41,9 @@ Document unusual() {
     document.method.initial = InitialKind::linear;
     document.method.initialScale = 0.55;
     document.method.direction = {12.3, -4.5, 6.7};
+    document.method.config.grid.columns = 31;
+    document.method.config.detection = VarianceRule{};
+    document.method.config.curve = ProductRule{.strength = 20.0 / 3.0};
     document.motion = {MotionAxis::z, MotionScenario::both, MotionOtf::leastFlicker, false};
     document.motionAngle = -17;
     return document;
@@ -104,7 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/poses/1/direction/elevation", 90.5, "poses[1].direction.elevation", "-90 to 90"},
                     Wrong{"/poses/1/direction", 1, "poses[1].direction", "object"},
                     Wrong{"/cuts/0/near_cut_mm", -1, "cuts[0].near_cut_mm", "0 or more"},
-                    Wrong{"/looks/0/mode", 1, "looks[0].mode", "must be a text"},
+                    Wrong{"/looks/0/mode", 1, "looks[0].mode", "must not be 1"},
+                    Wrong{"/looks/0/light_elevation", 91, "looks[0].light_elevation", "-90 to 90"},
                     Wrong{"/phases/0/phase", 1.5, "phases[0].phase", "whole number"},
                     Wrong{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
                     Wrong{"/curves/manual/1/opacity", 1.01, "curves.manual[1].opacity", "0 to 1"},
@@ -112,6 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
                     Wrong{"/curves/linear/upper", 0.2, "curves.linear.upper", "to 1"},
                     Wrong{"/method/initial", "cubic", "method.initial", "cubic"},
+                    Wrong{"/method/parameters/tube_columns", 0, "method.parameters.tube_columns", "must be 1 to"},
+                    Wrong{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},
+                    Wrong{"/method/parameters/ramp_begin", 0.3, "method.parameters.ramp_begin", "must not be"},
                     Wrong{"/motion/angle", 46, "motion.angle", "-45 to 45"},
                     Wrong{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
                     Wrong{"/beam/axis", "up", "beam.axis", "up"},

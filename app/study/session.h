@@ -9,6 +9,7 @@
 
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/study_reference.h"
 #include "processing/near_cut.h"
 #include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"
@@ -32,8 +33,11 @@ public:
 
     /// Null before the first study is open.
     [[nodiscard]] const Study* study() const { return m_study.get(); }
-    [[nodiscard]] QString path() const { return m_path; }
-    [[nodiscard]] bool isSimulatedScan() const { return m_path.isEmpty(); }
+    /// Of the file or folder; empty where the scan is simulated.
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] bool isSimulatedScan() const { return std::holds_alternative<SimulatedScan>(m_reference); }
+    /// What a document names the study by.
+    [[nodiscard]] const StudyReference& reference() const { return m_reference; }
     [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
     /// Of the volume shown.
     [[nodiscard]] const IntensityHistogram& histogram() const {
@@ -79,12 +83,12 @@ signals:
     void nearCutSuggested(const echolucent::NearCutSuggestion& suggestion);
 
 private:
-    void load(const QString& path, std::function<Result<Study>(const Progress&)> read);
+    void load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read);
     void show(int phase);
 
     Pipeline m_pipeline;
     NearCutSearch m_nearCutSearch;
-    QString m_path;
+    StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
     std::shared_ptr<const Volume> m_volume;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase

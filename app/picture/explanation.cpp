@@ -1,4 +1,4 @@
-#include "app/explanation.h"
+#include "app/picture/explanation.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -13,7 +13,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("explanation", text); }
 
 QString curveSentence(const PictureFacts& facts) {
-    switch (facts.active) {
+    switch (viewOf(facts.document, facts.view).curve) {
         case CurveKind::adaptive:
             return tr(
                 "What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
@@ -119,7 +119,8 @@ QString lightSentence(const LightDirection& light) {
 
 /// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
 QStringList whatIsSeen(const PictureFacts& facts) {
-    switch (facts.look.mode) {
+    const Look& look = lookOf(facts.document, facts.view);
+    switch (look.mode) {
         case RenderMode::direct: break;
         case RenderMode::maximum: return {tr("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
         case RenderMode::minimum: return {tr("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
@@ -127,25 +128,28 @@ QStringList whatIsSeen(const PictureFacts& facts) {
             return {tr("Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
     }
     QStringList sentences{curveSentence(facts)};
-    if (facts.otf != nullptr && facts.active == CurveKind::adaptive)
-        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf) << motionSentence(facts.motion);
-    if (facts.look.shaded) sentences << lightSentence(facts.look.light);
-    if (facts.look.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
+    if (facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
+        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
+                  << motionSentence(facts.document.motion.otf);
+    if (look.shaded) sentences << lightSentence(look.light);
+    if (look.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
     return sentences;
 }
 
 }  // namespace
 
 QString explainPicture(const PictureFacts& facts) {
+    const Viewpoint shown = viewpointOf(facts.document, facts.view);
     QStringList sentences;
-    if (facts.simulated) sentences << tr("This is a simulated scan, not a patient.");
+    if (std::holds_alternative<SimulatedScan>(facts.document.study))
+        sentences << tr("This is a simulated scan, not a patient.");
     sentences << tr("The volume is looked at along its %1 axis, turned by %2° of azimuth and %3° of elevation.")
-                     .arg(QString::fromUtf8(nameOf(facts.view.beamAxis).data()))
-                     .arg(facts.view.azimuthDegrees, 0, 'f', 0)
-                     .arg(facts.view.elevationDegrees, 0, 'f', 0);
-    if (facts.view.nearCutMm > 0)
+                     .arg(QString::fromUtf8(nameOf(shown.beamAxis).data()))
+                     .arg(shown.azimuthDegrees, 0, 'f', 0)
+                     .arg(shown.elevationDegrees, 0, 'f', 0);
+    if (shown.nearCutMm > 0)
         sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
-                         .arg(facts.view.nearCutMm, 0, 'f', 1);
+                         .arg(shown.nearCutMm, 0, 'f', 1);
     sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");

@@ -1,4 +1,4 @@
-#include "app/motion_player.h"
+#include "app/motion/motion_player.h"
 
 #include <algorithm>
 #include <cmath>

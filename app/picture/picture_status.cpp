@@ -1,4 +1,4 @@
-#include "app/picture_status.h"
+#include "app/picture/picture_status.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,4 +1,4 @@
-#include "app/start_timer.h"
+#include "app/window/start_timer.h"
 
 #include <time.h>
 #include <unistd.h>
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include "app/main_window.h"
-#include "app/session.h"
+#include "app/study/session.h"
+#include "app/window/main_window.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {

@@ -1,4 +1,4 @@
-#include "app/session.h"
+#include "app/study/session.h"
 
 #include <stdexcept>
 #include <utility>
@@ -9,10 +9,10 @@ namespace echolucent {
 
 namespace {
 
-Result<Study> simulatedScan(const Progress& progress) {
-    PhantomConfig config = defaultPhantom(PhantomScene::fetus);
-    config.size = {192, 192, 192};
-    config.spacing = Vec3(0.5, 0.5, 0.5);
+Result<Study> simulated(const SimulatedScan& scan, const Progress& progress) {
+    PhantomConfig config = defaultPhantom(scan.scene);
+    config.size = scan.size;
+    config.seed = scan.seed;
     auto volume = makePhantom(config, progress);
     if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
     Study study;
@@ -36,16 +36,27 @@ Session::Session(QObject* parent)
 }
 
 void Session::open(const QString& path, const ReadOptions& options) {
-    load(path,
-         [file = path.toStdString(), options](const Progress& progress) { return readStudy(file, options, progress); });
+    const StudyFile file{.path = path.toStdString(), .series = {}, .options = options, .checksum = {}};
+    load(file, [file](const Progress& progress) { return readStudy(file.path, file.options, progress); });
 }
 
-void Session::openSimulatedScan() { load({}, &simulatedScan); }
+void Session::openSimulatedScan() {
+    const SimulatedScan scan;
+    load(scan, [scan](const Progress& progress) { return simulated(scan, progress); });
+}
+
+QString Session::path() const {
+    const auto* file = std::get_if<StudyFile>(&m_reference);
+    return file ? QString::fromStdString(file->path) : QString();
+}
 
 void Session::cancelLoading() { m_loader.cancel(); }
 
-void Session::load(const QString& path, std::function<Result<Study>(const Progress&)> read) {
-    m_loader.submit([this, path, read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
+void Session::load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read) {
+    const auto* file = std::get_if<StudyFile>(&reference);
+    const QString path = file ? QString::fromStdString(file->path) : QString();
+    m_loader.submit([this, reference, path,
+                     read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
         Result<Study> study = [&]() -> Result<Study> {
             try {
                 return read(progress);
@@ -63,8 +74,8 @@ void Session::load(const QString& path, std::function<Result<Study>(const Progre
         std::vector<IntensityHistogram> histograms;
         for (const auto& phase : study->phases) histograms.push_back(intensityHistogram(*phase));
         auto shared = std::make_shared<const Study>(std::move(*study));
-        return [this, path, shared, histograms = std::move(histograms)] {
-            m_path = path;
+        return [this, reference, shared, histograms = std::move(histograms)] {
+            m_reference = reference;
             m_study = shared;
             m_histograms = histograms;
             show(0);

@@ -5,12 +5,7 @@
 
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/picture/look.h"
-#include "processing/ray_caster.h"
-#include "processing/viewpoint.h"
-#include "processing/volume/volume.h"
-#include "widgets/otf_editor/otf_editor.h"
-#include "processing/motion/motion_mode.h"
+#include "processing/document/document.h"
 
 namespace echolucent {
 
@@ -19,11 +14,8 @@ struct PictureFacts {
     const Study& study;
     const Volume& volume;
     const AdaptiveOtf* otf;  ///< null: not computed yet
-    MotionOtf motion;        ///< which OTF the frames of a motion show
-    Viewpoint view;
-    CurveKind active;
-    Look look;
-    bool simulated;
+    const Document& document;
+    int view;  ///< of the document
 };
 
 /// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found

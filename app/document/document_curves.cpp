@@ -1,0 +1,27 @@
+#include "app/document/document_curves.h"
+
+namespace echolucent {
+
+DocumentCurves::DocumentCurves(DocumentModel& model, int view, QObject* parent)
+    : CurveOwner(parent), m_model(model), m_view(view) {
+    connect(&m_model, &DocumentModel::changed, this, &CurveOwner::changed);
+}
+
+EditedCurves DocumentCurves::edited() const {
+    return {m_model.document().curves, viewOf(m_model.document(), m_view).curve};
+}
+
+void DocumentCurves::edit(const EditedCurves& next, const QString& what, int gesture) {
+    m_model.edit(with(next), what, gesture);
+}
+
+void DocumentCurves::preview(const EditedCurves& next, const QString& what) { m_model.preview(with(next), what); }
+
+Document DocumentCurves::with(const EditedCurves& edited) const {
+    Document document = m_model.document();
+    document.curves = edited.curves;
+    viewOf(document, m_view).curve = edited.active;
+    return document;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,31 @@
+// The document's curves and the curve of one view, as the OTF editor edits them.
+#pragma once
+
+#include "app/document/document_model.h"
+#include "widgets/otf_editor/curve_owner.h"
+
+namespace echolucent {
+
+class DocumentCurves : public CurveOwner {
+    Q_OBJECT
+
+public:
+    /// view: whose curve is the active one.
+    DocumentCurves(DocumentModel& model, int view, QObject* parent = nullptr);
+
+    [[nodiscard]] EditedCurves edited() const override;
+    [[nodiscard]] QUndoStack* undoStack() override { return &m_model.steps(); }
+    void edit(const EditedCurves& next, const QString& what, int gesture) override;
+    void preview(const EditedCurves& next, const QString& what) override;
+    void commitPreview() override { m_model.commitPreview(); }
+    void cancelPreview() override { m_model.cancelPreview(); }
+    [[nodiscard]] bool previewing() const override { return m_model.previewing(); }
+
+private:
+    [[nodiscard]] Document with(const EditedCurves& edited) const;
+
+    DocumentModel& m_model;
+    int m_view;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,80 @@
+#include "app/document/document_model.h"
+
+#include <utility>
+
+#include "app/document/document_step.h"
+
+namespace echolucent {
+
+DocumentModel::DocumentModel(QObject* parent) : QObject(parent) {}
+
+void DocumentModel::edit(const Document& next, const QString& what, Gesture gesture) {
+    const Document before = withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document);
+    if (withShown(next, before) == before) return set(next);
+    m_pushing = true;
+    m_steps.push(new DocumentStep(*this, before, next, what, gesture));
+    m_pushing = false;
+}
+
+void DocumentModel::preview(const Document& next, const QString& what) {
+    if (next == m_document) return;
+    if (!m_beforePreview) m_beforePreview = m_document;
+    m_previewed = what;
+    set(next);
+}
+
+void DocumentModel::commitPreview() {
+    if (m_beforePreview) edit(m_document, m_previewed);
+}
+
+void DocumentModel::cancelPreview() {
+    if (!m_beforePreview) return;
+    Document before = *std::exchange(m_beforePreview, std::nullopt);
+    before.phases = m_document.phases;
+    set(before);
+}
+
+void DocumentModel::showPhase(int view, int phase) {
+    Document next = m_document;
+    phaseOf(next, view) = phase;
+    set(next);
+}
+
+void DocumentModel::showMotionAngle(double degrees) {
+    Document next = m_document;
+    next.motionAngle = degrees;
+    set(next);
+}
+
+void DocumentModel::begin(const Document& document) {
+    m_beforePreview.reset();
+    m_steps.clear();
+    set(document);
+}
+
+void DocumentModel::restore(const Document& document) {
+    // A drag ends where it began, and then the step before it is undone.
+    m_beforePreview.reset();
+    const bool pushing = std::exchange(m_pushing, false);
+    set(pushing ? document : withShown(document, m_document));
+}
+
+void DocumentModel::set(Document next) {
+    const Document before = std::exchange(m_document, std::move(next));
+    // A slot may change the document again: what changed here is told all the same, and each slot reads the newest.
+    const Document after = m_document;
+    if (after.study != before.study) emit studyChanged();
+    if (after.beam != before.beam) emit beamChanged();
+    if (after.views != before.views) emit viewsChanged();
+    if (after.phases != before.phases) emit phasesChanged();
+    if (after.cuts != before.cuts) emit cutsChanged();
+    if (after.poses != before.poses) emit posesChanged();
+    if (after.motion != before.motion) emit motionChanged();
+    if (after.motionAngle != before.motionAngle) emit motionAngleChanged();
+    if (after.looks != before.looks) emit looksChanged();
+    if (after.curves != before.curves) emit curvesChanged();
+    if (after.method != before.method) emit methodChanged();
+    if (after != before) emit changed();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,82 @@
+// The document of the window: its one value, the one undo stack of all its changes, and one signal a part.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <optional>
+
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// Everything changes through edit() or preview(), and every change of edit() is a step that can be undone: curves,
+/// poses, cuts, looks, parameters alike. The phase shown and the frame of the motion are no steps, and an undo leaves
+/// them as they are. What is computed from the document is kept elsewhere.
+///
+///              preview()                 preview()
+///   [at rest] -----------> [previewing] ---------+    commitPreview(), or edit(): one step for all previews
+///       ^                     |     ^            |    cancelPreview(), undo, redo: as before the first preview
+///       +---------------------+     +------------+
+class DocumentModel : public QObject {
+    Q_OBJECT
+
+public:
+    /// Edits of one gesture (a drag, a burst of the wheel, a key held down) with one name become one step.
+    using Gesture = int;
+    static constexpr Gesture noGesture = 0;
+
+    explicit DocumentModel(QObject* parent = nullptr);
+
+    [[nodiscard]] const Document& document() const { return m_document; }
+    [[nodiscard]] QUndoStack& steps() { return m_steps; }
+
+    /// Makes `next` the document, as one step named `what`. Equal documents, the shown phase and frame aside, make no
+    /// step.
+    void edit(const Document& next, const QString& what, Gesture gesture = noGesture);
+    /// Shows `next` without a step, as a drag goes on.
+    void preview(const Document& next, const QString& what);
+    void commitPreview();
+    void cancelPreview();
+    [[nodiscard]] bool previewing() const { return m_beforePreview.has_value(); }
+
+    /// Shows a phase (counted from 0) in a view and those linked to it. No step.
+    void showPhase(int view, int phase);
+    /// Shows the frame of the motion at an angle in degrees. No step.
+    void showMotionAngle(double degrees);
+
+    /// Begins another document; the steps are forgotten.
+    void begin(const Document& document);
+
+signals:
+    void studyChanged();
+    void beamChanged();
+    /// Views were added or removed, refer to other parts, or are rendered with another curve.
+    void viewsChanged();
+    void posesChanged();
+    void cutsChanged();
+    void looksChanged();
+    void curvesChanged();
+    void methodChanged();
+    void motionChanged();
+    /// Another phase is shown.
+    void phasesChanged();
+    /// Another frame of the motion is shown.
+    void motionAngleChanged();
+    /// After the signals of all parts that one change touched.
+    void changed();
+
+private:
+    friend class DocumentStep;
+    /// What undo and redo do.
+    void restore(const Document& document);
+    void set(Document next);
+
+    Document m_document;
+    std::optional<Document> m_beforePreview;
+    QString m_previewed;  ///< name of the step that the preview becomes
+    QUndoStack m_steps;
+    bool m_pushing = false;  ///< the next restore() is a new step's own: its phase and frame are shown
+};
+
+}  // namespace echolucent

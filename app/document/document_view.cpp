@@ -1,0 +1,74 @@
+#include "app/document/document_view.h"
+
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, VolumeViewWidget& widget, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_widget(widget) {
+    connect(&m_model, &DocumentModel::posesChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::beamChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::cutsChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::looksChanged, this, &DocumentView::showLook);
+    connect(&m_model, &DocumentModel::viewsChanged, this, [this] {
+        showPose();
+        showLook();
+    });
+    connect(&m_widget, &VolumeViewWidget::cameraChanged, this, &DocumentView::takePose);
+    connect(&m_widget, &VolumeViewWidget::lightChanged, this, &DocumentView::takeLight);
+    connect(&m_widget, &VolumeViewWidget::dragEnded, &m_model, &DocumentModel::commitPreview);
+    connect(&m_widget, &VolumeViewWidget::dragCancelled, &m_model, &DocumentModel::cancelPreview);
+    showLook();
+    showPose();
+}
+
+void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume) {
+    m_held = false;
+    showCurve();
+    m_widget.setVolume(volume);
+    showLook();
+    showPose();
+}
+
+void DocumentView::showPose() {
+    if (m_held) return;
+    const Document& document = m_model.document();
+    m_widget.setPose(shownPose(document, m_view), document.beam.axis);
+    m_widget.setNearCut(cutOf(document, m_view).nearCutMm);
+}
+
+void DocumentView::showCurve() {
+    if (!m_held) m_widget.setCurve(curveOf(m_model.document(), m_view, m_adaptive));
+}
+
+void DocumentView::showLook() {
+    if (!m_held) m_widget.setLook(lookOf(m_model.document(), m_view));
+}
+
+void DocumentView::takePose() {
+    Document next = m_model.document();
+    const Pose shown = shownPose(next, m_view);
+    const Pose moved = m_widget.pose();
+    poseOf(next, m_view) = moved;
+    next.motionAngle = 0.0;  // the motion starts from where the person left the camera
+    const QString what = moved.direction != shown.direction           ? tr("turn view")
+                         : moved.magnification != shown.magnification ? tr("zoom")
+                                                                      : tr("move view");
+    take(next, what);
+    emit cameraMoved();
+}
+
+void DocumentView::takeLight() {
+    Document next = m_model.document();
+    lookOf(next, m_view) = m_widget.look();
+    take(next, tr("move light"));
+}
+
+void DocumentView::take(const Document& next, const QString& what) {
+    if (m_widget.dragging())
+        m_model.preview(next, what);
+    else
+        m_model.edit(next, what, m_hand.current());
+}
+
+}  // namespace echolucent

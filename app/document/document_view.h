@@ -1,0 +1,59 @@
+// A 3D view that shows one view of the document.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/document/document_model.h"
+#include "app/document/hand_gesture.h"
+
+namespace echolucent {
+
+class Volume;
+class VolumeViewWidget;
+
+/// Shows pose, cut, look and curve of a view of the document in a widget, and makes steps of what the hand does there.
+/// Several of them show one document; where their views share a pose, turning one turns all.
+class DocumentView : public QObject {
+    Q_OBJECT
+
+public:
+    /// All outlive this.
+    DocumentView(DocumentModel& model, int view, HandGesture& hand, VolumeViewWidget& widget,
+                 QObject* parent = nullptr);
+
+    [[nodiscard]] int view() const { return m_view; }
+    /// The volume of the view's phase; takes the newest of the document with it, and ends a hold().
+    void showVolume(const std::shared_ptr<const Volume>& volume);
+    /// The widget goes on showing what it shows, until the next volume: a picture is never made of one study's voxels
+    /// and another's values.
+    void hold() { m_held = true; }
+    /// The adaptive curve of the phase shown.
+    void setAdaptiveCurve(const SampledCurve& curve) { m_adaptive = curve; }
+
+public slots:
+    /// From where the document looks in the present frame of the motion. Poses and cuts that change are shown by
+    /// themselves; a frame is shown when its OTF is there.
+    void showPose();
+    /// The view's curve. To be called as often as a person is to see it change.
+    void showCurve();
+
+signals:
+    /// The hand has moved the camera.
+    void cameraMoved();
+
+private:
+    void showLook();
+    void takePose();
+    void takeLight();
+    void take(const Document& next, const QString& what);
+
+    DocumentModel& m_model;
+    int m_view;
+    HandGesture& m_hand;
+    VolumeViewWidget& m_widget;
+    SampledCurve m_adaptive;
+    bool m_held = false;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,82 @@
+// The motion of probe and object in the window, frame by frame.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/document/document_view.h"
+#include "app/motion/motion_player.h"
+#include "app/otf/otf_computing.h"
+#include "widgets/motion/otf_course.h"
+
+namespace echolucent {
+
+class MotionPanel;
+class OtfCoursePanel;
+
+/// Shows each frame of the motion player with its OTF, keeps the course of the OTFs, and makes steps of what is chosen
+/// in the motion's panel. Knows no menu and no dock.
+class MotionFrames : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        Session& session;
+        OtfComputing& computing;
+        DocumentView& view;
+        VolumeViewWidget& picture;
+        MotionPlayer& player;
+        OtfCourse& course;
+        MotionPanel& panel;
+        OtfCoursePanel& coursePanel;
+    };
+    explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
+
+    /// Another study of so many phases is open: the motion is at rest in its first frame.
+    void beginAtRest(int phases);
+    /// The curve that the present frame shows of an OTF that was computed just now; the OTF is kept.
+    [[nodiscard]] SampledCurve curveToShow(std::shared_ptr<const AdaptiveOtf> otf);
+    /// The curve is in place: a frame that waited for it is shown.
+    void showWaitingFrame();
+    /// The player goes on once the picture of the present frame, made with the frame's OTF, is on the screen.
+    void announceShownFrame();
+    /// Back to the frame at angle 0.
+    void rewind();
+
+private:
+    void connectPanel();
+    void editMotion(const QString& what, const std::function<void(Document&)>& change);
+    void takeChoices();
+    void takeAngle();
+    void showFrame(double angle, int phase);
+    void showFrameWithItsOtf();
+    void endByHand();
+    void showFrameRate();
+    [[nodiscard]] MotionOtf mode() const { return m_parts.model.document().motion.otf; }
+    [[nodiscard]] Viewpoint frameView() const;
+    [[nodiscard]] CourseFrame courseFrame() const;
+    void keepCourseOf(const AdaptiveOtfConfig& config);
+
+    Parts m_parts;
+    MotionOtf m_mode = MotionOtf::oneOtf;      ///< that OTFs were asked for last
+    std::shared_ptr<const AdaptiveOtf> m_otf;  ///< of the adaptive curve shown; null before a study's first
+    bool m_frameWaits = false;                 ///< the present frame is shown once its OTF is there
+    /// What the course's rows have in common; another one begins a new course.
+    struct CourseKey {
+        const Study* study = nullptr;
+        Viewpoint start;
+        MotionAxis axis = MotionAxis::y;
+        AdaptiveOtfConfig config;
+        OtfCourse::Rows rows = OtfCourse::Rows::angles;
+        int fixed = 0;  ///< the phase or the angle that stays; 0 where both change
+        friend bool operator==(const CourseKey&, const CourseKey&) = default;
+    };
+    std::optional<CourseKey> m_courseKey;
+    QElapsedTimer m_frameClock;  ///< since the frame shown last
+    double m_frameSeconds = 0;   ///< running mean; 0: none yet
+};
+
+}  // namespace echolucent

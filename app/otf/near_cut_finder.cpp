@@ -1,0 +1,70 @@
+#include "app/otf/near_cut_finder.h"
+
+#include <QLocale>
+#include <utility>
+
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/view_panel.h"
+
+namespace echolucent {
+
+NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.session, &Session::nearCutSuggested, this, &NearCutFinder::take);
+    connect(&m_parts.session, &Session::computingOtfChanged, this, [this](bool computing) {
+        if (!computing) endProgress();
+    });
+}
+
+void NearCutFinder::find() {
+    if (!m_parts.session.volume()) return;
+    const Document& document = m_parts.model.document();
+    m_looksFrom = viewpointOf(document, m_parts.view);
+    m_looking = true;
+    m_parts.status.beginProgress(tr("looking for the near cut"));
+    m_parts.session.requestNearCut(m_looksFrom, configOf(document));
+}
+
+void NearCutFinder::endProgress() {
+    if (std::exchange(m_looking, false) && !m_parts.session.loading()) m_parts.status.endProgress();
+}
+
+void NearCutFinder::take(const NearCutSuggestion& suggestion) {
+    const QLocale locale;
+    const double before = m_parts.panel.nearCutMm();
+    const QString old = locale.toString(before, 'f', 1);
+    endProgress();
+    if (!suggestion.message.empty()) {
+        m_parts.messages.showMessage(
+            MessageKind::warning,
+            tr("The near cut stays at %1 mm. %2").arg(old).arg(QString::fromStdString(suggestion.message)));
+        m_parts.computing.computeAgain();  // it may have been under way when the search took its place
+        return;
+    }
+    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
+    m_parts.panel.setNearCutRange(depthAlongViewMm(m_looksFrom, geometry), geometry.spacingKnown);
+    m_parts.panel.setNearCutMm(suggestion.nearCutMm);
+    const double cut = m_parts.panel.nearCutMm();  // as the panel rounds it
+    const ViewDirection direction = directionOf(m_looksFrom);
+    cutAt(cut, direction);
+    const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
+                                       .arg(locale.toString(cut, 'f', 1))
+                                       .arg(suggestion.tubesInFluid)
+                                       .arg(suggestion.tubesWithSurface)
+                                 : tr("Nothing stands in front of the fluid: no near cut is needed.");
+    if (cut == before) return m_parts.messages.showMessage(MessageKind::info, said);
+    m_parts.messages.showMessage(
+        MessageKind::info, said + QLatin1Char(' ') + tr("It was %1 mm before.").arg(old),
+        {{tr("Back to %1 mm").arg(old), [this, before, direction] { cutAt(before, direction); }}});
+}
+
+void NearCutFinder::cutAt(double mm, const ViewDirection& direction) {
+    Document next = m_parts.model.document();
+    cutOf(next, m_parts.view).nearCutMm = mm;
+    next.method.direction = direction;
+    m_parts.model.edit(next, tr("near cut"));
+    // The search has taken the place of the OTF that was computed, also where the document stays as it is.
+    m_parts.computing.computeFor(otfViewpointOf(m_parts.model.document(), m_parts.view));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,47 @@
+#include "app/otf/otf_computing.h"
+
+namespace echolucent {
+
+OtfComputing::OtfComputing(DocumentModel& model, int view, Session& session, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_session(session) {
+    begin();
+    connect(&m_model, &DocumentModel::changed, this, &OtfComputing::follow);
+}
+
+void OtfComputing::begin() {
+    m_ofDocument = otfViewpointOf(m_model.document(), m_view);
+    m_asked = m_ofDocument;
+    m_config = configOf(m_model.document());
+}
+
+void OtfComputing::follow() {
+    const Viewpoint ofDocument = otfViewpointOf(m_model.document(), m_view);
+    const AdaptiveOtfConfig config = configOf(m_model.document());
+    if (ofDocument == m_ofDocument && config == m_config) return;
+    Viewpoint onlyCut = m_ofDocument;
+    onlyCut.nearCutMm = ofDocument.nearCutMm;
+    // A cut alone leaves the direction of a frame of the motion as it is.
+    if (ofDocument == onlyCut)
+        m_asked.nearCutMm = ofDocument.nearCutMm;
+    else
+        m_asked = ofDocument;
+    m_ofDocument = ofDocument;
+    m_config = config;
+    computeAgain();
+}
+
+void OtfComputing::computeFor(const Viewpoint& viewpoint) {
+    m_asked = viewpoint;
+    m_session.requestOtf(viewpoint, configOf(m_model.document()));
+}
+
+void OtfComputing::computeForThisView() {
+    if (!m_session.volume()) return;
+    const Viewpoint shown = viewpointOf(m_model.document(), m_view);
+    Document next = m_model.document();
+    next.method.direction = directionOf(shown);
+    m_model.edit(next, tr("compute for this view"));
+    computeFor(shown);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,43 @@
+// When the adaptive OTF is computed, for which view and with which parameters.
+#pragma once
+
+#include <QObject>
+
+#include "app/document/document_model.h"
+#include "app/study/session.h"
+
+namespace echolucent {
+
+/// Asks the session for the adaptive OTF whenever something it depends on changes in the document: the method, the
+/// curve that is its initial function, the cut, the beam. The tubes begin where the picture begins.
+class OtfComputing : public QObject {
+    Q_OBJECT
+
+public:
+    /// view: the view of the document whose cut and phase count. Both outlive this.
+    OtfComputing(DocumentModel& model, int view, Session& session, QObject* parent = nullptr);
+
+    /// The view of the newest OTF asked for.
+    [[nodiscard]] const Viewpoint& viewpoint() const { return m_asked; }
+    /// Computes for a view; the document's direction stays, and is taken again when it changes.
+    void computeFor(const Viewpoint& viewpoint);
+    /// Computes for the newest view again, for example where something took the place of its computation.
+    void computeAgain() { computeFor(m_asked); }
+    /// Another study: the next OTF is that of the document's own direction.
+    void begin();
+    /// From where the view looks now, as a step of the document: "compute for this view".
+    void computeForThisView();
+
+private:
+    void follow();
+
+    DocumentModel& m_model;
+    int m_view;
+    Session& m_session;
+    Viewpoint m_asked;
+    // What the document said when it was followed last.
+    Viewpoint m_ofDocument;
+    AdaptiveOtfConfig m_config;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,118 @@
+#include "app/picture/picture_controls.h"
+
+#include "app/picture/picture_status.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/view_panel.h"
+
+namespace echolucent {
+
+namespace {
+
+/// "Colour map": what a step that changes a look is called.
+QString nameOfChange(const Look& before, const Look& after) {
+    for (const Parameter<Look>& row : lookParameters())
+        if (row.get(before) != row.get(after))
+            return QString::fromUtf8(row.label.data(), static_cast<qsizetype>(row.label.size())).toLower();
+    return {};
+}
+
+}  // namespace
+
+PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connectPanel();
+    connectPicture();
+    connect(&m_parts.model, &DocumentModel::looksChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::cutsChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::beamChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &PictureControls::showDocument);
+}
+
+void PictureControls::connectPanel() {
+    const ViewPanel* panel = &m_parts.panel;
+    connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
+        edit(tr("near cut"), [this, mm](Document& next) { cutOf(next, view()).nearCutMm = mm; });
+    });
+    connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
+    connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(view(), phase); });
+    connect(panel, &ViewPanel::lookChanged, this, [this](const Look& look) {
+        edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
+             [this, &look](Document& next) { lookOf(next, view()) = look; });
+        keep();
+    });
+    connect(panel, &ViewPanel::rendererChanged, this, [this] {
+        takeRenderer();
+        keep();
+    });
+}
+
+void PictureControls::connectPicture() {
+    connect(&m_parts.picture, &VolumeViewWidget::pointed, this, [this](auto intensity, auto opacity) {
+        m_parts.status.setPointed(intensity, opacity);
+        m_parts.editor.setCursorIntensity(intensity);
+    });
+    connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, &PictureControls::tellPicture);
+}
+
+void PictureControls::edit(const QString& what, const std::function<void(Document&)>& change) {
+    Document next = m_parts.model.document();
+    change(next);
+    m_parts.model.edit(next, what, m_parts.hand.current());
+}
+
+void PictureControls::setBeamAxis(BeamAxis axis) {
+    edit(tr("beam axis"), [this, axis](Document& next) {
+        next.beam = {axis, BeamSource::person};
+        cutOf(next, view()) = Cut{};
+        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = axis});
+        next.method.direction = ViewDirection{};
+        next.motionAngle = 0.0;
+    });
+}
+
+void PictureControls::resetView() {
+    edit(tr("reset view"), [this](Document& next) {
+        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = next.beam.axis});
+    });
+}
+
+void PictureControls::showDocument() {
+    const Document& document = m_parts.model.document();
+    m_parts.panel.setNearCutMm(cutOf(document, view()).nearCutMm);
+    m_parts.panel.setBeamAxis(document.beam.axis);
+    m_parts.panel.setLook(lookOf(document, view()));
+}
+
+/// The renderer that the person chose. A graphics card that was chosen on another machine, or is not known yet, is left
+/// to the view's own judgement.
+void PictureControls::takeRenderer() {
+    const bool usable = m_parts.picture.graphicsCardUsable();
+    m_parts.panel.setGraphicsCardUsable(usable);
+    const RendererChoice chosen = m_parts.panel.renderer();
+    const bool impossible = chosen == RendererChoice::graphicsCard && !usable;
+    m_parts.picture.setRenderer(impossible ? RendererChoice::automatic : chosen);
+}
+
+void PictureControls::tellPicture(const PictureReport& report) {
+    if (report.framesPerSecond && report.followsHand) m_movement = report;
+    m_parts.status.setRenderer(
+        m_parts.picture.rendererName(), report.castMilliseconds + report.drawMilliseconds,
+        pictureToolTip(report, m_movement) + QLatin1Char('\n') + m_parts.picture.rendererRemark());
+    takeRenderer();
+}
+
+void PictureControls::restore() {
+    Document document = m_parts.model.document();
+    for (Shared<Look>& look : document.looks) look.value = m_parts.settings.look();
+    m_parts.model.begin(document);
+    showDocument();
+    m_parts.panel.setRenderer(m_parts.settings.renderer());
+    takeRenderer();
+}
+
+void PictureControls::keep() {
+    m_parts.settings.setLook(lookOf(m_parts.model.document(), view()));
+    m_parts.settings.setRenderer(m_parts.panel.renderer());
+}
+
+}  // namespace echolucent

@@ -1,0 +1,55 @@
+// The picture's panel and status line on the document.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/document/document_view.h"
+#include "app/window/settings.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+class OtfEditor;
+class RunStatus;
+class ViewPanel;
+
+/// Makes steps of what is set in the panel, shows there what the document says, and remembers the look for the next
+/// start. The renderer is a matter of the machine and no part of the document.
+class PictureControls : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        DocumentView& view;
+        HandGesture& hand;
+        VolumeViewWidget& picture;
+        ViewPanel& panel;
+        OtfEditor& editor;
+        RunStatus& status;
+        Settings& settings;
+    };
+    explicit PictureControls(const Parts& parts, QObject* parent = nullptr);
+
+    /// The look and the renderer of the last start.
+    void restore();
+    void keep();
+    /// The whole volume, seen along the beam; a step of the document.
+    void resetView();
+
+private:
+    void connectPanel();
+    void connectPicture();
+    void edit(const QString& what, const std::function<void(Document&)>& change);
+    void setBeamAxis(BeamAxis axis);
+    void showDocument();
+    void takeRenderer();
+    void tellPicture(const PictureReport& report);
+    [[nodiscard]] int view() const { return m_parts.view.view(); }
+
+    Parts m_parts;
+    std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
+};
+
+}  // namespace echolucent

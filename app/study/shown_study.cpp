@@ -1,0 +1,116 @@
+#include "app/study/shown_study.h"
+
+#include <QMainWindow>
+
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/view_panel.h"
+
+namespace echolucent {
+
+ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.session, &Session::studyOpened, this, &ShownStudy::tellFacts);
+    connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
+    connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
+    connect(&m_parts.session, &Session::otfFailed, this, [this](const QString& sentence) {
+        m_parts.player.pause();
+        m_parts.messages.showMessage(MessageKind::error, sentence);
+    });
+    connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
+    connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
+    connect(&m_parts.model, &DocumentModel::methodChanged, this, &ShownStudy::showNearCutRange);
+}
+
+void ShownStudy::tellFacts() {
+    const Study& study = *m_parts.session.study();
+    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
+    QStringList title{tr("Echolucent"), QString::fromStdString(study.name),
+                      QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
+    title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
+    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")));
+
+    QList<StudyFactRow> facts;
+    for (const ImportFact& fact : study.facts)
+        facts << StudyFactRow{QString::fromStdString(fact.name), QString::fromStdString(fact.value),
+                              QString::fromStdString(fact.source)};
+    QStringList warnings;
+    for (const std::string& warning : study.warnings) warnings << QString::fromStdString(warning);
+    m_parts.facts.setStudy(facts, warnings);
+
+    QStringList notes{study.lossyCompressed ? tr("lossy compression") : tr("no lossy compression")};
+    if (!geometry.spacingKnown) notes << tr("spacing unknown");
+    m_parts.status.setNotes(notes);
+
+    if (m_parts.session.isSimulatedScan())
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("Open a volume, or drop it here. This is a simulated scan."));
+    else if (!warnings.isEmpty())
+        m_parts.messages.showMessage(MessageKind::warning, warnings.join(QStringLiteral(" ")));
+    else
+        m_parts.messages.dismiss();
+}
+
+void ShownStudy::takeVolume() {
+    // A new study begins with its first phase; another phase keeps camera, cut and beam axis.
+    Session& session = m_parts.session;
+    const bool otherStudy = session.study() != m_study;
+    m_study = session.study();
+    m_parts.editor.setHistogram(session.histogram());
+    m_parts.editor.setWhiteLevel(session.volume()->whiteLevel());
+    if (otherStudy) {
+        const int phases = static_cast<int>(m_study->phases.size());
+        m_otf.reset();
+        m_parts.messages.setRemark({});
+        m_parts.view.hold();
+        m_parts.controls.setPhaseCount(phases);
+        Document opened = openedDocument(m_parts.model.document(), session.reference());
+        if (phases < 2) opened.motion.scenario = MotionScenario::probe;
+        // What was looked for in the study before is of no use any more.
+        m_parts.model.begin(opened);
+        m_parts.motion.beginAtRest(phases);
+        m_parts.computing.begin();
+        showNearCutRange();
+    } else if (session.phase() == m_parts.player.phase()) {
+        return;  // a frame of the motion, which knows what follows
+    }
+    m_parts.method.clearResult();
+    m_parts.status.clearOtf();
+    m_parts.player.setPhase(session.phase());
+    const Document& document = m_parts.model.document();
+    const bool oneOtf = document.motion.otf == MotionOtf::oneOtf;
+    m_parts.computing.computeFor(oneOtf ? m_parts.computing.viewpoint() : viewpointOf(document, m_parts.view.view()));
+}
+
+void ShownStudy::takePhase() {
+    const int phase = phaseOf(m_parts.model.document(), m_parts.view.view());
+    m_parts.controls.setPhase(phase);
+    if (m_study && phase < static_cast<int>(m_study->phases.size())) m_parts.session.setPhase(phase);
+}
+
+void ShownStudy::takeOtf() {
+    m_otf = m_parts.session.otf();
+    // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
+    const SampledCurve curve = m_parts.motion.curveToShow(m_otf);
+    m_parts.view.setAdaptiveCurve(curve);
+    m_parts.editor.setAdaptiveCurve(curve);
+    m_parts.method.showResult(*m_otf);
+    m_parts.status.setOtf(m_otf->times.total, m_otf->tubesWithSurface, m_otf->tubesMeetingVolume);
+    // Not while it plays: the bar would push the picture up and down.
+    if (!m_parts.player.isPlaying()) m_parts.messages.setRemark(QString::fromStdString(m_otf->message));
+    m_parts.view.showVolume(m_parts.session.volume());
+    m_parts.motion.showWaitingFrame();
+}
+
+void ShownStudy::showNearCutRange() {
+    if (!m_parts.session.volume()) return;
+    const Document& document = m_parts.model.document();
+    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
+    const int view = m_parts.view.view();
+    m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, view), geometry), geometry.spacingKnown);
+    m_parts.controls.setNearCutMm(cutOf(document, view).nearCutMm);
+}
+
+}  // namespace echolucent

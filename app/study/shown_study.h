@@ -1,0 +1,58 @@
+// What follows in the window when a study was opened, another phase is shown, or an OTF was computed.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/motion/motion_frames.h"
+
+class QMainWindow;
+
+namespace echolucent {
+
+class MessageBar;
+class MethodPanel;
+class OtfEditor;
+class RunStatus;
+class StudyPanel;
+class ViewPanel;
+
+/// Begins the document of a study, and brings volume, OTF and facts to view, editor and panels, in the order in which a
+/// picture is never made of one study's voxels and another's curve.
+class ShownStudy : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QMainWindow& window;  ///< its title
+        DocumentModel& model;
+        Session& session;
+        OtfComputing& computing;
+        DocumentView& view;
+        MotionFrames& motion;
+        MotionPlayer& player;
+        OtfEditor& editor;
+        MethodPanel& method;
+        ViewPanel& controls;
+        StudyPanel& facts;
+        RunStatus& status;
+        MessageBar& messages;
+    };
+    explicit ShownStudy(const Parts& parts, QObject* parent = nullptr);
+
+    /// Of the adaptive curve shown; null before a study's first.
+    [[nodiscard]] const AdaptiveOtf* otf() const { return m_otf.get(); }
+
+private:
+    void tellFacts();
+    void takeVolume();
+    void takeOtf();
+    void takePhase();
+    void showNearCutRange();
+
+    Parts m_parts;
+    std::shared_ptr<const AdaptiveOtf> m_otf;
+    const Study* m_study = nullptr;  ///< told apart by address only
+};
+
+}  // namespace echolucent

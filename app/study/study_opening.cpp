@@ -1,0 +1,112 @@
+#include "app/study/study_opening.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/raw_layout_dialog.h"
+
+namespace echolucent {
+
+namespace {
+
+RawLayout fromDialog(const RawLayoutValues& values) {
+    RawLayout layout;
+    layout.size = values.size;
+    layout.type = values.type.toStdString();
+    layout.bigEndian = values.bigEndian;
+    layout.headerBytes = values.headerBytes;
+    layout.spacing = {values.spacing[0], values.spacing[1], values.spacing[2]};
+    layout.spacingKnown = values.spacingKnown;
+    return layout;
+}
+
+RawLayoutValues toDialog(const RawLayout& layout) {
+    RawLayoutValues values;
+    values.size = layout.size;
+    values.type = QString::fromStdString(layout.type);
+    values.bigEndian = layout.bigEndian;
+    values.headerBytes = layout.headerBytes;
+    values.spacing = {layout.spacing[0], layout.spacing[1], layout.spacing[2]};
+    values.spacingKnown = layout.spacingKnown;
+    return values;
+}
+
+}  // namespace
+
+StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages)
+    : QObject(&window), m_window(window), m_session(session), m_settings(settings), m_messages(messages) {
+    connect(&m_session, &Session::openFailed, this, &StudyOpening::tellFailure);
+    connect(&m_session, &Session::studyOpened, this, [this] {
+        if (!m_session.isSimulatedScan()) m_settings.addRecentFile(m_session.path());
+    });
+}
+
+void StudyOpening::open(const QString& path, const ReadOptions& options) {
+    if (path.isEmpty()) return;
+    const QFileInfo info(path);
+    m_settings.setLastFolder(info.absolutePath());
+    m_session.open(info.absoluteFilePath(), options);
+}
+
+void StudyOpening::chooseFile() {
+    open(QFileDialog::getOpenFileName(
+        &m_window, tr("Open volume"), m_settings.lastFolder(),
+        tr("3D ultrasound volumes (*.mha *.mhd *.nrrd *.nhdr *.dcm *.raw);;All files (*)")));
+}
+
+void StudyOpening::chooseFolder() {
+    open(QFileDialog::getExistingDirectory(&m_window, tr("Open folder of DICOM slices"), m_settings.lastFolder()));
+}
+
+void StudyOpening::chooseRawFile() {
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open raw volume"), m_settings.lastFolder());
+    if (!path.isEmpty()) openRaw(path);
+}
+
+void StudyOpening::openRaw(const QString& path) {
+    auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), QFileInfo(path).size(), &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (const auto remembered = recalledRawLayout(path.toStdString()); remembered && *remembered)
+        dialog->setValues(toDialog(**remembered));
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+        ReadOptions options;
+        options.raw = fromDialog(dialog->values());
+        // A folder that cannot be written to is no reason not to open the file: then the person is asked again.
+        (void)rememberRawLayout(path.toStdString(), *options.raw);
+        open(path, options);
+    });
+    dialog->open();
+}
+
+void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
+    QList<MessageAction> actions;
+    if (failure.framesCouldBeSlices)
+        actions << MessageAction{tr("Take the frames as slices"), [this, path] {
+                                     ReadOptions options;
+                                     options.framesAsSlices = true;
+                                     open(path, options);
+                                 }};
+    if (failure.layoutUnknown) actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
+    Failure shown = failure;
+    shown.file = QFileInfo(path).fileName().toStdString();
+    // The way out is a button here; the sentence would name an option of the command line.
+    if (!actions.isEmpty()) shown.remedy.clear();
+    m_messages.showMessage(MessageKind::error, QString::fromStdString(shown.sentence()), actions);
+}
+
+void StudyOpening::fillRecentFiles(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : m_settings.recentFiles())
+        connect(menu.addAction(path), &QAction::triggered, this, [this, path] { open(path); });
+    if (menu.isEmpty()) {
+        menu.addAction(tr("None yet"))->setEnabled(false);
+        return;
+    }
+    menu.addSeparator();
+    connect(menu.addAction(tr("Forget these files")), &QAction::triggered, this,
+            [this] { m_settings.clearRecentFiles(); });
+}
+
+}  // namespace echolucent

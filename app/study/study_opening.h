@@ -1,0 +1,41 @@
+// Choosing studies to open, and what is offered where one cannot be opened.
+#pragma once
+
+#include <QObject>
+
+#include "app/study/session.h"
+#include "app/window/settings.h"
+
+class QMenu;
+class QWidget;
+
+namespace echolucent {
+
+class MessageBar;
+
+class StudyOpening : public QObject {
+    Q_OBJECT
+
+public:
+    /// window: parent of the dialogs. All outlive this.
+    StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages);
+
+    /// Opens a file or a DICOM folder; asks for the layout where the file has no header and none is remembered.
+    void open(const QString& path, const ReadOptions& options = {});
+    void chooseFile();
+    void chooseFolder();
+    void chooseRawFile();
+    /// Fills a menu with the files opened last.
+    void fillRecentFiles(QMenu& menu);
+
+private:
+    void openRaw(const QString& path);
+    void tellFailure(const QString& path, const Failure& failure);
+
+    QWidget& m_window;
+    Session& m_session;
+    Settings& m_settings;
+    MessageBar& m_messages;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,52 @@
+// Curves and pictures that go to files and back.
+#pragma once
+
+#include <QObject>
+
+#include "app/study/session.h"
+#include "app/window/settings.h"
+#include "processing/result.h"
+
+class QWidget;
+
+namespace echolucent {
+
+class MessageBar;
+class OtfEditor;
+class VolumeViewWidget;
+
+class CurveAndPictureFiles : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QWidget& window;  ///< parent of the dialogs
+        Session& session;
+        OtfEditor& editor;
+        VolumeViewWidget& picture;
+        Settings& settings;
+        MessageBar& messages;
+    };
+    /// All outlive this, which belongs to the window.
+    explicit CurveAndPictureFiles(const Parts& parts);
+
+    /// Opens a manual curve (JSON) and makes it active; the edit can be undone. False, with a message, where it cannot.
+    bool openCurve(const QString& path);
+    bool saveCurve(const QString& path);
+    /// Saves what the 3D view shows, without any name of a patient or file in it.
+    bool savePicture(const QString& path);
+    void chooseAndSavePicture();
+    /// Asks where an edited manual curve would be lost; false: it must not be.
+    bool mayLoseManualCurve();
+
+private:
+    void chooseAndOpenCurve();
+    bool chooseAndSaveCurve();
+    /// Fails where `path` is a file of the open study.
+    [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
+    bool report(const Result<void>& written);
+
+    Parts m_parts;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,208 @@
+#include "app/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QTimer>
+
+#include "app/otf/method_controls.h"
+#include "app/otf/near_cut_finder.h"
+#include "app/picture/explanation.h"
+#include "app/picture/picture_controls.h"
+#include "app/study/study_opening.h"
+#include "app/window/curve_and_picture_files.h"
+#include "app/window/window_menus.h"
+#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/panels/view_panel.h"
+
+namespace echolucent {
+
+namespace {
+constexpr int mainView = 1;  // the view of the default document
+}
+
+MainWindow::MainWindow(const QString& settingsFile, QWidget* parent)
+    : QMainWindow(parent), m_settings(settingsFile), m_curves(m_document, mainView) {
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Echolucent"));
+    setAcceptDrops(true);
+    resize(1440, 920);
+    m_widgets = layOut(*this, m_curves, m_course);
+    createUnits();
+    connectProgress();
+    connectUnits();
+    createActions();
+    restoreSettings();
+}
+
+MainWindow::~MainWindow() {
+    // What the widgets still tell while they go has nobody to act on it.
+    m_session.disconnect(this);
+    m_motionPlayer.disconnect(this);
+    m_widgets.picture->disconnect(this);
+    // The editor edits the document, which is gone before the window's children are.
+    delete m_widgets.editor;
+}
+
+void MainWindow::createUnits() {
+    m_view = std::make_unique<DocumentView>(m_document, mainView, m_hand, *m_widgets.picture);
+    m_computing = std::make_unique<OtfComputing>(m_document, mainView, m_session);
+    m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
+    m_pictureControls = std::make_unique<PictureControls>(
+        PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
+                               *m_widgets.status, m_settings});
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_session, *m_computing, *m_view,
+                                                                  *m_widgets.picture, m_motionPlayer, m_course,
+                                                                  *m_widgets.motion, *m_widgets.course});
+    m_shownStudy = std::make_unique<ShownStudy>(ShownStudy::Parts{
+        *this, m_document, m_session, *m_computing, *m_view, *m_motion, m_motionPlayer, *m_widgets.editor,
+        *m_widgets.method, *m_widgets.controls, *m_widgets.facts, *m_widgets.status, *m_widgets.messages});
+    m_nearCutFinder = std::make_unique<NearCutFinder>(NearCutFinder::Parts{
+        m_document, mainView, m_session, *m_computing, *m_widgets.controls, *m_widgets.status, *m_widgets.messages});
+    m_opening = std::make_unique<StudyOpening>(*this, m_session, m_settings, *m_widgets.messages);
+    m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
+        *this, m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
+}
+
+void MainWindow::connectProgress() {
+    connect(&m_session, &Session::loadingChanged, this, [this](bool loading) {
+        if (loading)
+            m_widgets.status->beginProgress(tr("loading"));
+        else
+            m_widgets.status->endProgress();
+        updateIdle();
+    });
+    connect(&m_session, &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
+    connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
+        if (m_session.loading()) return m_session.cancelLoading();
+        m_session.cancelComputing();
+        m_computing->computeAgain();  // what was being computed for the picture is still wanted
+    });
+    // Last of all that these signals lead to.
+    const auto somethingEnded = [this] {
+        m_motion->announceShownFrame();
+        updateIdle();
+    };
+    connect(&m_session, &Session::openFailed, this, &MainWindow::updateIdle);
+    connect(&m_session, &Session::computingOtfChanged, this, somethingEnded);
+    connect(&m_session, &Session::otfComputed, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
+    connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
+}
+
+void MainWindow::connectUnits() {
+    connect(m_widgets.editor, &OtfEditor::activeCurveChanged, m_view.get(), &DocumentView::showCurve);
+    connect(m_widgets.method, &MethodPanel::computeRequested, m_computing.get(), &OtfComputing::computeForThisView);
+    connect(m_widgets.picture, &VolumeViewWidget::filesDropped, this,
+            [this](const QStringList& files) { open(files.first()); });
+    connect(m_widgets.controls, &ViewPanel::nearCutSuggestionRequested, this, [this] {
+        m_motionPlayer.pause();
+        m_nearCutFinder->find();
+    });
+    connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
+            &CurveAndPictureFiles::chooseAndSavePicture);
+    connect(m_widgets.controls, &ViewPanel::resetRequested, this, [this] {
+        m_pictureControls->resetView();
+        m_motion->rewind();
+    });
+}
+
+void MainWindow::createActions() {
+    WindowCommands commands;
+    commands.openFile = [this] { m_opening->chooseFile(); };
+    commands.openFolder = [this] { m_opening->chooseFolder(); };
+    commands.openRawFile = [this] { m_opening->chooseRawFile(); };
+    commands.openSimulatedScan = [this] { openSimulatedScan(); };
+    commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
+    commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
+    commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
+    commands.computeForThisView = [this] { m_computing->computeForThisView(); };
+    commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
+    commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
+    commands.explain = [this] { showText(*this, "explanation", tr("What does the picture show?"), explanation()); };
+    createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+}
+
+void MainWindow::open(const QString& path, const ReadOptions& options) {
+    m_opening->open(path, options);
+    updateIdle();
+}
+
+void MainWindow::openSimulatedScan() {
+    m_session.openSimulatedScan();
+    updateIdle();
+}
+
+bool MainWindow::openCurve(const QString& path) { return m_files->openCurve(path); }
+bool MainWindow::saveCurve(const QString& path) { return m_files->saveCurve(path); }
+bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(path); }
+
+void MainWindow::restoreSettings() {
+    m_pictureControls->restore();
+    Document document = m_document.document();
+    document.motion.pingPong = m_settings.motionPingPong();
+    m_document.begin(document);
+    if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
+        logarithmic->setChecked(m_settings.histogramLogarithmic());
+    if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
+    if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state);
+}
+
+void MainWindow::keepSettings() {
+    m_pictureControls->keep();
+    m_settings.setMotionPingPong(m_document.document().motion.pingPong);
+    m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
+    m_settings.setWindowGeometry(saveGeometry());
+    m_settings.setWindowState(saveState());
+}
+
+bool MainWindow::idle() const {
+    return !m_session.loading() && !m_session.computingOtf() && !m_widgets.picture->busy() &&
+           !m_motionPlayer.isPlaying();
+}
+
+void MainWindow::updateIdle() {
+    if (idle() == m_idle) return;
+    m_idle = !m_idle;
+    emit idleChanged(m_idle);
+}
+
+QString MainWindow::explanation() const {
+    if (!m_session.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    return explainPicture({.study = *m_session.study(),
+                           .volume = *m_session.volume(),
+                           .otf = m_shownStudy->otf(),
+                           .document = m_document.document(),
+                           .view = mainView});
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_shown, true)) return;
+    QTimer::singleShot(0, this, &MainWindow::shown);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayLoseManualCurve()) {
+        event->ignore();
+        return;
+    }
+    m_motionPlayer.pause();
+    keepSettings();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) { open(event->mimeData()->urls().first().toLocalFile()); }
+
+}  // namespace echolucent

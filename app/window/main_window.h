@@ -1,0 +1,100 @@
+// The workstation's one window: puts the picture, the OTF editor, the method, the motion and the study together.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/document/document_curves.h"
+#include "app/document/document_view.h"
+#include "app/motion/motion_frames.h"
+#include "app/study/shown_study.h"
+#include "app/window/settings.h"
+#include "app/window/window_layout.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+class CurveAndPictureFiles;
+class MethodControls;
+class NearCutFinder;
+class PictureControls;
+class StudyOpening;
+
+/// Owns the document, the threads behind the session and the widgets, and hangs them together. What happens between
+/// them is said in the units it is made of: none of them, and no widget, keeps what the document holds.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+    /// True while nothing loads, computes, renders or plays: what a script waits for (with idleChanged).
+    Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
+
+public:
+    /// settingsFile: as in Settings; tests give one of their own.
+    explicit MainWindow(const QString& settingsFile = {}, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// As StudyOpening::open().
+    void open(const QString& path, const ReadOptions& options = {});
+    void openSimulatedScan();
+    /// As in CurveAndPictureFiles.
+    bool openCurve(const QString& path);
+    bool saveCurve(const QString& path);
+    bool savePicture(const QString& path);
+
+    [[nodiscard]] bool idle() const;
+    [[nodiscard]] DocumentModel& document() { return m_document; }
+    [[nodiscard]] Session& session() { return m_session; }
+    [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
+    [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
+    [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
+    /// The OTFs of the motion so far.
+    [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
+
+    /// What the picture shows and why it looks as it does, in a few sentences.
+    [[nodiscard]] QString explanation() const;
+
+signals:
+    void idleChanged(bool idle);
+    /// The window is on the screen for the first time.
+    void shown();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void createUnits();
+    void connectProgress();
+    void connectUnits();
+    void createActions();
+    void restoreSettings();
+    void keepSettings();
+    void updateIdle();
+
+    Settings m_settings;
+    DocumentModel m_document;
+    DocumentCurves m_curves;
+    HandGesture m_hand;
+    Session m_session;
+    MotionPlayer m_motionPlayer;
+    OtfCourse m_course;
+
+    WindowLayout m_widgets;
+
+    // Above the widgets they are made of, which they must not outlive.
+    std::unique_ptr<DocumentView> m_view;
+    std::unique_ptr<OtfComputing> m_computing;
+    std::unique_ptr<MethodControls> m_methodControls;
+    std::unique_ptr<PictureControls> m_pictureControls;
+    std::unique_ptr<MotionFrames> m_motion;
+    std::unique_ptr<ShownStudy> m_shownStudy;
+    std::unique_ptr<NearCutFinder> m_nearCutFinder;
+    std::unique_ptr<StudyOpening> m_opening;
+    std::unique_ptr<CurveAndPictureFiles> m_files;
+    bool m_idle = true;
+    bool m_shown = false;
+};
+
+}  // namespace echolucent

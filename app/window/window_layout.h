@@ -1,0 +1,38 @@
+// The widgets of the window and where they stand.
+#pragma once
+
+class QDockWidget;
+class QMainWindow;
+
+namespace echolucent {
+
+class CurveOwner;
+class MessageBar;
+class MethodPanel;
+class MotionPanel;
+class OtfCourse;
+class OtfCoursePanel;
+class OtfEditor;
+class RunStatus;
+class StudyPanel;
+class ViewPanel;
+class VolumeViewWidget;
+
+/// All belong to the window.
+struct WindowLayout {
+    MessageBar* messages = nullptr;
+    VolumeViewWidget* picture = nullptr;
+    OtfEditor* editor = nullptr;
+    MethodPanel* method = nullptr;
+    ViewPanel* controls = nullptr;
+    MotionPanel* motion = nullptr;
+    OtfCoursePanel* course = nullptr;
+    QDockWidget* courseDock = nullptr;
+    StudyPanel* facts = nullptr;
+    RunStatus* status = nullptr;
+};
+
+/// Makes the widgets and puts them into the window: the picture in the middle, the panels in docks beside it.
+[[nodiscard]] WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& course);
+
+}  // namespace echolucent

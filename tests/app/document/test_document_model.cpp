@@ -1,0 +1,231 @@
+// The document's one undo stack: what is a step, what belongs to one step, and that nothing is lost.
+#include <QSignalSpy>
+#include <QTest>
+#include <functional>
+#include <random>
+
+#include "app/document/document_model.h"
+#include "io/document/document_file.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// The default document with a second view of the same pose.
+Document twoViews() {
+    Document document;
+    document.looks.push_back({2, Look{}});
+    document.views.push_back({2, 1, 1, 2, 1, CurveKind::linear});
+    return document;
+}
+
+using Change = std::function<void(Document&, std::mt19937&)>;
+
+double share(std::mt19937& random) { return std::uniform_real_distribution<double>(0.0, 1.0)(random); }
+
+/// Every kind of value that a person can set, each with a random value.
+const std::vector<Change>& changes() {
+    static const std::vector<Change> all{
+        [](Document& d, auto& random) { poseOf(d, 1).direction.azimuth = 360 * share(random) - 180; },
+        [](Document& d, auto& random) { poseOf(d, 2).offsetMm[1] = share(random); },
+        [](Document& d, auto& random) { poseOf(d, 1).magnification = 0.1 + share(random); },
+        [](Document& d, auto& random) { cutOf(d, 1).nearCutMm = 30 * share(random); },
+        [](Document& d, auto& random) {
+            d.beam = {static_cast<BeamAxis>(random() % 6), BeamSource::person};
+            poseOf(d, 1) = Pose{};
+        },
+        [](Document& d, auto& random) { lookOf(d, 1 + random() % 2).mode = static_cast<RenderMode>(random() % 4); },
+        [](Document& d, auto& random) { lookOf(d, 2).colourMap = static_cast<ColourMap>(random() % 3); },
+        [](Document& d, auto& random) { viewOf(d, 1 + random() % 2).curve = allCurveKinds[random() % 5]; },
+        [](Document& d, auto& random) {
+            d.curves.manual.nodes.push_back({1.0, share(random)});
+        },
+        [](Document& d, auto& random) { d.curves.linear.slope = share(random); },
+        [](Document& d, auto& random) { d.curves.parabolic.scale = share(random); },
+        [](Document& d, auto& random) { d.method.initialScale = share(random); },
+        [](Document& d, auto& random) { d.method.initial = static_cast<InitialKind>(random() % 4); },
+        [](Document& d, auto& random) { d.method.direction.elevation = share(random); },
+        [](Document& d, auto& random) { d.motion.otf = allMotionOtfs[random() % allMotionOtfs.size()]; },
+    };
+    return all;
+}
+
+}  // namespace
+
+class TestDocumentModel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void randomActionsUndoneOneByOneGiveTheFirstDocument_data() {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 1; seed <= 20; ++seed) QTest::addRow("seed %u", seed) << seed;
+    }
+
+    void randomActionsUndoneOneByOneGiveTheFirstDocument() {
+        QFETCH(unsigned, seed);
+        std::mt19937 random(seed);
+        DocumentModel model;
+        model.begin(twoViews());
+        std::vector<std::string> history{jsonOf(model.document())};
+        int gesture = 0;
+        for (int action = 0; action < 200; ++action) {
+            Document next = model.document();
+            changes()[random() % changes().size()](next, random);
+            const int count = model.steps().count();
+            switch (random() % 3) {
+                case 0:  // a typed value
+                    model.edit(next, "value");
+                    break;
+                case 1:  // a burst: only what it ends with can be undone
+                    ++gesture;
+                    for (int i = 0; i < 3; ++i) {
+                        poseOf(next, 1).magnification = 0.1 + share(random);
+                        model.edit(next, "zoom", gesture);
+                    }
+                    break;
+                case 2:  // a drag, sometimes taken back
+                    for (int i = 0; i < 3; ++i) {
+                        cutOf(next, 1).nearCutMm = share(random);
+                        model.preview(next, "cut");
+                    }
+                    random() % 4 == 0 ? model.cancelPreview() : model.commitPreview();
+                    break;
+            }
+            QVERIFY(model.steps().count() - count <= 1);
+            if (model.steps().count() > count) history.push_back(jsonOf(model.document()));
+            QCOMPARE(jsonOf(model.document()), history.back());
+        }
+        QVERIFY(history.size() > 100);
+        QCOMPARE(model.steps().count(), static_cast<int>(history.size()) - 1);
+        for (std::size_t i = history.size() - 1; i-- > 0;) {
+            model.steps().undo();
+            QCOMPARE(jsonOf(model.document()), history[i]);
+        }
+        QVERIFY(!model.steps().canUndo());
+        QVERIFY(model.document() == twoViews());
+        while (model.steps().canRedo()) model.steps().redo();
+        QCOMPARE(jsonOf(model.document()), history.back());
+    }
+
+    void whatPlaysIsNoStepAndStaysThroughUndo() {
+        DocumentModel model;
+        Document next = model.document();
+        next.curves.linear.slope = 0.25;
+        model.edit(next, "slope");
+        QSignalSpy phases(&model, &DocumentModel::phasesChanged);
+        QSignalSpy frames(&model, &DocumentModel::motionAngleChanged);
+        model.showPhase(1, 3);
+        model.showMotionAngle(12);
+        QCOMPARE(phases.count(), 1);
+        QCOMPARE(frames.count(), 1);
+        QCOMPARE(model.steps().count(), 1);
+        model.steps().undo();
+        QCOMPARE(model.document().curves.linear.slope, 0.5);
+        QCOMPARE(phaseOf(model.document(), 1), 3);
+        QCOMPARE(model.document().motionAngle, 12.0);
+        QCOMPARE(phases.count() + frames.count(), 2);
+    }
+
+    void aStepMayEndTheMotionInItsFrame() {
+        DocumentModel model;
+        model.showMotionAngle(20);
+        Document next = model.document();
+        poseOf(next, 1) = shownPose(next, 1);
+        next.motionAngle = 0;
+        model.edit(next, "turn");
+        QCOMPARE(poseOf(model.document(), 1).direction.azimuth, 20.0);
+        QCOMPARE(model.document().motionAngle, 0.0);
+        model.steps().undo();
+        QCOMPARE(poseOf(model.document(), 1).direction.azimuth, 0.0);
+        QCOMPARE(model.document().motionAngle, 0.0);
+    }
+
+    void eachPartHasItsSignal() {
+        DocumentModel model;
+        model.begin(twoViews());
+        QSignalSpy poses(&model, &DocumentModel::posesChanged), cuts(&model, &DocumentModel::cutsChanged),
+            looks(&model, &DocumentModel::looksChanged), curves(&model, &DocumentModel::curvesChanged),
+            method(&model, &DocumentModel::methodChanged), motion(&model, &DocumentModel::motionChanged),
+            views(&model, &DocumentModel::viewsChanged), beam(&model, &DocumentModel::beamChanged),
+            study(&model, &DocumentModel::studyChanged), all(&model, &DocumentModel::changed);
+        const std::vector<QSignalSpy*> parts{&poses, &cuts, &looks, &curves, &method, &motion, &views, &beam, &study};
+        const std::vector<std::function<void(Document&)>> edits{
+            [](Document& d) { poseOf(d, 1).magnification = 2; },
+            [](Document& d) { cutOf(d, 1).nearCutMm = 2; },
+            [](Document& d) { lookOf(d, 2).mode = RenderMode::mean; },
+            [](Document& d) { d.curves.quartic.scale = 2; },
+            [](Document& d) { d.method.initialScale = 2; },
+            [](Document& d) { d.motion.pingPong = false; },
+            [](Document& d) { viewOf(d, 2).curve = CurveKind::quartic; },
+            [](Document& d) { d.beam.source = BeamSource::person; },
+            [](Document& d) { d.study = SimulatedScan{}; }};
+        for (std::size_t edited = 0; edited < edits.size(); ++edited) {
+            Document next = model.document();
+            edits[edited](next);
+            model.edit(next, "edit");
+            for (std::size_t part = 0; part < parts.size(); ++part)
+                QCOMPARE(parts[part]->count(), part <= edited ? 1 : 0);
+            QCOMPARE(all.count(), static_cast<int>(edited) + 1);
+        }
+        model.edit(model.document(), "nothing");
+        QCOMPARE(all.count(), static_cast<int>(edits.size()));
+        QCOMPARE(model.steps().count(), static_cast<int>(edits.size()));
+    }
+
+    void aGestureThatEndsWhereItBeganIsNoStep() {
+        DocumentModel model;
+        const Document before = model.document();
+        Document next = before;
+        cutOf(next, 1).nearCutMm = 5;
+        model.edit(next, "cut", 1);
+        QCOMPARE(model.steps().count(), 1);
+        model.edit(before, "cut", 1);
+        QCOMPARE(model.steps().count(), 0);
+        model.edit(next, "cut", 2);
+        next.curves.linear.slope = 0.1;
+        model.edit(next, "slope", 2);  // another value, though the same gesture
+        QCOMPARE(model.steps().count(), 2);
+        model.preview(before, "all");
+        model.preview(next, "all");
+        model.commitPreview();
+        QCOMPARE(model.steps().count(), 2);
+    }
+
+    void undoDuringADragTakesTheDragBackToo() {
+        DocumentModel model;
+        Document next = model.document();
+        next.curves.linear.slope = 0.25;
+        model.edit(next, "slope");
+        cutOf(next, 1).nearCutMm = 5;
+        model.preview(next, "cut");
+        QVERIFY(model.previewing());
+        model.steps().undo();
+        QVERIFY(!model.previewing());
+        QVERIFY(model.document() == Document{});
+        model.commitPreview();
+        QVERIFY(model.steps().canRedo());
+    }
+
+    void aSlotThatEditsFindsEveryPartChanged() {
+        DocumentModel model;
+        double seen = -1;
+        connect(&model, &DocumentModel::cutsChanged, this, [&] {
+            seen = model.document().curves.linear.slope;
+            Document next = model.document();
+            next.curves.quartic.scale = 3;
+            model.edit(next, "follows");
+        });
+        QSignalSpy curves(&model, &DocumentModel::curvesChanged);
+        Document next = model.document();
+        cutOf(next, 1).nearCutMm = 1;
+        next.curves.linear.slope = 0.125;
+        model.edit(next, "both");
+        QCOMPARE(seen, 0.125);
+        QVERIFY(curves.count() >= 1);
+        QCOMPARE(model.document().curves.quartic.scale, 3.0);
+        QCOMPARE(model.document().curves.linear.slope, 0.125);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDocumentModel)
+#include "test_document_model.moc"

@@ -1,0 +1,188 @@
+// Two 3D views on one document: one camera, two curves.
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QTest>
+#include <QWheelEvent>
+#include <QWindow>
+
+#include "app/document/document_view.h"
+#include "io/document/document_file.h"
+#include "processing/phantom/phantom.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+using namespace echolucent;
+
+namespace {
+
+constexpr int patience = 30000;  // ms, a bound for broken programs
+
+std::shared_ptr<const Volume> shapes() {
+    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
+    config.size = {48, 44, 46};
+    config.spacing = Vec3(1.7, 1.7, 1.7);
+    return std::make_shared<const Volume>(*makePhantom(config));
+}
+
+Document linked() {
+    Document document;
+    document.views = {{1, 1, 1, 1, 1, CurveKind::linear}, {2, 1, 1, 1, 1, CurveKind::quartic}};
+    return document;
+}
+
+}  // namespace
+
+class TestTwoViews : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_window = std::make_unique<QWidget>();
+        auto* row = new QHBoxLayout(m_window.get());
+        for (VolumeViewWidget*& widget : m_widgets) {
+            widget = new VolumeViewWidget;
+            widget->setFixedSize(220, 200);
+            row->addWidget(widget);
+        }
+        m_model = std::make_unique<DocumentModel>();
+        m_model->begin(linked());
+        m_hand = std::make_unique<HandGesture>(nullptr, 1'000'000);
+        const auto volume = shapes();
+        for (int i = 0; i < 2; ++i) {
+            auto& view = m_views[static_cast<std::size_t>(i)];
+            view = std::make_unique<DocumentView>(*m_model, i + 1, *m_hand, widget(i));
+            connect(m_model.get(), &DocumentModel::changed, view.get(), &DocumentView::showCurve);
+            view->showVolume(volume);
+        }
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(awaitIdle());
+    }
+    void cleanup() {
+        for (auto& view : m_views) view.reset();
+        m_window.reset();
+    }
+
+    void turningOneTurnsTheOtherToTheBit() {
+        const std::string first = jsonOf(m_model->document());
+        QVERIFY(widget(0).picture()->rgba != widget(1).picture()->rgba);  // two curves
+        const std::vector<float> before = widget(1).picture()->rgba;
+        drag(0, Qt::LeftButton, {}, {110, 100}, {151, 83});
+        QVERIFY(widget(0).pose() != Pose{});
+        QVERIFY(std::abs(widget(0).pose().direction.azimuth - 180.0 * 41 / 200) < 1e-9);
+        sameCamera();
+        QVERIFY(awaitIdle());
+        sameCamera();
+        QVERIFY(widget(1).picture()->rgba != before);
+        QVERIFY(widget(0).picture()->rgba != widget(1).picture()->rgba);
+        QCOMPARE(m_model->steps().count(), 1);  // one drag
+
+        drag(1, Qt::LeftButton, Qt::ShiftModifier, {110, 100}, {90, 117});
+        sameCamera();
+        QVERIFY(widget(0).pose().offsetMm != Vec3(0, 0, 0));
+        turnWheel(1);
+        turnWheel(1);
+        sameCamera();
+        QVERIFY(widget(0).pose().magnification > 1.0);
+        QCOMPARE(m_model->steps().count(), 3);  // one burst of the wheel
+
+        m_model->steps().undo();
+        QCOMPARE(widget(1).pose().magnification, 1.0);
+        m_model->steps().undo();
+        m_model->steps().undo();
+        QCOMPARE(jsonOf(m_model->document()), first);
+        sameCamera();
+        QVERIFY(widget(0).pose() == Pose{});
+        QVERIFY(awaitIdle());
+        QVERIFY(widget(1).picture()->rgba == before);
+    }
+
+    void aDragThatIsTakenBackIsTakenBackInBoth() {
+        const Pose before = widget(1).pose();
+        QTest::mousePress(inner(0), Qt::LeftButton, {}, {110, 100});
+        moveTo(0, {150, 120}, Qt::LeftButton, {});
+        QVERIFY(widget(1).pose() != before);
+        QTest::keyClick(&widget(0), Qt::Key_Escape);
+        QTest::mouseRelease(inner(0), Qt::LeftButton, {}, {150, 120});
+        QVERIFY(widget(0).pose() == before);
+        QVERIFY(widget(1).pose() == before);
+        QCOMPARE(m_model->steps().count(), 0);
+    }
+
+    void anotherShapeOfAPictureLeavesThePoseAlone() {
+        turnWheel(0);
+        const Pose pose = widget(0).pose();
+        const double height = widget(1).settings().camera.heightMm;
+        widget(1).setFixedSize(120, 200);
+        QVERIFY(awaitIdle());
+        QVERIFY(widget(1).pose() == pose);
+        QVERIFY(widget(0).pose() == pose);
+        QVERIFY(widget(1).settings().camera.heightMm > 1.2 * height);  // what was in the picture still is
+        QCOMPARE(m_model->steps().count(), 1);
+    }
+
+    void viewsWithPosesOfTheirOwnTurnAlone() {
+        Document next = m_model->document();
+        next.poses.push_back({2, Pose{}});
+        viewOf(next, 2).pose = 2;
+        m_model->edit(next, "unlink");
+        drag(1, Qt::LeftButton, {}, {110, 100}, {140, 100});
+        QVERIFY(widget(1).pose() != Pose{});
+        QVERIFY(widget(0).pose() == Pose{});
+    }
+
+private:
+    VolumeViewWidget& widget(int i) { return *m_widgets[static_cast<std::size_t>(i)]; }
+    QWindow* inner(int i) {
+        // The native windows stand in the order of their widgets.
+        const auto windows = m_window->windowHandle()->findChildren<QWindow*>();
+        for (QWindow* window : windows) {
+            const QPoint corner = window->mapToGlobal(QPoint(0, 0));
+            if (corner == widget(i).mapToGlobal(QPoint(0, 0))) return window;
+        }
+        qFatal("no native window");
+    }
+    bool awaitIdle() {
+        return QTest::qWaitFor(
+            [this] {
+                return !widget(0).busy() && !widget(1).busy() && widget(0).pictureIsFine() && widget(1).pictureIsFine();
+            },
+            patience);
+    }
+    void sameCamera() {
+        QVERIFY(widget(0).pose() == widget(1).pose());
+        QVERIFY(widget(0).pose() == poseOf(m_model->document(), 1));
+        QVERIFY(widget(0).settings().camera == widget(1).settings().camera);
+    }
+    void drag(int i, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const QPoint& from, const QPoint& to) {
+        QTest::mousePress(inner(i), button, modifiers, from);
+        for (int step = 1; step <= 10; ++step) moveTo(i, from + (to - from) * step / 10, button, modifiers);
+        QTest::mouseRelease(inner(i), button, modifiers, to);
+        QCoreApplication::processEvents();
+    }
+    void moveTo(int i, const QPoint& to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(to), QPointF(inner(i)->mapToGlobal(to)), Qt::NoButton, buttons,
+                         modifiers);
+        QCoreApplication::sendEvent(inner(i), &move);
+    }
+    void turnWheel(int i) {
+        QWheelEvent turn(QPointF(100, 100), inner(i)->mapToGlobal(QPointF(100, 100)), {}, {0, 120}, Qt::NoButton, {},
+                         Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(inner(i), &turn);
+    }
+
+    std::unique_ptr<QWidget> m_window;
+    std::array<VolumeViewWidget*, 2> m_widgets{};
+    std::unique_ptr<DocumentModel> m_model;
+    std::unique_ptr<HandGesture> m_hand;
+    std::array<std::unique_ptr<DocumentView>, 2> m_views;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestTwoViews test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_two_views.moc"

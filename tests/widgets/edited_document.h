@@ -1,0 +1,47 @@
+// The OTF editor and its model on a document of their own.
+#pragma once
+
+#include "app/document/document_curves.h"
+#include "widgets/otf_editor/otf_editor.h"
+
+namespace echolucent {
+
+struct EditedDocument {
+    DocumentModel document;
+    DocumentCurves curves{document, 1};
+
+    /// A document of these curves, without steps.
+    void begin(const OtfEditorState& state) {
+        Document next;
+        next.curves = state;
+        viewOf(next, 1).curve = state.active;
+        document.begin(next);
+    }
+    static void showIn(OtfEditorModel& model, const OtfEditorState& state) {
+        model.setAdaptiveCurve(state.adaptive);
+        for (const CurveKind kind : allCurveKinds) model.setVisible(kind, state.visible[indexOf(kind)]);
+        model.setManualSaved();
+        model.selectNode(-1);
+    }
+};
+
+class EditedModel : private EditedDocument, public OtfEditorModel {
+public:
+    EditedModel() : OtfEditorModel(curves) {}
+    /// Begins a document of these curves; the steps are forgotten, and the manual curve counts as saved.
+    void setState(const OtfEditorState& state) {
+        begin(state);
+        showIn(*this, state);
+    }
+};
+
+class EditedEditor : private EditedDocument, public OtfEditor {
+public:
+    EditedEditor() : OtfEditor(curves) {}
+    void setState(const OtfEditorState& state) {
+        begin(state);
+        showIn(model(), state);
+    }
+};
+
+}  // namespace echolucent
