@@ -12,7 +12,8 @@ void DocumentModel::edit(const Document& next, const QString& what, Gesture gest
     const Document before = withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document);
     if (withShown(next, before) == before) return set(next);
     m_pushing = true;
-    m_steps.push(new DocumentStep(*this, before, next, what, gesture));
+    m_steps.push(
+        new DocumentStep(before, next, what, gesture, [this](const Document& document) { restore(document); }));
     m_pushing = false;
 }
 

@@ -67,7 +67,6 @@ signals:
     void changed();
 
 private:
-    friend class DocumentStep;
     /// What undo and redo do.
     void restore(const Document& document);
     void set(Document next);

@@ -4,14 +4,17 @@
 
 namespace echolucent {
 
-DocumentStep::DocumentStep(DocumentModel& model, Document before, Document after, const QString& what,
-                           DocumentModel::Gesture gesture)
-    : QUndoCommand(what), m_model(model), m_before(std::move(before)), m_after(std::move(after)), m_gesture(gesture) {}
+DocumentStep::DocumentStep(Document before, Document after, const QString& what, int gesture, Restore restore)
+    : QUndoCommand(what),
+      m_before(std::move(before)),
+      m_after(std::move(after)),
+      m_gesture(gesture),
+      m_restore(std::move(restore)) {}
 
-void DocumentStep::undo() { m_model.restore(m_before); }
-void DocumentStep::redo() { m_model.restore(m_after); }
+void DocumentStep::undo() { m_restore(m_before); }
+void DocumentStep::redo() { m_restore(m_after); }
 
-int DocumentStep::id() const { return m_gesture == DocumentModel::noGesture ? -1 : 1; }
+int DocumentStep::id() const { return m_gesture == 0 ? -1 : 1; }
 
 bool DocumentStep::mergeWith(const QUndoCommand* other) {
     const auto* later = dynamic_cast<const DocumentStep*>(other);

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <QUndoCommand>
+#include <functional>
 
-#include "app/document/document_model.h"
+#include "processing/document/document.h"
 
 namespace echolucent {
 
 /// The document before and after; steps of one gesture and name become one.
 class DocumentStep : public QUndoCommand {
 public:
-    DocumentStep(DocumentModel& model, Document before, Document after, const QString& what,
-                 DocumentModel::Gesture gesture);
+    /// Makes a document the present one.
+    using Restore = std::function<void(const Document& document)>;
+
+    /// gesture 0: the step stands alone.
+    DocumentStep(Document before, Document after, const QString& what, int gesture, Restore restore);
 
     void undo() override;
     void redo() override;
@@ -19,10 +23,10 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
-    DocumentModel& m_model;
     Document m_before;
     Document m_after;
-    DocumentModel::Gesture m_gesture;
+    int m_gesture;
+    Restore m_restore;
 };
 
 }  // namespace echolucent

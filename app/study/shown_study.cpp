@@ -8,6 +8,7 @@
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
 
@@ -67,8 +68,9 @@ void ShownStudy::takeVolume() {
         m_parts.view.hold();
         m_parts.controls.setPhaseCount(phases);
         Document opened = openedDocument(m_parts.model.document(), session.reference());
+        const VolumeGeometry& geometry = session.volume()->geometry();
+        for (Shared<Pose>& pose : opened.poses) pose.value = m_parts.picture.wholeVolume(Viewpoint{}, geometry);
         if (phases < 2) opened.motion.scenario = MotionScenario::probe;
-        // What was looked for in the study before is of no use any more.
         m_parts.model.begin(opened);
         m_parts.motion.beginAtRest(phases);
         m_parts.computing.begin();

@@ -29,6 +29,7 @@ public:
         Session& session;
         OtfComputing& computing;
         DocumentView& view;
+        VolumeViewWidget& picture;
         MotionFrames& motion;
         MotionPlayer& player;
         OtfEditor& editor;

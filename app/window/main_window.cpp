@@ -58,9 +58,10 @@ void MainWindow::createUnits() {
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course});
-    m_shownStudy = std::make_unique<ShownStudy>(ShownStudy::Parts{
-        *this, m_document, m_session, *m_computing, *m_view, *m_motion, m_motionPlayer, *m_widgets.editor,
-        *m_widgets.method, *m_widgets.controls, *m_widgets.facts, *m_widgets.status, *m_widgets.messages});
+    m_shownStudy = std::make_unique<ShownStudy>(
+        ShownStudy::Parts{*this, m_document, m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
+                          m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
+                          *m_widgets.status, *m_widgets.messages});
     m_nearCutFinder = std::make_unique<NearCutFinder>(NearCutFinder::Parts{
         m_document, mainView, m_session, *m_computing, *m_widgets.controls, *m_widgets.status, *m_widgets.messages});
     m_opening = std::make_unique<StudyOpening>(*this, m_session, m_settings, *m_widgets.messages);

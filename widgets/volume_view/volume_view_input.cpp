@@ -202,7 +202,11 @@ void VolumeViewWidget::resetView(const Viewpoint& view) {
 
 Pose VolumeViewWidget::wholeVolume(const Viewpoint& view) const {
     if (!m_parts->volume) return {directionOf(view), {0, 0, 0}, 1.0};
-    return wholeVolumePose(m_parts->volume->geometry(), view, m_parts->look.projection, aspect());
+    return wholeVolume(view, m_parts->volume->geometry());
+}
+
+Pose VolumeViewWidget::wholeVolume(const Viewpoint& view, const VolumeGeometry& geometry) const {
+    return wholeVolumePose(geometry, view, m_parts->look.projection, aspect());
 }
 
 void VolumeViewWidget::showEvent(QShowEvent* event) {

@@ -42,6 +42,8 @@ const std::vector<Change>& changes() {
         },
         [](Document& d, auto& random) { d.curves.linear.slope = share(random); },
         [](Document& d, auto& random) { d.curves.parabolic.scale = share(random); },
+        [](Document& d, auto& random) { lookOf(d, 1).light.azimuthDegrees = 360 * share(random) - 180; },
+        [](Document& d, auto& random) { d.method.config.grid.columns = 1 + static_cast<int>(random() % 40); },
         [](Document& d, auto& random) { d.method.initialScale = share(random); },
         [](Document& d, auto& random) { d.method.initial = static_cast<InitialKind>(random() % 4); },
         [](Document& d, auto& random) { d.method.direction.elevation = share(random); },
