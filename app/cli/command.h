@@ -1,9 +1,10 @@
 // The parts every command of echolucent-cli shares.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,11 @@
 #include "processing/parameter.h"
 #include "processing/result.h"
 #include "processing/viewpoint.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace echolucent::cli {
 

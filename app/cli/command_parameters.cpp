@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "app/cli/command.h"
 #include "app/cli/parameter_page.h"
 #include "io/output/atomic_file.h"

@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "app/cli/command.h"
 #include "app/measuring/study.h"
 

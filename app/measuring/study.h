@@ -1,7 +1,6 @@
 // The studies of the command line (`echolucent-cli study ...`) and what they share: an output folder, tables as CSV.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 // VolumeOptions and the info command, run in this process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <CLI/CLI.hpp>
 
 #include <nlohmann/json.hpp>
 

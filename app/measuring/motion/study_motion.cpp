@@ -1,5 +1,6 @@
 // `study motion`: what the OTF does while the probe or the object moves.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // `study contrast`: CNR_S of the fixed curves and of the readings, condition by condition.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <memory>

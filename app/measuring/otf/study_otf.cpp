@@ -1,5 +1,6 @@
 // `study otf`: error against run time of the adaptive OTF, and the readings of the method side by side.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <map>

@@ -1,5 +1,6 @@
 #include "app/measuring/otf/study_phantoms.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 

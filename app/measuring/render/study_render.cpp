@@ -1,5 +1,6 @@
 // `study render`: error against run time of the ray caster.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>

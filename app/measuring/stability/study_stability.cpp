@@ -2,6 +2,7 @@
 #include "app/measuring/stability/study_stability.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
