@@ -36,10 +36,8 @@ void resolve(void* module, const char* name, Function& function) {
 
 Encoder loadEncoder() {
     Encoder encoder;
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::string path = (program.parent_path() / ECHOLUCENT_MOVIE_MODULE).string();
-    void* const module = error ? nullptr : dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    // The program's run path says where the module lies: beside the program, or in the library folder it is installed to.
+    void* const module = dlopen(ECHOLUCENT_MOVIE_MODULE, RTLD_NOW | RTLD_LOCAL);
     if (!module) return encoder;
     resolve(module, "echolucentOpenMovie", encoder.open);
     resolve(module, "echolucentAddPicture", encoder.add);
@@ -114,7 +112,7 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
     if (auto possible = checkFolder(path); !possible) return tl::unexpected<Failure>(possible.error());
     if (!encoder().complete())
         return cannotWrite(path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
-                                     " is not beside the program, or not the one of this version");
+                                     " is neither beside the program nor in its library folder, or is not the one of this version");
     auto parts = std::make_unique<Parts>();
     parts->path = path;
     parts->pictureBytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/widgets/edited_document.h"
+#include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/node_reduction.h"
 

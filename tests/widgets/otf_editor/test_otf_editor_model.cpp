@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/widgets/edited_document.h"
+#include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
 #include "widgets/otf_editor/node_reduction.h"

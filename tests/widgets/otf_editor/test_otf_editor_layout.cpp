@@ -11,7 +11,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/widgets/edited_document.h"
+#include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/widgets/edited_document.h"
+#include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 
 using namespace echolucent;
