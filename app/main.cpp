@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
+#include <QIcon>
 #include <QTextStream>
 
 #include "app/window/main_window.h"
@@ -13,6 +14,8 @@ int main(int count, char** arguments) {
     QApplication application(count, arguments);
     QApplication::setApplicationName(QStringLiteral("Echolucent"));
     QApplication::setOrganizationName(QStringLiteral("Echolucent"));
+    QApplication::setDesktopFileName(QStringLiteral("echolucent"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/desktop/echolucent.png")));
     QApplication::setApplicationVersion(QStringLiteral(ECHOLUCENT_VERSION));
 
     QCommandLineParser parser;
