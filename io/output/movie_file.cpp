@@ -36,7 +36,8 @@ void resolve(void* module, const char* name, Function& function) {
 
 Encoder loadEncoder() {
     Encoder encoder;
-    // The program's run path says where the module lies: beside the program, or in the library folder it is installed to.
+    // The program's run path says where the module lies: beside the program, or in the library folder it is installed
+    // to.
     void* const module = dlopen(ECHOLUCENT_MOVIE_MODULE, RTLD_NOW | RTLD_LOCAL);
     if (!module) return encoder;
     resolve(module, "echolucentOpenMovie", encoder.open);
@@ -111,8 +112,9 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
         throw std::invalid_argument("MovieFile: the frame rate must be above 0, at most 1000");
     if (auto possible = checkFolder(path); !possible) return tl::unexpected<Failure>(possible.error());
     if (!encoder().complete())
-        return cannotWrite(path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
-                                     " is neither beside the program nor in its library folder, or is not the one of this version");
+        return cannotWrite(
+            path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
+                      " is neither beside the program nor in its library folder, or is not the one of this version");
     auto parts = std::make_unique<Parts>();
     parts->path = path;
     parts->pictureBytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
