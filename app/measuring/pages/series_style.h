@@ -2,12 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
-#include "app/measuring/pages/html_page.h"
-
 namespace echolucent::cli {
+
+struct PlotSeries;
 
 /// The colours of the program's own curves (the editor's); a plot drawn on light ground takes the darker ones, which
 /// stand off white by 4.5:1 and more.
