@@ -5,6 +5,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #ifdef __SANITIZE_THREAD__
@@ -13,8 +14,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 #endif
 
@@ -56,6 +60,24 @@ void parallelFor(const Range& range, const Body& body) {
     if (thrown) std::rethrow_exception(thrown);
 }
 
+/// A value of each thread's own, made by `make` when the thread first asks for it.
+template <typename Value>
+class PerThread {
+public:
+    explicit PerThread(std::function<Value()> make) : m_make(std::move(make)) {}
+    [[nodiscard]] Value& local() {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_values.find(std::this_thread::get_id());
+        return found != m_values.end() ? found->second
+                                       : m_values.emplace(std::this_thread::get_id(), m_make()).first->second;
+    }
+
+private:
+    std::function<Value()> m_make;
+    std::mutex m_mutex;
+    std::map<std::thread::id, Value> m_values;
+};
+
 #else
 
 /// Calls `body` on parts of `range` (a tbb::blocked_range or blocked_range2d) that together are the whole, on the
@@ -64,6 +86,10 @@ template <typename Range, typename Body>
 void parallelFor(const Range& range, const Body& body) {
     tbb::parallel_for(range, body);
 }
+
+/// A value of each thread's own, made when the thread first asks for it (local()).
+template <typename Value>
+using PerThread = tbb::enumerable_thread_specific<Value>;
 
 #endif
 

@@ -1,14 +1,12 @@
 #include "processing/ray_caster.h"
 
-#include <tbb/blocked_range2d.h>
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
+#include "processing/parallel.h"
 #include "processing/ray_caster/empty_space.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
@@ -46,7 +44,7 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const int columns = (std::max(0, box.lastColumn - left) + tileEdge - 1) / tileEdge;
     const int rows = (std::max(0, box.lastRow - top) + tileEdge - 1) / tileEdge;
     TileCount count(progress, columns * rows);
-    tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
+    parallelFor(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
         for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
             for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
                 if (progress.cancelled()) return;

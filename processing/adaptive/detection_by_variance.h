@@ -1,9 +1,8 @@
 // Detection by the variance of cells, tracked from coarse to fine scales (Petersch 2005, section 4.1 and Fig. 4).
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "processing/adaptive/detection.h"
+#include "processing/parallel.h"
 #include "processing/tube_core/scale_space.h"
 #include "processing/tube_core/surface_detection.h"
 
@@ -35,7 +34,7 @@ private:
     ScaleSpace m_scaleSpace;
     std::vector<TubeSlabs> m_slabs;       ///< of each tube, until its cells are made of them
     std::vector<CellStatistics> m_cells;  ///< of each tube
-    tbb::enumerable_thread_specific<Tracker> m_trackers;
+    PerThread<Tracker> m_trackers;
 };
 
 }  // namespace echolucent

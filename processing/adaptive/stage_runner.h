@@ -1,15 +1,13 @@
 // Runs the stages of the method: their threads, their stop watch, and how far they are.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <thread>
 
 #include "processing/adaptive/stage_times.h"
+#include "processing/parallel.h"
 #include "processing/progress.h"
 
 namespace echolucent {
@@ -50,7 +48,7 @@ public:
     template <typename MakeState, typename Body>
     void forEach(std::size_t count, const MakeState& makeState, const Body& body) {
         std::atomic<std::size_t> done = 0;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const tbb::blocked_range<std::size_t>& range) {
+        parallelFor(tbb::blocked_range<std::size_t>(0, count), [&](const tbb::blocked_range<std::size_t>& range) {
             auto state = makeState();
             for (std::size_t i = range.begin(); i < range.end() && !m_progress.cancelled(); ++i) {
                 body(i, state);

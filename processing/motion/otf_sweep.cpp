@@ -1,8 +1,7 @@
 #include "processing/motion/otf_sweep.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/parallel.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -68,7 +67,7 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
     std::atomic<std::size_t> done = 0;
     const std::thread::id caller = std::this_thread::get_id();
     const Progress quiet{{}, progress.cancel};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
+    parallelFor(tbb::blocked_range<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
             const SweepFrame& frame = frames[wanted[i]];
             const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];

@@ -1,11 +1,9 @@
 #include "processing/phantom/phantom.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 
+#include "processing/parallel.h"
 #include "processing/phantom/phantom_scene.h"
 #include "processing/phantom/speckle.h"
 
@@ -47,7 +45,7 @@ std::optional<Volume> storedVolume(const PhantomConfig& config, const std::vecto
     std::vector<Stored> stored(painted.size());
     constexpr std::int64_t slicesAtOnce = 28;
     const std::int64_t chunks = (config.size[2] + slicesAtOnce - 1) / slicesAtOnce;
-    tbb::parallel_for(std::int64_t{0}, chunks, [&](std::int64_t chunk) {
+    parallelFor(std::int64_t{0}, chunks, [&](std::int64_t chunk) {
         if (progress.cancelled()) return;
         const std::int64_t first = chunk * slicesAtOnce;
         storeSlices(config, painted, first, std::min(first + slicesAtOnce, config.size[2]), progress, stored);

@@ -1,13 +1,12 @@
 // From closed-form bodies to voxels: blocks that a surface cannot meet are filled at once, the others voxel by voxel
 // with only the primitives that can matter there.
-#include <tbb/blocked_range2d.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "processing/parallel.h"
 #include "processing/phantom/implicit_distance.h"
 #include "processing/phantom/phantom_scene.h"
 #include "processing/phantom/splitmix.h"
@@ -183,7 +182,7 @@ std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomCon
     std::vector<float> voxels(static_cast<std::size_t>(phantomGeometry(config).voxelCount()));
     Painter painter(scenery, config, voxels);
     const std::int64_t columns = (config.size[0] + blockX - 1) / blockX, rows = (config.size[1] + blockY - 1) / blockY;
-    tbb::parallel_for(tbb::blocked_range2d<std::int64_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
+    parallelFor(tbb::blocked_range2d<std::int64_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
         for (std::int64_t row = range.rows().begin(); row < range.rows().end(); ++row)
             for (std::int64_t column = range.cols().begin(); column < range.cols().end(); ++column)
                 if (!progress.cancelled()) painter.paintColumn(column * blockX, row * blockY);

@@ -1,12 +1,10 @@
 #include "processing/ray_caster/empty_space.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "processing/parallel.h"
 #include "processing/ray_caster/packed_voxels.h"
 
 namespace echolucent::ray_casting {
@@ -79,7 +77,7 @@ BrickRanges::BrickRanges(const Volume& volume)
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
             const std::int64_t columns = m_grid.size[0], rows = m_grid.size[1];
-            tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
+            parallelFor(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
                 for (std::int64_t row = range.begin(); row < range.end(); ++row)
                     for (std::int64_t x = 0; x < columns; ++x) {
                         const auto found = rangeOf(volume, voxels.data(), {x, row % rows, row / rows});

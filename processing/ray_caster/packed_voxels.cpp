@@ -1,13 +1,11 @@
 #include "processing/ray_caster/packed_voxels.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
 
+#include "processing/parallel.h"
 #include "processing/ray_caster/transfer_table.h"
 
 namespace echolucent::ray_casting {
@@ -65,7 +63,7 @@ std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
                            source.size[2] + extraCubes + 1;  // the last is read with weight 0 by what is rounded up
     auto cubes =
         std::make_unique_for_overwrite<Out[]>(static_cast<std::size_t>(columns * rows * slices * voxelsPerCube));
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
+    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * slices, 64), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
             const std::int64_t y = row % rows - cubeShift, z = row / rows - cubeShift;
             packRow<Out>({source.rowOf(y, z), source.rowOf(y + 1, z)}, source.size[0], columns,

@@ -1,12 +1,10 @@
 #include "processing/tube_core/basis_function.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "processing/parallel.h"
 #include "processing/tube_core/basis_factor.h"
 
 namespace echolucent {
@@ -52,10 +50,9 @@ std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<con
         return std::span(values).subspan(range.begin(), range.size());
     };
     constexpr std::size_t grain = 32;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          addFactors(factors, partOf(intensities, range), partOf(sums, range), partOf(lost, range));
-                      });
+    parallelFor(tbb::blocked_range<std::size_t>(0, size, grain), [&](const tbb::blocked_range<std::size_t>& range) {
+        addFactors(factors, partOf(intensities, range), partOf(sums, range), partOf(lost, range));
+    });
     for (std::size_t i = 0; i < size; ++i) {
         const double first = logOpacityAt(initial, intensities[i]);
         sums[i] = std::isfinite(first) ? sums[i] + lost[i] : first;

@@ -1,14 +1,12 @@
 #include "processing/tube_core/ratio_detection.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "processing/parallel.h"
 #include "processing/tube_core/slabs/profile_kernels.h"
 
 namespace echolucent {
@@ -153,13 +151,13 @@ TubeContrasts::TubeContrasts(const TubeProfiles& profiles, const SpeckleScale& s
         m_contrasts.emplace_back(next + slabCount, boundaries);
         next += slabCount + boundaries;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, profiles.tubes(), tubesPerTask),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t t = range.begin(); t < range.end(); ++t) {
-                              scale.scale(profiles.means(t), m_profiles[t]);
-                              contrastsAlong(m_profiles[t], rule, m_contrasts[t]);
-                          }
-                      });
+    parallelFor(tbb::blocked_range<std::size_t>(0, profiles.tubes(), tubesPerTask),
+                [&](const tbb::blocked_range<std::size_t>& range) {
+                    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+                        scale.scale(profiles.means(t), m_profiles[t]);
+                        contrastsAlong(m_profiles[t], rule, m_contrasts[t]);
+                    }
+                });
 }
 
 RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule) {

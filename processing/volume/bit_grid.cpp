@@ -1,10 +1,9 @@
 #include "processing/volume/bit_grid.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
+
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -17,7 +16,7 @@ std::uint64_t lastWordMask(std::int64_t sizeX) {
 
 template <typename Body>
 void forEachRow(const std::array<std::int64_t, 3>& size, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, size[1] * size[2], 256), [&](const auto& rows) {
+    parallelFor(tbb::blocked_range<std::int64_t>(0, size[1] * size[2], 256), [&](const auto& rows) {
         for (std::int64_t row = rows.begin(); row < rows.end(); ++row) body(row % size[1], row / size[1]);
     });
 }

@@ -1,11 +1,10 @@
 // How the outside of the scanned sector is told from true fluid.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "processing/parallel.h"
 #include "processing/volume/bit_grid.h"
 #include "processing/volume/volume.h"
 
@@ -56,7 +55,7 @@ BitGrid blankVoxels(const Volume& volume) {
     const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
-            tbb::parallel_for(
+            parallelFor(
                 tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
                     for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
                         for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
@@ -96,20 +95,19 @@ std::vector<std::uint8_t> maskWithout(const BitGrid& region, const Volume& volum
     const VolumeGeometry& geometry = volume.geometry();
     std::vector<std::uint8_t> mask = volume.dataMask();
     if (mask.empty()) mask.assign(static_cast<std::size_t>(geometry.voxelCount()), 1);
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64),
-                      [&](const auto& rows) {
-                          for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
-                              const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
-                              std::uint8_t* target = mask.data() + row * geometry.size[0];
-                              for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
-                                  if (x % 64 == 0 && words[x / 64] == 0) {
-                                      x += 63;
-                                      continue;
-                                  }
-                                  if (words[x / 64] >> (x % 64) & 1) target[x] = 0;
-                              }
-                          }
-                      });
+    parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
+        for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
+            const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
+            std::uint8_t* target = mask.data() + row * geometry.size[0];
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                if (x % 64 == 0 && words[x / 64] == 0) {
+                    x += 63;
+                    continue;
+                }
+                if (words[x / 64] >> (x % 64) & 1) target[x] = 0;
+            }
+        }
+    });
     return mask;
 }
 

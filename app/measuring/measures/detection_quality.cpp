@@ -1,12 +1,12 @@
 #include "app/measuring/measures/detection_quality.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -41,7 +41,7 @@ std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometr
                                   const AdaptiveOtfConfig& config) {
     const auto axes = tubeAxes(geometry, view, config.grid, config.cells.size);
     std::vector<TubeTruth> truths(axes.size());
-    tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t t) {
+    parallelFor(std::size_t{0}, axes.size(), [&](std::size_t t) {
         if (!axes[t].entryVoxel || !cornersAgree(truth, geometry, view, axes[t], config.cells.size)) return;
         truths[t] = {true, interfaceDepthMm(truth, geometry, view, axes[t], {0, 0, 0})};
     });

@@ -1,13 +1,11 @@
 #include "app/measuring/measures/surface_contrast.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/measuring/measures/line_samples.h"
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -137,7 +135,7 @@ std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomT
     const RayLattice lattice(geometry, frame);
     const double nearPlane = nearPlaneDepthMm(view, geometry), unit = geometry.unit();
     std::vector<std::vector<ObjectRay>> ofRow(static_cast<std::size_t>(lattice.rows));
-    tbb::parallel_for(0, lattice.rows, [&](int row) {
+    parallelFor(0, lattice.rows, [&](int row) {
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
@@ -157,7 +155,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
     const Vec3 forward = frameOf(view).forward;
     const double nearPlane = nearPlaneDepthMm(view, volume.geometry()), unit = volume.geometry().unit();
     std::vector<RayLight> lights(rays.size() * tables.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
+    parallelFor(tbb::blocked_range<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
         for (std::size_t r = some.begin(); r < some.end(); ++r) {
             const SampledRay ray(volume, rays[r].pointMm, forward, nearPlane);
             for (std::size_t c = 0; c < tables.size(); ++c)

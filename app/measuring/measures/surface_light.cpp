@@ -1,13 +1,12 @@
 #include "app/measuring/measures/surface_light.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "app/measuring/measures/line_samples.h"
 #include "app/measuring/measures/median.h"
+#include "processing/parallel.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
@@ -54,7 +53,7 @@ SurfaceLight surfaceLight(const Volume& volume, const AdaptiveOtf& otf, const Op
     if (used.empty()) return light;
     const OpacityTable table(curve);
     std::vector<double> shares(used.size()), intensities(used.size());
-    tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, used.size(), [&](std::size_t i) {
         const TubeLight own = lightAlong(volume, otf.tubes[used[i]], axes[used[i]], table);
         shares[i] = own.share;
         intensities[i] = own.intensity;

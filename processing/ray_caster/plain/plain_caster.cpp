@@ -1,7 +1,5 @@
 #include "processing/ray_caster/plain/plain_caster.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -9,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 #include <thread>
+
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -240,7 +240,7 @@ std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve&
     if (settings.findDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
     std::atomic<int> rowsDone = 0;
     const auto callingThread = std::this_thread::get_id();
-    tbb::parallel_for(0, settings.height, [&](int row) {
+    parallelFor(0, settings.height, [&](int row) {
         if (progress.cancelled()) return;
         castRow(caster, row, picture);
         const int done = rowsDone.fetch_add(1, std::memory_order_relaxed) + 1;
