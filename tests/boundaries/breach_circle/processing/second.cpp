@@ -1,0 +1,3 @@
+#include "processing/second.h"
+
+#include "processing/first.h"
