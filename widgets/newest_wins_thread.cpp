@@ -1,22 +1,25 @@
 #include "widgets/newest_wins_thread.h"
 
+#include <pthread.h>
+
+#include <QCoreApplication>
+#include <QEvent>
 #include <chrono>
 #include <utility>
 
 namespace echolucent {
 
-NewestWinsThread::NewestWinsThread(const QString& name, QObject* parent) : QObject(parent), m_worker(new QObject) {
-    m_thread.setObjectName(name);
-    m_worker->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
-    m_thread.start();
+NewestWinsThread::NewestWinsThread(const QString& name, QObject* parent)
+    : QObject(parent), m_thread([this](const std::stop_token& stopped) { work(stopped); }) {
+    // Linux keeps 15 characters of a thread's name.
+    pthread_setname_np(m_thread.native_handle(), name.left(15).toLatin1().constData());
 }
 
 NewestWinsThread::~NewestWinsThread() {
     m_waiting.reset();
     if (m_cancelFlag) m_cancelFlag->store(true, std::memory_order_relaxed);
-    m_thread.quit();
-    m_thread.wait();
+    m_thread.request_stop();
+    m_thread.join();
 }
 
 void NewestWinsThread::submit(Job job, WhenSuperseded whenSuperseded) {
@@ -39,31 +42,70 @@ void NewestWinsThread::start(Waiting next) {
     m_running = true;
     m_runningWhenSuperseded = next.whenSuperseded;
     m_cancelFlag = std::make_shared<std::atomic<bool>>(false);
-    auto run = [this, flag = m_cancelFlag, job = std::move(next.job)] {
-        using Clock = std::chrono::steady_clock;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_order = Order{std::move(next.job), m_cancelFlag};
+    }
+    m_ordered.notify_one();
+}
+
+void NewestWinsThread::work(const std::stop_token& stopped) {
+    using Clock = std::chrono::steady_clock;
+    while (true) {
+        Order order;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_ordered.wait(lock, stopped, [this] { return m_order.has_value(); })) return;
+            order = *std::exchange(m_order, std::nullopt);
+        }
         auto lastReport = Clock::time_point{};
         Progress progress;
-        progress.cancel = flag.get();
+        progress.cancel = order.cancelFlag.get();
         progress.report = [this, &lastReport](double share) {
             if (const auto now = Clock::now(); now - lastReport >= std::chrono::milliseconds(33)) {
                 lastReport = now;
-                QMetaObject::invokeMethod(
-                    this, [this, share] { emit progressed(share); }, Qt::QueuedConnection);
+                tell(share);
             }
         };
-        Deliver deliver = job(progress);
-        QMetaObject::invokeMethod(
-            this, [this, flag, deliver = std::move(deliver)] { ended(flag, deliver); }, Qt::QueuedConnection);
-    };
-    QMetaObject::invokeMethod(m_worker, std::move(run), Qt::QueuedConnection);
+        Deliver deliver = order.job(progress);
+        order.job = {};
+        tell(Ended{std::move(order.cancelFlag), std::move(deliver)});
+    }
 }
 
-void NewestWinsThread::ended(const std::shared_ptr<std::atomic<bool>>& cancelFlag, const Deliver& deliver) {
+void NewestWinsThread::tell(News news) {
+    QEvent* event = nullptr;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_news.push_back(std::move(news));
+        event = new QEvent(QEvent::User);
+    }
+    QCoreApplication::postEvent(this, event);
+}
+
+bool NewestWinsThread::event(QEvent* event) {
+    std::vector<News> news;
+    bool told = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        told = event->type() == QEvent::User;
+        if (told) news.swap(m_news);
+    }
+    for (const News& each : news) {
+        if (const double* share = std::get_if<double>(&each))
+            emit progressed(*share);
+        else
+            ended(std::get<Ended>(each));
+    }
+    return told || QObject::event(event);
+}
+
+void NewestWinsThread::ended(const Ended& job) {
     m_running = false;
-    const bool wanted = !cancelFlag->load(std::memory_order_relaxed);
+    const bool wanted = !job.cancelFlag->load(std::memory_order_relaxed);
     // The next job starts before the delivery, so that the worker never waits for the person's thread.
     if (m_waiting) start(*std::exchange(m_waiting, std::nullopt));
-    if (wanted && deliver) deliver();
+    if (wanted && job.deliver) job.deliver();
     if (!busy()) emit busyChanged(false);
 }
 

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <QObject>
-#include <QThread>
 #include <atomic>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
+#include <variant>
+#include <vector>
 
 #include "processing/progress.h"
 
 namespace echolucent {
 
-/// Runs jobs in a QThread of its own. While one runs, a newer one replaces whatever waits.
+/// Runs jobs in a thread of its own. While one runs, a newer one replaces whatever waits.
 ///
 ///            submit(a)                        done, not superseded: deliver
 ///   [Idle] -------------> [Running a] -----------------------------------> [Idle]
@@ -53,20 +57,46 @@ signals:
     /// Share done of the running job, in [0,1], at most about 30 times a second.
     void progressed(double share);
 
+protected:
+    /// Takes what the worker left for this thread.
+    bool event(QEvent* event) override;
+
 private:
+    using CancelFlag = std::shared_ptr<std::atomic<bool>>;
     struct Waiting {
         Job job;
         WhenSuperseded whenSuperseded;
     };
-    void start(Waiting next);
-    void ended(const std::shared_ptr<std::atomic<bool>>& cancelFlag, const Deliver& deliver);
+    /// A job on its way to the worker.
+    struct Order {
+        Job job;
+        CancelFlag cancelFlag;
+    };
+    /// A job that has ended, on its way back.
+    struct Ended {
+        CancelFlag cancelFlag;
+        Deliver deliver;
+    };
+    /// The share done, or the end of a job.
+    using News = std::variant<double, Ended>;
 
-    QThread m_thread;
-    QObject* m_worker;  // lives in m_thread, receives the jobs; deleted there when the thread ends
+    void start(Waiting next);
+    void ended(const Ended& job);
+    void work(const std::stop_token& stopped);
+    void tell(News news);
+
     bool m_running = false;
     WhenSuperseded m_runningWhenSuperseded = WhenSuperseded::cancel;
-    std::shared_ptr<std::atomic<bool>> m_cancelFlag;
+    CancelFlag m_cancelFlag;
     std::optional<Waiting> m_waiting;
+
+    // What crosses the threads, under one mutex of the standard library's: the thread sanitizer sees it, and does not
+    // see the queue of events in Qt's library, which is not instrumented.
+    std::mutex m_mutex;
+    std::condition_variable_any m_ordered;
+    std::optional<Order> m_order;
+    std::vector<News> m_news;
+    std::jthread m_thread;
 };
 
 }  // namespace echolucent
