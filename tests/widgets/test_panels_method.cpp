@@ -4,6 +4,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 #include "widgets/panels/method_panel.h"
 
 using namespace echolucent;
@@ -340,5 +341,4 @@ private:
 };
 
 QTEST_MAIN(TestPanelsMethod)
-#include "processing/adaptive/method_reading.h"
 #include "test_panels_method.moc"
