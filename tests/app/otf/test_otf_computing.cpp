@@ -1,0 +1,129 @@
+// What makes the adaptive OTF be computed anew, and for which view.
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/otf/otf_computing.h"
+#include "io/output/meta_image_writer.h"
+
+using namespace echolucent;
+
+namespace {
+
+constexpr int patience = 20000;  // ms, a bound for broken programs
+constexpr int view = 1;
+
+/// Tells what it was asked for and finds nothing.
+std::optional<AdaptiveOtf> echo(const Volume&, const Viewpoint& viewpoint, const AdaptiveOtfConfig& config,
+                                const Progress&) {
+    AdaptiveOtf otf;
+    otf.view = viewpoint;
+    otf.config = config;
+    return otf;
+}
+
+}  // namespace
+
+class TestOtfComputing : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        VolumeGeometry geometry;
+        geometry.size = {4, 4, 4};
+        const QString path = m_folder.filePath("cube.mha");
+        QVERIFY(writeMetaImage(path.toStdString(),
+                               {std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)))}));
+        m_model = std::make_unique<DocumentModel>();
+        m_session = std::make_unique<Session>();
+        m_session->setPipeline(&echo);
+        m_computing = std::make_unique<OtfComputing>(*m_model, view, *m_session);
+        QSignalSpy opened(m_session.get(), &Session::studyOpened);
+        m_session->open(path);
+        QVERIFY(opened.wait(patience));
+    }
+
+    void whatTheOtfDependsOnAsksForAnother_data() {
+        using Change = std::function<void(Document&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<bool>("asks");
+        const auto row = [](const char* name, bool asks, Change change) { QTest::newRow(name) << change << asks; };
+        row("cut", true, [](Document& d) { cutOf(d, view).nearCutMm = 2; });
+        row("beam", true, [](Document& d) { d.beam.axis = BeamAxis::plusX; });
+        row("direction", true, [](Document& d) { d.method.direction.azimuth = 5; });
+        row("parameter", true, [](Document& d) { d.method.config.grid.columns = 3; });
+        row("scale of the initial function", true, [](Document& d) { d.method.initialScale = 0.5; });
+        row("the editor's curve as initial function", true,
+            [](Document& d) { d.method.initial = InitialKind::linear; });
+        row("a curve that is not the initial function", false, [](Document& d) { d.curves.linear.slope = 0.1; });
+        row("pose", false, [](Document& d) { poseOf(d, view).direction.azimuth = 5; });
+        row("look", false, [](Document& d) { lookOf(d, view).colourMap = ColourMap::ice; });
+        row("rendered curve", false, [](Document& d) { viewOf(d, view).curve = CurveKind::linear; });
+        row("motion", false, [](Document& d) { d.motion.axis = MotionAxis::z; });
+    }
+    void whatTheOtfDependsOnAsksForAnother() {
+        QFETCH(std::function<void(Document&)>, change);
+        QFETCH(bool, asks);
+        Document next = m_model->document();
+        change(next);
+        m_model->edit(next, "change");
+        QCOMPARE(m_session->computingOtf(), asks);
+        if (!asks) return;
+        awaitOtf();
+        QVERIFY(m_session->otf()->view == otfViewpointOf(next, view));
+        QVERIFY(m_session->otf()->config == configOf(next));
+        m_model->steps().undo();
+        awaitOtf();
+        QVERIFY(m_session->otf()->view == Viewpoint{});
+        QVERIFY(m_session->otf()->config == AdaptiveOtfConfig{});
+    }
+
+    void anEditOfTheInitialFunctionAsks() {
+        Document next = m_model->document();
+        next.method.initial = InitialKind::manual;
+        m_model->edit(next, "initial");
+        awaitOtf();
+        next.curves.manual.nodes[1].opacity = 0.25;
+        m_model->preview(next, "drag");  // already while the hand drags
+        awaitOtf();
+        QVERIFY(m_session->otf()->config.initial == OpacityCurve(next.curves.manual));
+    }
+
+    void computeForThisViewTakesWhatIsShownAsOneStep() {
+        Document next = m_model->document();
+        poseOf(next, view).direction = {10, 20, 30};
+        m_model->edit(next, "turn");
+        m_model->showMotionAngle(5);
+        m_computing->computeForThisView();
+        awaitOtf();
+        QVERIFY(m_session->otf()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));
+        QCOMPARE(m_model->steps().count(), 2);
+        m_model->steps().undo();
+        awaitOtf();
+        QVERIFY(m_session->otf()->view == Viewpoint{});
+    }
+
+    void aCutKeepsTheDirectionOfAFrame() {
+        m_computing->computeFor({BeamAxis::plusZ, 12, 0, 0, 0});  // a frame of the motion
+        awaitOtf();
+        Document next = m_model->document();
+        cutOf(next, view).nearCutMm = 1;
+        m_model->edit(next, "cut");
+        awaitOtf();
+        QVERIFY(m_session->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
+    }
+
+private:
+    void awaitOtf() {
+        QVERIFY(QTest::qWaitFor([this] { return !m_session->computingOtf(); }, patience));
+        QVERIFY(m_session->otf() != nullptr);
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<DocumentModel> m_model;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<OtfComputing> m_computing;
+};
+
+QTEST_GUILESS_MAIN(TestOtfComputing)
+#include "test_otf_computing.moc"
