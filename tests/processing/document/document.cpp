@@ -117,7 +117,7 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
     before.phases[0].value = 2;
     before.motionAngle = 10;
     before.curves.manual.nodes = {{0.5, 0.5}};
-    before.method.config.cellSize = 7;
+    before.method.config.cells.size = 7;
     before.method.direction.azimuth = 33;
     before.motion.otf = MotionOtf::mean;
     Document expected = threeViews();
