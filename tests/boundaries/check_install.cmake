@@ -20,7 +20,7 @@ run(${program} info ${PREFIX}/scan.mha)
 if(NOT output MATCHES "48")
     message(FATAL_ERROR "info does not say the volume's size:\n${output}")
 endif()
-run(${program} sweep ${PREFIX}/scan.mha --from 0 --to 2 --step 2 --size 32 --movie ${PREFIX}/sweep.avi)
+run(${program} sweep ${PREFIX}/scan.mha --from 0 --to 2 --step 2 --size 32x32 --movie ${PREFIX}/sweep.avi)
 foreach(file bin/echolucent share/applications/echolucent.desktop share/mime/packages/echolucent-mime.xml
         share/icons/hicolor/scalable/apps/echolucent.svg share/icons/hicolor/256x256/apps/echolucent.png sweep.avi)
     if(NOT EXISTS ${PREFIX}/${file})
