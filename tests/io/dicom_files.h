@@ -31,8 +31,8 @@ struct TestPalette {
 /// One frame's place in functional groups.
 struct TestFrame {
     Vec3 position{0, 0, 0};
-    std::optional<double> seconds;
-    std::string dataType;
+    std::optional<double> seconds{};
+    std::string dataType{};
 };
 
 /// Everything a test may want to say in a DICOM file.

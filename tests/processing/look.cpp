@@ -47,7 +47,9 @@ TEST(Look, WhatIsNotUnderstoodChangesNothing) {
     for (const Parameter<Look>& row : lookParameters()) {
         const bool isNumber = numberOf(*row.get(look)).has_value();
         EXPECT_FALSE(row.set(look, isNumber ? ParameterValue(std::string("mauve")) : ParameterValue(0.5))) << row.name;
-        if (!row.choices.empty()) EXPECT_FALSE(row.set(look, std::string("mauve"))) << row.name;
+        if (!row.choices.empty()) {
+            EXPECT_FALSE(row.set(look, std::string("mauve"))) << row.name;
+        }
     }
     EXPECT_EQ(look, Look{});
 }

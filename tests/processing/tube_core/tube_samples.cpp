@@ -108,7 +108,9 @@ TEST(TubeSamples, ReadWhatThePlainSamplerReads) {
                 volume, sampling == TubeSampling::nearest ? Interpolation::nearest : Interpolation::trilinear);
             const double mean = meanAt(volume, place, sampling);
             ASSERT_EQ(std::isnan(mean), !inside);
-            if (inside) ASSERT_NEAR(mean, *sampler.intensityAt(place), 1e-12);
+            if (inside) {
+                ASSERT_NEAR(mean, *sampler.intensityAt(place), 1e-12);
+            }
         }
     }
 }
