@@ -1,8 +1,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "processing/ray_caster.h"
 #include "processing/picture/camera_pose.h"
+#include "processing/ray_caster.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 
