@@ -17,7 +17,12 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
     connect(&m_widget, &VolumeViewWidget::cameraChanged, this, &DocumentView::takePose);
     connect(&m_widget, &VolumeViewWidget::lightChanged, this, &DocumentView::takeLight);
     connect(&m_widget, &VolumeViewWidget::dragEnded, &m_model, &DocumentModel::commitPreview);
-    connect(&m_widget, &VolumeViewWidget::dragCancelled, &m_model, &DocumentModel::cancelPreview);
+    connect(&m_widget, &VolumeViewWidget::dragCancelled, this, [this] {
+        m_model.cancelPreview();
+        // The widget is back where its drag began, which another step may have left since.
+        showPose();
+        showLook();
+    });
     showLook();
     showPose();
 }
@@ -46,6 +51,7 @@ void DocumentView::showLook() {
 }
 
 void DocumentView::takePose() {
+    if (m_held) return;  // what the hand moves is the picture of the study before
     Document next = m_model.document();
     const Pose shown = shownPose(next, m_view);
     const Pose moved = m_widget.pose();

@@ -109,6 +109,34 @@ private slots:
         QCOMPARE(m_model->steps().count(), 0);
     }
 
+    void aDragThatIsTakenBackShowsWhatAnotherStepHasLeft() {
+        const Pose before = widget(0).pose();
+        QTest::mousePress(inner(0), Qt::LeftButton, {}, {110, 100});
+        moveTo(0, {150, 120}, Qt::LeftButton, {});
+        Document next = m_model->document();
+        cutOf(next, 1).nearCutMm = 3.0;
+        m_model->edit(next, "near cut");  // as where a search ends while the button is held
+        QTest::keyClick(&widget(0), Qt::Key_Escape);
+        QTest::mouseRelease(inner(0), Qt::LeftButton, {}, {150, 120});
+        QVERIFY(poseOf(m_model->document(), 1) != before);
+        sameCamera();
+        m_model->steps().undo();
+        sameCamera();
+        QVERIFY(widget(0).pose() == before);
+    }
+
+    void theHandOnThePictureOfTheStudyBeforeChangesNothing() {
+        const std::string document = jsonOf(m_model->document());
+        m_views[0]->hold();
+        drag(0, Qt::LeftButton, {}, {110, 100}, {151, 83});
+        turnWheel(0);
+        QCOMPARE(jsonOf(m_model->document()), document);
+        QCOMPARE(m_model->steps().count(), 0);
+        m_views[0]->showVolume(shapes());
+        sameCamera();
+        QVERIFY(widget(0).pose() == Pose{});
+    }
+
     void anotherShapeOfAPictureLeavesThePoseAlone() {
         turnWheel(0);
         const Pose pose = widget(0).pose();
