@@ -23,7 +23,8 @@ bool HandGesture::eventFilter(QObject*, QEvent* event) {
             if (static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton && m_kind == Kind::button) end();
             break;
         case QEvent::KeyPress:
-            if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) begin(Kind::key);
+            // A key that repeats is held, also where the release of another one has ended the gesture.
+            if (!static_cast<QKeyEvent*>(event)->isAutoRepeat() || !m_open) begin(Kind::key);
             break;
         case QEvent::MouseButtonRelease: endSoon(); break;
         case QEvent::KeyRelease:

@@ -72,6 +72,23 @@ private slots:
         QVERIFY(m_gestures[0] != 0);
     }
 
+    void aHeldKeyStaysOneWhenAnotherIsLetGo() {
+        const auto send = [this](QEvent::Type type, int key, bool again) {
+            QKeyEvent event(type, key, {}, {}, again);
+            QCoreApplication::sendEvent(m_slider.get(), &event);
+            QCoreApplication::processEvents();
+        };
+        send(QEvent::KeyPress, Qt::Key_Control, false);
+        send(QEvent::KeyPress, Qt::Key_Right, false);
+        send(QEvent::KeyRelease, Qt::Key_Control, false);
+        m_gestures.clear();
+        for (int i = 0; i < 3; ++i) send(QEvent::KeyPress, Qt::Key_Right, true);
+        QCOMPARE(m_gestures.size(), std::size_t{3});
+        QVERIFY(m_gestures[0] != 0);
+        QCOMPARE(m_gestures[1], m_gestures[0]);
+        QCOMPARE(m_gestures[2], m_gestures[0]);
+    }
+
     void aBurstOfTheWheelIsOneUntilAnotherGesture() {
         const auto turn = [this] {
             QWheelEvent event({10, 10}, m_slider->mapToGlobal(QPointF(10, 10)), {}, {0, 120}, Qt::NoButton, {},
