@@ -7,6 +7,10 @@
 
 namespace echolucent {
 
+namespace {
+constexpr int wheelBurstMilliseconds = 400;  // the wheel turned again within this time goes on with its burst
+}
+
 ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : QDoubleSpinBox(parent), m_model(model) {
     setKeyboardTracking(false);  // a number is taken when it is complete
     setDecimals(6);
@@ -14,6 +18,9 @@ ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : QDo
     setAlignment(Qt::AlignRight);
     setLocale(QLocale::c());
     setFocusPolicy(Qt::StrongFocus);
+    m_wheelBurst.setSingleShot(true);
+    m_wheelBurst.setInterval(wheelBurstMilliseconds);
+    connect(&m_wheelBurst, &QTimer::timeout, this, [this] { m_gesture = OtfEditorModel::noGesture; });
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         m_shown.reset();
         emit edited(value, m_gesture);
@@ -47,7 +54,7 @@ QValidator::State ParameterSpinBox::validate(QString& text, int& position) const
 }
 
 void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {
-    if (!event->isAutoRepeat()) m_gesture = m_model.newGesture();
+    if (!event->isAutoRepeat()) beginGesture();
     QDoubleSpinBox::keyPressEvent(event);
 }
 
@@ -59,11 +66,12 @@ void ParameterSpinBox::keyReleaseEvent(QKeyEvent* event) {
 
 void ParameterSpinBox::focusOutEvent(QFocusEvent* event) {
     QDoubleSpinBox::focusOutEvent(event);
+    m_wheelBurst.stop();
     m_gesture = OtfEditorModel::noGesture;
 }
 
 void ParameterSpinBox::mousePressEvent(QMouseEvent* event) {
-    m_gesture = m_model.newGesture();
+    beginGesture();
     QDoubleSpinBox::mousePressEvent(event);
 }
 
@@ -74,10 +82,17 @@ void ParameterSpinBox::mouseReleaseEvent(QMouseEvent* event) {
 
 void ParameterSpinBox::wheelEvent(QWheelEvent* event) {
     if (hasFocus()) {
+        if (!m_wheelBurst.isActive()) beginGesture();
+        m_wheelBurst.start();
         QDoubleSpinBox::wheelEvent(event);
     } else {
         event->ignore();  // scrolling past must not change a curve
     }
+}
+
+void ParameterSpinBox::beginGesture() {
+    m_wheelBurst.stop();
+    m_gesture = m_model.newGesture();
 }
 
 }  // namespace echolucent

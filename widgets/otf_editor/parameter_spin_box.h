@@ -2,13 +2,15 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <QTimer>
 #include <optional>
 
 #include "widgets/otf_editor/otf_editor_model.h"
 
 namespace echolucent {
 
-/// Emits `edited` for changes by a person or a script, with a gesture shared by all steps of one held key or button.
+/// Emits `edited` for changes by a person or a script, with a gesture shared by all steps of one held key or button or
+/// of one burst of the wheel.
 class ParameterSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -35,10 +37,12 @@ protected:
 
 private:
     [[nodiscard]] double round(double value) const;
+    void beginGesture();
 
     OtfEditorModel& m_model;
     std::optional<double> m_shown;  // exact, where value() is rounded
     OtfEditorModel::Gesture m_gesture = OtfEditorModel::noGesture;
+    QTimer m_wheelBurst;  // runs while a burst of the wheel may go on
 };
 
 }  // namespace echolucent

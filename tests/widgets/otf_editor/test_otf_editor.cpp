@@ -44,6 +44,7 @@ private slots:
     void parametersOfTheActiveCurveAreShown();
     void parametersTakeTypedNumbers();
     void parameterButtonsHeldAreOneStep();
+    void aBurstOfTheWheelOverAParameterIsOneStep();
     void halfTypedNumberSurvivesANewAdaptiveCurve();
     void undoRedoResetByKeysAndButtons();
     void presetsReplaceTheNodes();
@@ -261,6 +262,25 @@ void TestOtfEditor::parameterButtonsHeldAreOneStep() {
     QCOMPARE(m_editor->undoStack()->count(), before + 1);
     box->setValue(0.5);
     box->setValue(0.4);
+    QCOMPARE(m_editor->undoStack()->count(), before + 3);
+}
+
+void TestOtfEditor::aBurstOfTheWheelOverAParameterIsOneStep() {
+    m_editor->setActive(CurveKind::parabolic);
+    const int before = m_editor->undoStack()->count();
+    auto* box = find<QDoubleSpinBox>("otfEditor.parabolic.scale");
+    box->setFocus();
+    const auto turnWheel = [box] {
+        const QPointF middle = QRectF(box->rect()).center();
+        QWheelEvent event(middle, box->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(box, &event);
+    };
+    turnWheel();
+    turnWheel();
+    QCOMPARE(m_editor->state().parabolic.scale, 0.98);
+    QCOMPARE(m_editor->undoStack()->count(), before + 1);
+    QTest::keyClick(box, Qt::Key_Down);
+    turnWheel();
     QCOMPARE(m_editor->undoStack()->count(), before + 3);
 }
 
