@@ -191,6 +191,29 @@ private slots:
         QCOMPARE(spy.count(), 1);  // nothing was left to change
     }
 
+    void resetGoesBackForRulesThatAreNotChosenToo() {
+        MethodPanel panel;
+        auto* function = child<QComboBox>(panel, "adaptive.interfaceFunction");
+        auto* form = child<QComboBox>(panel, "adaptive.form");
+        const auto setOthers = [&] {
+            panel.setConfig({.detection = VarianceRule{.significance = 0.5}, .curve = ProductRule{3.0}});
+            panel.setConfig({});
+        };
+        const auto chooseOthers = [&] {
+            QTest::keyClick(function, Qt::Key_End);
+            QTest::keyClick(form, Qt::Key_End);
+        };
+        setOthers();
+        child<QPushButton>(panel, "adaptive.reset")->click();
+        chooseOthers();
+        QCOMPARE(panel.config(), (AdaptiveOtfConfig{.detection = VarianceRule{}, .curve = ProductRule{}}));
+        panel.setConfig(with(RatioRule{.falseAlarm = 4}));
+        panel.setConfig(with(VarianceRule{}));
+        QTest::keyClick(child<QComboBox>(panel, "adaptive.reading"), Qt::Key_Home);  // as published
+        QTest::keyClick(function, Qt::Key_Home);
+        QVERIFY(panel.config().detection == DetectionRule(RatioRule{}));
+    }
+
     void aReadingSetsEveryParameterButTheInitialFunction() {
         MethodPanel panel;
         auto* reading = child<QComboBox>(panel, "adaptive.reading");

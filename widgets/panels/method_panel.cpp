@@ -315,6 +315,7 @@ void MethodPanel::showInitial() {
 
 void MethodPanel::resetToDefaults() {
     const AdaptiveOtfConfig before = m_config;
+    forgetRulesNotChosen();
     setConfig(AdaptiveOtfConfig{});
     if (m_config != before) emit configChanged(config());
 }

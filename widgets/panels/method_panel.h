@@ -79,6 +79,8 @@ private:
     void takeDetection();
     void takeForm();
     void changed();
+    /// What was last set of rules that are not chosen goes back to its defaults.
+    void forgetRulesNotChosen();
     void takeInitial();
     void resetToDefaults();
 

@@ -64,6 +64,11 @@ void MethodPanel::takeDetection() {
     changed();
 }
 
+void MethodPanel::forgetRulesNotChosen() {
+    m_detections = {DetectionRule(std::in_place_index<0>), DetectionRule(std::in_place_index<1>)};
+    m_curves = {CurveRule(std::in_place_index<0>), CurveRule(std::in_place_index<1>)};
+}
+
 void MethodPanel::changed() {
     showConfig();
     emit configChanged(config());
@@ -74,6 +79,7 @@ void MethodPanel::takeReading() {
     if (reading == changedReading) return;
     AdaptiveOtfConfig config = configOf(static_cast<MethodReading>(reading));
     config.initial = m_config.initial;
+    forgetRulesNotChosen();
     setConfig(config);
     emit configChanged(this->config());
 }
