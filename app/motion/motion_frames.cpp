@@ -21,6 +21,10 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.view, &DocumentView::cameraMoved, this, &MotionFrames::endByHand);
     connect(&m_parts.model, &DocumentModel::motionChanged, this, &MotionFrames::takeChoices);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
+    // Along another beam the motion is begun anew.
+    connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
+    // After the OTF has followed what else the same step changed: the view of the frame is asked for last.
+    connect(&m_parts.model, &DocumentModel::changed, this, &MotionFrames::takeMode);
     takeChoices();
 }
 
@@ -63,8 +67,11 @@ void MotionFrames::takeChoices() {
     m_parts.player.setPingPong(motion.pingPong);
     m_parts.player.setAxis(motion.axis);
     m_parts.coursePanel.setMode(motion.otf);
-    if (std::exchange(m_mode, motion.otf) == motion.otf) return;
-    const bool oneOtf = motion.otf == MotionOtf::oneOtf;
+}
+
+void MotionFrames::takeMode() {
+    if (std::exchange(m_mode, mode()) == mode()) return;
+    const bool oneOtf = mode() == MotionOtf::oneOtf;
     m_parts.computing.computeFor(oneOtf ? otfViewpointOf(m_parts.model.document(), m_parts.view.view()) : frameView());
 }
 

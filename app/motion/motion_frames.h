@@ -50,6 +50,7 @@ private:
     void connectPanel();
     void editMotion(const QString& what, const std::function<void(Document&)>& change);
     void takeChoices();
+    void takeMode();
     void takeAngle();
     void showFrame(double angle, int phase);
     void showFrameWithItsOtf();

@@ -123,6 +123,33 @@ private slots:
         QCOMPARE(window().volumeView().view().azimuthDegrees, 0.0);
     }
 
+    void anOtfForEachViewThatComesBackIsThatOfTheView() {
+        open(m_file);
+        orbit({180, 160}, {200, 160});
+        click("motion.mode.eachView");
+        waitUntilIdle();
+        const Viewpoint shown = window().volumeView().view();
+        QVERIFY(shown != Viewpoint{});
+        QVERIFY(window().session().otf()->view == shown);
+        click("motion.mode.static");
+        waitUntilIdle();
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        waitUntilIdle();
+        QVERIFY(window().document().document().motion.otf == MotionOtf::eachView);
+        QVERIFY(window().session().otf()->view == shown);
+    }
+
+    void anotherBeamEndsTheMotion() {
+        open(m_file);
+        window().motionPlayer().play();
+        QVERIFY(window().motionPlayer().isPlaying());
+        choose("view.beamAxis", 2);
+        QVERIFY(!window().motionPlayer().isPlaying());
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        waitUntilIdle();
+        QVERIFY(window().volumeView().view() == Viewpoint{});
+    }
+
     void anotherStudyBeginsWithoutSteps() {
         open(m_file);
         orbit({180, 160}, {200, 160});
