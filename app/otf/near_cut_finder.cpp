@@ -45,8 +45,7 @@ void NearCutFinder::take(const NearCutSuggestion& suggestion) {
     m_parts.panel.setNearCutRange(depthAlongViewMm(m_looksFrom, geometry), geometry.spacingKnown);
     m_parts.panel.setNearCutMm(suggestion.nearCutMm);
     const double cut = m_parts.panel.nearCutMm();  // as the panel rounds it
-    const ViewDirection direction = directionOf(m_looksFrom);
-    cutAt(cut, direction);
+    cutAt(cut, directionOf(m_looksFrom));
     const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
                                        .arg(locale.toString(cut, 'f', 1))
                                        .arg(suggestion.tubesInFluid)
@@ -55,7 +54,7 @@ void NearCutFinder::take(const NearCutSuggestion& suggestion) {
     if (cut == before) return m_parts.messages.showMessage(MessageKind::info, said);
     m_parts.messages.showMessage(
         MessageKind::info, said + QLatin1Char(' ') + tr("It was %1 mm before.").arg(old),
-        {{tr("Back to %1 mm").arg(old), [this, before, direction] { cutAt(before, direction); }}});
+        {{tr("Back to %1 mm").arg(old), [this, before] { cutAt(before, m_parts.model.document().method.direction); }}});
 }
 
 void NearCutFinder::cutAt(double mm, const ViewDirection& direction) {

@@ -51,6 +51,21 @@ private slots:
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
     }
 
+    void theWayBackTurnsNoTubeCores() {
+        session().setNearCutSearch(
+            found({.nearCutMm = 18, .tubesWithSurface = 156, .tubesInFluid = 140, .message = {}}));
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 35});
+        QTest::keyClick(&m_fixture.window(), Qt::Key_A);
+        m_fixture.waitUntilIdle();
+        m_fixture.click("message.action.0");
+        m_fixture.waitUntilIdle();
+        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(session().otf()->view.azimuthDegrees, 35.0);
+    }
+
     void itIsLookedForInTheViewOfTheCameraWithTheConfigOfThePanel() {
         std::optional<Viewpoint> view;
         std::optional<AdaptiveOtfConfig> config;
