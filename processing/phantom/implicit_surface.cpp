@@ -103,12 +103,12 @@ ImplicitPrimitive wavyPlane(std::string name, const Vec3& point, const Vec3& nor
     return made;
 }
 
-ImplicitPrimitive placed(const Pose& pose, ImplicitPrimitive primitive) {
-    primitive.centre = pose.point(primitive.centre);
-    primitive.end = pose.point(primitive.end);
-    primitive.axes = pose.axes * primitive.axes;
-    primitive.radii = primitive.radii * pose.scale;
-    primitive.rounding *= pose.scale;
+ImplicitPrimitive placed(const Placement& placement, ImplicitPrimitive primitive) {
+    primitive.centre = placement.point(primitive.centre);
+    primitive.end = placement.point(primitive.end);
+    primitive.axes = placement.axes * primitive.axes;
+    primitive.radii = primitive.radii * placement.scale;
+    primitive.rounding *= placement.scale;
     primitive.prepare();
     return primitive;
 }

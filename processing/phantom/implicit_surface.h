@@ -15,14 +15,14 @@ namespace echolucent {
 
 /// A similarity that places a drawing: local coordinates to grid mm. `axes` is orthonormal, its columns are the images
 /// of the local axes; `scale` is mm per local unit.
-struct Pose {
+struct Placement {
     Mat3 axes = Mat3::eye();
     Vec3 origin{0, 0, 0};
     double scale = 1.0;
 
     [[nodiscard]] Vec3 point(const Vec3& local) const { return origin + axes * local * scale; }
-    /// This pose, followed inside it by another: (a * b).point(p) == a.point(b.point(p)).
-    [[nodiscard]] Pose operator*(const Pose& inner) const {
+    /// This placement, and inside it another: (a * b).point(p) == a.point(b.point(p)).
+    [[nodiscard]] Placement operator*(const Placement& inner) const {
         return {axes * inner.axes, point(inner.origin), scale * inner.scale};
     }
 };
@@ -41,8 +41,8 @@ struct Pose {
 [[nodiscard]] ImplicitPrimitive wavyPlane(std::string name, const Vec3& point, const Vec3& normal, double waveDepth,
                                           double waveLength);
 
-/// The same drawing placed by a pose.
-[[nodiscard]] ImplicitPrimitive placed(const Pose& pose, ImplicitPrimitive primitive);
+/// The same drawing, put where a placement says.
+[[nodiscard]] ImplicitPrimitive placed(const Placement& placement, ImplicitPrimitive primitive);
 
 /// Signed distance in mm at a point in grid mm.
 [[nodiscard]] double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point);

@@ -40,9 +40,9 @@ public:
     /// attenuation and speckle.
     [[nodiscard]] double echoAt(const Vec3& gridMm) const;
     /// Distance in units from the ray's entry into the volume's box to the first transition from at least 8 units of
-    /// fluid to tissue or object (the sharp boundary, the middle of the ramp); none: no such interface on this ray.
-    /// originMm: any point of the ray's line; direction of any length above 0. nearPlaneDepthMm: the ray enters no
-    /// earlier than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in viewpoint.h).
+    /// fluid to tissue or object (the sharp boundary, the middle of the ramp); not set where this ray has no such
+    /// interface. originMm: any point of the ray's line; direction of any length above 0. nearPlaneDepthMm: the ray
+    /// enters no earlier than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in viewpoint.h).
     [[nodiscard]] std::optional<double> firstInterface(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;

@@ -32,13 +32,14 @@ struct PhantomConfig {
     Vec3 spacing{0.5, 0.5, 0.5};                   ///< mm
     double fluid = 14, tissue = 85, object = 170;  ///< mean echo, [0,255]
     double ramp = 4;                               ///< width of a boundary, units
-    double gainVariation = 0.15;    ///< slow change of gain across the volume: between 1 - this and 1 + this
-    double speckle = 0.5;           ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
-    double speckleSize = 2;         ///< FWHM of the smoothing of the complex noise, voxels; 0: uncorrelated
+    double gainVariation = 0.15;  ///< slow change of gain across the volume: between 1 - this and 1 + this
+    double speckle = 0.5;         ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
+    double speckleSize =
+        2;  ///< FWHM of the smoothing of the complex noise, voxels; where it is 0, the noise is uncorrelated
     double attenuation = 0;         ///< per unit along +z
     double shadow = 0;              ///< per unit of object passed along +z
     double specular = 0;            ///< brightening of surfaces that face the probe, share, times the cosine
-    double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; 0: none
+    double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; where it is 0, there is none
     bool frontWall = false;         ///< tissue in front of the fluid, across the whole field, 20 to 25 units thick
                                     ///< (at most a fifth of the depth)
     int bits = 8;                   ///< 8, 12 or 16

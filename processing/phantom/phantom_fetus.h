@@ -11,15 +11,15 @@ namespace echolucent {
 /// A body under construction in local coordinates.
 struct Sculpture {
     ImplicitBody& body;
-    Pose pose;
+    Placement placement;
 
     void join(const ImplicitPrimitive& primitive, double seam) {
-        body.join(placed(pose, primitive), seam * pose.scale);
+        body.join(placed(placement, primitive), seam * placement.scale);
     }
     void carve(const ImplicitPrimitive& primitive, double seam) {
-        body.carve(placed(pose, primitive), seam * pose.scale);
+        body.carve(placed(placement, primitive), seam * placement.scale);
     }
-    [[nodiscard]] Sculpture within(const Pose& inner) const { return {body, pose * inner}; }
+    [[nodiscard]] Sculpture within(const Placement& inner) const { return {body, placement * inner}; }
 };
 
 /// Soft parts (skin and flesh), bright parts (bone) and dark parts (fluid) of the fetus.
@@ -28,9 +28,9 @@ struct FetusBodies {
 };
 
 /// `fetus` places crown-rump lengths into grid mm; `phase` (turns) moves one arm and the heart.
-void addHead(FetusBodies& bodies, const Pose& fetus);
-void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase);
-void addArms(FetusBodies& bodies, const Pose& fetus, double phase);
-void addLegs(FetusBodies& bodies, const Pose& fetus);
+void addHead(FetusBodies& bodies, const Placement& fetus);
+void addTrunk(FetusBodies& bodies, const Placement& fetus, double phase);
+void addArms(FetusBodies& bodies, const Placement& fetus, double phase);
+void addLegs(FetusBodies& bodies, const Placement& fetus);
 
 }  // namespace echolucent

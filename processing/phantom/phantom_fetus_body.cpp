@@ -41,7 +41,7 @@ struct Limb {
     double rootRadius, jointRadius, endRadius;
 };
 
-void addLimb(FetusBodies& bodies, const Pose& fetus, const Limb& limb) {
+void addLimb(FetusBodies& bodies, const Placement& fetus, const Limb& limb) {
     Sculpture flesh{bodies.flesh, fetus}, bone{bodies.bone, fetus};
     flesh.join(roundCone(limb.upperName, limb.root, limb.joint, limb.rootRadius, limb.jointRadius), 0.035);
     flesh.join(roundCone(limb.lowerName, limb.joint, limb.end, limb.jointRadius, limb.endRadius), 0.012);
@@ -71,7 +71,7 @@ void addFoot(Sculpture flesh, const Vec3& ankle, const Vec3& toes, const Vec3& s
 
 }  // namespace
 
-void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase) {
+void addTrunk(FetusBodies& bodies, const Placement& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus}, bone{bodies.bone, fetus}, chambers{bodies.chambers, fetus};
     flesh.join(roundCone("neck", {-0.03, 0.20, 0}, {-0.05, 0.10, 0}, 0.085, 0.095), 0.06);
     flesh.join(ellipsoid("chest", {-0.03, -0.02, 0}, {0.135, 0.17, 0.135}), 0.06);
@@ -89,7 +89,7 @@ void addTrunk(FetusBodies& bodies, const Pose& fetus, double phase) {
     chambers.join(ellipsoid("bladder", {0.05, -0.335, 0}, {0.024, 0.024, 0.022}), 0);
 }
 
-void addArms(FetusBodies& bodies, const Pose& fetus, double phase) {
+void addArms(FetusBodies& bodies, const Placement& fetus, double phase) {
     Sculpture flesh{bodies.flesh, fetus};
     // Near arm: bent before the chest, the hand below the chin.
     addLimb(bodies, fetus,
@@ -116,7 +116,7 @@ void addArms(FetusBodies& bodies, const Pose& fetus, double phase) {
     addDigits(flesh, wrist + ahead * 0.070, ahead, across, 0.058, 0.030, 0.0130);
 }
 
-void addLegs(FetusBodies& bodies, const Pose& fetus) {
+void addLegs(FetusBodies& bodies, const Placement& fetus) {
     Sculpture flesh{bodies.flesh, fetus};
     const Vec3 nearAnkle{0.195, -0.455, 0.095}, farAnkle{0.305, -0.475, -0.075};
     addLimb(bodies, fetus,

@@ -7,8 +7,8 @@ namespace echolucent {
 namespace {
 
 /// The head's own frame: 1 is half the length from brow to occiput.
-Pose headPose(const Pose& fetus) {
-    Pose head;
+Placement headPose(const Placement& fetus) {
+    Placement head;
     head.origin = {0.025, 0.315, 0};
     head.axes = rotationZ(-14);  // chin towards the chest
     head.scale = 0.205;
@@ -71,8 +71,8 @@ void addEars(Sculpture flesh) {
 
 }  // namespace
 
-void addHead(FetusBodies& bodies, const Pose& fetus) {
-    const Pose head = headPose(fetus);
+void addHead(FetusBodies& bodies, const Placement& fetus) {
+    const Placement head = headPose(fetus);
     Sculpture flesh{bodies.flesh, head}, bone{bodies.bone, head}, chambers{bodies.chambers, head};
     addCranium(flesh);
     addFace(flesh);

@@ -57,12 +57,12 @@ double inverseRampPerMm(const PhantomConfig& config) {
     return 1 / std::max(config.ramp * unit, 1e-9 * unit);
 }
 
-Pose sceneryPose(const VolumeGeometry& geometry) {
+Placement sceneryPose(const VolumeGeometry& geometry) {
     const Vec3 low = geometry.boxMinMm(), extent = geometry.boxMaxMm() - low;
-    Pose pose;
-    pose.scale = std::min({extent[0], extent[1], extent[2]});
-    pose.origin = low + Vec3(0.5 * (extent[0] - pose.scale), 0.5 * (extent[1] - pose.scale), 0);
-    return pose;
+    Placement placement;
+    placement.scale = std::min({extent[0], extent[1], extent[2]});
+    placement.origin = low + Vec3(0.5 * (extent[0] - placement.scale), 0.5 * (extent[1] - placement.scale), 0);
+    return placement;
 }
 
 PhantomScenery buildScenery(const PhantomConfig& config) {

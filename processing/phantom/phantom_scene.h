@@ -54,10 +54,10 @@ struct PaintedEcho {
 [[nodiscard]] PhantomScenery buildScenery(const PhantomConfig& config);
 
 /// Where scenes are drawn: [0,1] across the smallest extent, x and y centred at 0.5, z from the probe's face.
-[[nodiscard]] Pose sceneryPose(const VolumeGeometry& geometry);
+[[nodiscard]] Placement sceneryPose(const VolumeGeometry& geometry);
 
-void addShapes(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
-void addFetus(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config);
+void addShapes(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
+void addFetus(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
 
 /// The noise-free echo of every voxel with what follows along the beam: specular brightening, shadow, attenuation,
 /// gain. The result is empty only where the run was cancelled.

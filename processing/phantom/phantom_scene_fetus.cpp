@@ -12,19 +12,19 @@ namespace echolucent {
 namespace {
 
 /// Reclining in the picture: crown to the upper left, face to the upper right, a little turned to the viewer.
-Pose fetusPose(const Pose& scene) {
+Placement fetusPlacement(const Placement& scene) {
     // Columns: anterior to the right, crown up, near side towards the probe.
     const Mat3 upright{1, 0, 0, 0, -1, 0, 0, 0, -1};
-    Pose fetus;
+    Placement fetus;
     fetus.axes = rotationZ(-32) * upright * rotationY(-16);
     fetus.origin = {0.435, 0.535, 0.47};
     fetus.scale = 0.85;
     return scene * fetus;
 }
 
-ImplicitBody amnioticSac(const Pose& pose) {
+ImplicitBody amnioticSac(const Placement& placement) {
     ImplicitBody sac;
-    Sculpture fluid{sac, pose};
+    Sculpture fluid{sac, placement};
     fluid.join(roundBox("sac at the probe", {0.5, 0.5, 0.05}, {0.49, 0.49, 0.5}, 0.30), 0);
     fluid.join(ellipsoid("sac", {0.5, 0.5, 0.42}, {0.50, 0.49, 0.42}), 0.10);
     fluid.carve(ellipsoid("bulge of the wall", {0.06, 0.95, 0.60}, {0.20, 0.18, 0.22}), 0.12);
@@ -33,9 +33,9 @@ ImplicitBody amnioticSac(const Pose& pose) {
     return sac;
 }
 
-ImplicitBody placenta(const Pose& pose) {
+ImplicitBody placenta(const Placement& placement) {
     ImplicitBody body;
-    Sculpture part{body, pose};
+    Sculpture part{body, placement};
     part.join(ellipsoid("placenta", {0.86, 0.46, 0.80}, {0.24, 0.34, 0.20}, rotationY(-40)), 0);
     part.join(ellipsoid("lobe of the placenta", {0.76, 0.30, 0.79}, {0.12, 0.12, 0.10}), 0.06);
     part.join(ellipsoid("lobe of the placenta", {0.74, 0.60, 0.79}, {0.11, 0.13, 0.10}), 0.06);
@@ -50,7 +50,7 @@ Vec3 onCurve(const std::array<Vec3, 4>& control, double t) {
 }
 
 /// The cord: two strands wound about a curve from the navel to the placenta.
-void addCord(ImplicitBody& body, const Pose& scene, const Pose& fetus) {
+void addCord(ImplicitBody& body, const Placement& scene, const Placement& fetus) {
     const Vec3 navel = fetus.point({0.16, -0.19, 0.0});
     const std::array<Vec3, 4> control{navel, fetus.point({0.36, -0.10, 0.22}), scene.point({0.80, 0.36, 0.30}),
                                       scene.point({0.80, 0.44, 0.66})};
@@ -74,8 +74,8 @@ void addCord(ImplicitBody& body, const Pose& scene, const Pose& fetus) {
 
 }  // namespace
 
-void addFetus(PhantomScenery& scenery, const Pose& scene, const PhantomConfig& config) {
-    const Pose fetus = fetusPose(scene);
+void addFetus(PhantomScenery& scenery, const Placement& scene, const PhantomConfig& config) {
+    const Placement fetus = fetusPlacement(scene);
     const auto between = [&](double share) { return config.tissue + share * (config.object - config.tissue); };
     const auto add = [&](ImplicitBody body, PhantomMaterial material, double echo, double shadowing) {
         scenery.layers.push_back({std::move(body), material, echo, shadowing});

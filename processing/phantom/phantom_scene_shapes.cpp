@@ -4,16 +4,16 @@
 
 namespace echolucent {
 
-void addShapes(PhantomScenery& scenery, const Pose& pose, const PhantomConfig& config) {
+void addShapes(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config) {
     PhantomLayer window{.body = {}, .material = PhantomMaterial::fluid, .echo = config.fluid};
     // The window reaches beyond the probe's face, so that fluid is the first thing most rays meet.
-    window.body.join(placed(pose, roundBox("window of fluid", {0.46, 0.5, 0.22}, {0.37, 0.40, 0.52}, 0.16)));
-    window.body.join(placed(pose, ellipsoid("recess of the window", {0.40, 0.62, 0.66}, {0.20, 0.17, 0.19})),
-                     0.06 * pose.scale);
+    window.body.join(placed(placement, roundBox("window of fluid", {0.46, 0.5, 0.22}, {0.37, 0.40, 0.52}, 0.16)));
+    window.body.join(placed(placement, ellipsoid("recess of the window", {0.40, 0.62, 0.66}, {0.20, 0.17, 0.19})),
+                     0.06 * placement.scale);
     scenery.layers.push_back(std::move(window));
 
     PhantomLayer objects{.body = {}, .material = PhantomMaterial::object, .echo = config.object, .shadowing = 1.0};
-    const auto place = [&](const ImplicitPrimitive& primitive) { objects.body.join(placed(pose, primitive)); };
+    const auto place = [&](const ImplicitPrimitive& primitive) { objects.body.join(placed(placement, primitive)); };
     place(ellipsoid("ellipsoid", {0.34, 0.40, 0.47}, {0.19, 0.13, 0.12}, rotationZ(25) * rotationY(-15)));
     place(cylinder("cylinder", {0.50, 0.78, 0.42}, {0.76, 0.52, 0.56}, 0.062, 0.015));
     place(sphere("sphere 1", {0.66, 0.27, 0.40}, 0.085));

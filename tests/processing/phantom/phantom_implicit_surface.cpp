@@ -48,19 +48,19 @@ TEST(ImplicitPrimitive, DistanceHasUnitSlopeAtTheSurface) {
 }
 
 TEST(ImplicitPrimitive, PoseMovesTheDrawingAndScalesItsDistances) {
-    Pose pose;
-    pose.axes = rotationX(20) * rotationZ(50);
-    pose.origin = {3, -2, 7};
-    pose.scale = 2.5;
+    Placement placement;
+    placement.axes = rotationX(20) * rotationZ(50);
+    placement.origin = {3, -2, 7};
+    placement.scale = 2.5;
     for (const auto& primitive : onePerKind()) {
         if (primitive.kind == ImplicitPrimitive::Kind::wavyPlane) continue;
-        const auto moved = placed(pose, primitive);
+        const auto moved = placed(placement, primitive);
         for (const Vec3& p : {Vec3(0, 0, 0), Vec3(5, 1, -2), Vec3(1, 2, 2.5)})
-            EXPECT_NEAR(signedDistance(moved, pose.point(p)), 2.5 * signedDistance(primitive, p), 1e-9)
+            EXPECT_NEAR(signedDistance(moved, placement.point(p)), 2.5 * signedDistance(primitive, p), 1e-9)
                 << primitive.name;
     }
-    const Pose inner{rotationY(10), {1, 2, 3}, 0.5};
-    EXPECT_NEAR(length((pose * inner).point({1, 1, 2}) - pose.point(inner.point({1, 1, 2}))), 0, 1e-12);
+    const Placement inner{rotationY(10), {1, 2, 3}, 0.5};
+    EXPECT_NEAR(length((placement * inner).point({1, 1, 2}) - placement.point(inner.point({1, 1, 2}))), 0, 1e-12);
 }
 
 TEST(ImplicitPrimitive, SureRadiiAreSure) {
