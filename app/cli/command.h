@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/option_text.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/parameter.h"
@@ -91,10 +92,6 @@ private:
 /// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) where it is something else.
 [[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
 
-/// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
-[[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
-                                                       const std::string& option);
-
 /// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
 /// or where one of them is the file of a manual curve among `curveNames` (names as curveFromName() takes them). Empty
 /// outputs and "-" are left out. The files of the volume are checked where it is read (VolumeOptions::readAll()).
@@ -107,5 +104,8 @@ private:
 /// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; where
 /// that is not given, a manual curve stays as it is and the others have the scale that docs/cli.md names.
 [[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
+/// The curve of --otf: as curveFromName(), and no curve for "adaptive", which is computed for the rendered view.
+[[nodiscard]] Result<std::optional<OpacityCurve>> namedCurve(const std::string& name,
+                                                             std::optional<double> opacityScale);
 
 }  // namespace echolucent::cli

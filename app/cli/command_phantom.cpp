@@ -26,10 +26,6 @@ struct PhantomOptions {
     int cellSize = CellRule{}.size;
 };
 
-tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
-    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
-}
-
 /// "AxBxC", or one number for all three.
 Result<std::vector<double>> parseTriple(const std::string& text, const std::string& option) {
     if (text.find_first_of("x,") != std::string::npos) return parseNumbers(text, 3, option);
@@ -45,7 +41,7 @@ Result<void> setGrid(const PhantomOptions& options, PhantomConfig& config) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double count = (*size)[axis];
             if (!(count >= 8 && count <= 1024) || count != std::floor(count))
-                return wrong("--size", "must be whole numbers from 8 to 1024", "Write it as 199x197x199.");
+                return wrongUsage("--size", "must be whole numbers from 8 to 1024", "Write it as 199x197x199.");
             config.size[axis] = static_cast<std::int64_t>(count);
         }
     }
@@ -55,7 +51,7 @@ Result<void> setGrid(const PhantomOptions& options, PhantomConfig& config) {
         for (int axis = 0; axis < 3; ++axis) {
             const double mm = (*spacing)[static_cast<std::size_t>(axis)];
             if (!(mm >= 1e-3 && mm <= 1e3))
-                return wrong("--spacing", "must be 0.001 to 1000 mm", "Write it as 0.5x0.5x1.");
+                return wrongUsage("--spacing", "must be 0.001 to 1000 mm", "Write it as 0.5x0.5x1.");
             config.spacing[axis] = mm;
         }
     }
@@ -68,7 +64,7 @@ Result<void> setContrast(const PhantomOptions& options, PhantomConfig& config) {
     if (!echoes) return tl::unexpected<Failure>(echoes.error());
     for (const double echo : *echoes)
         if (!(echo >= 0 && echo <= 255))
-            return wrong("--contrast", "must be three intensities from 0 to 255", "Write it as 14,85,170.");
+            return wrongUsage("--contrast", "must be three intensities from 0 to 255", "Write it as 14,85,170.");
     config.fluid = (*echoes)[0];
     config.tissue = (*echoes)[1];
     config.object = (*echoes)[2];
@@ -77,7 +73,7 @@ Result<void> setContrast(const PhantomOptions& options, PhantomConfig& config) {
 
 Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     const auto scene = phantomSceneFromName(options.scene);
-    if (!scene) return wrong("--scene", "is \"" + options.scene + "\"", "Use shapes, fetus or empty.");
+    if (!scene) return wrongUsage("--scene", "is \"" + options.scene + "\"", "Use shapes, fetus or empty.");
     PhantomConfig config = defaultPhantom(*scene);
     if (auto set = setGrid(options, config); !set) return tl::unexpected<Failure>(set.error());
     if (auto set = setContrast(options, config); !set) return tl::unexpected<Failure>(set.error());
@@ -94,9 +90,10 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     const char* const end = options.seed.data() + options.seed.size();
     const auto [stop, problem] = std::from_chars(options.seed.data(), end, config.seed);
     if (problem != std::errc() || stop != end)
-        return wrong("--seed", "is \"" + options.seed + "\"", "Use a whole number from 0 to 18446744073709551615.");
+        return wrongUsage("--seed", "is \"" + options.seed + "\"",
+                          "Use a whole number from 0 to 18446744073709551615.");
     if (config.frontWall && config.scene == PhantomScene::empty)
-        return wrong("--front-wall", "makes no sense where there is no fluid", "Leave it out with --scene empty.");
+        return wrongUsage("--front-wall", "makes no sense where there is no fluid", "Leave it out with --scene empty.");
     return config;
 }
 
@@ -105,11 +102,11 @@ Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
     for (const double value :
          {config.speckle, config.speckleSize, config.ramp, config.gainVariation, config.attenuation, config.shadow,
           config.specular, config.logCompressDecibel, options.tubes.spacing})
-        if (!std::isfinite(value)) return wrong("", "every option's number must be finite");
+        if (!std::isfinite(value)) return wrongUsage("", "every option's number must be finite");
     constexpr double largest = 4e9;
     double bytes = (config.bits == 8 ? 1.0 : 2.0) * options.phases;
     for (const std::int64_t count : config.size) bytes *= static_cast<double>(count);
-    if (bytes > largest) return wrong("--size", "makes more than 4 GB", "Use fewer voxels or phases.");
+    if (bytes > largest) return wrongUsage("--size", "makes more than 4 GB", "Use fewer voxels or phases.");
     return {};
 }
 
@@ -119,7 +116,8 @@ Result<void> writePhantom(const PhantomOptions& options) {
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;
     if (options.view.nearCutSuggested())
-        return wrong("--near", "must be 0 mm or more", "A near cut is suggested for a volume that is there already.");
+        return wrongUsage("--near", "must be 0 mm or more",
+                          "A near cut is suggested for a volume that is there already.");
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
     const Result<TubeGrid> tubes =

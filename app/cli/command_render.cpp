@@ -24,21 +24,17 @@ struct RenderOptions {
     std::string output;
 };
 
-constexpr double largestPictureEdge = 16384;
+constexpr int largestPictureEdge = 16384;
 
 /// Size and look; the camera follows once the volume is there.
 Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
     RayCastSettings settings = rayCastSettings(*look);
-    const auto size = parseNumbers(options.size, 2, "--size");
+    const auto size = parseWholePair(options.size, 1, largestPictureEdge, "--size", "512x512");
     if (!size) return tl::unexpected<Failure>(size.error());
-    for (const double edge : *size)
-        if (!(edge >= 1 && edge <= largestPictureEdge) || edge != static_cast<int>(edge))
-            return fail(FailureKind::wrongUsage, "", "--size", "must be two whole numbers from 1 to 16384",
-                        "Write it as 512x512.");
-    settings.width = static_cast<int>((*size)[0]);
-    settings.height = static_cast<int>((*size)[1]);
+    settings.width = (*size)[0];
+    settings.height = (*size)[1];
     return settings;
 }
 
@@ -48,8 +44,7 @@ Result<Vec3> backgroundFrom(const std::string& text) {
     Vec3 colour;
     for (int channel = 0; channel < 3; ++channel) {
         const double level = (*levels)[static_cast<std::size_t>(channel)];
-        if (!(level >= 0 && level <= 255))
-            return fail(FailureKind::wrongUsage, "", "--background", "must be three levels from 0 to 255");
+        if (!(level >= 0 && level <= 255)) return wrongUsage("--background", "must be three levels from 0 to 255");
         colour[channel] = level / 255.0;
     }
     return colour;
@@ -69,20 +64,11 @@ Result<void> render(const RenderOptions& options) {
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    std::optional<OpacityCurve> named;
-    if (options.otf != "adaptive") {
-        const auto curve = curveFromName(options.otf, options.method.opacityScale);
-        if (!curve) {
-            Failure failure = curve.error();
-            if (failure.kind == FailureKind::wrongUsage)
-                failure.remedy = "Use adaptive, linear, parabolic, quartic or manual:FILE.";
-            return tl::unexpected<Failure>(std::move(failure));
-        }
-        named = *curve;
-    }
+    auto named = namedCurve(options.otf, options.method.opacityScale);
+    if (!named) return tl::unexpected<Failure>(named.error());
     auto settings = settingsFrom(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
-    if (settings->mode != RenderMode::direct) named = PowerCurve{};  // none is looked for that plays no part
+    if (settings->mode != RenderMode::direct) *named = PowerCurve{};  // no curve is computed that plays no part
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
 
@@ -97,7 +83,7 @@ Result<void> render(const RenderOptions& options) {
     settings->camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
-    const auto picture = castRays(**volume, curveFor(**volume, *view, named, *config), *settings);
+    const auto picture = castRays(**volume, curveFor(**volume, *view, *named, *config), *settings);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
     if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
     return writePng(options.output, picture->width, picture->height, rgb);

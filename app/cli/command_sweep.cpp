@@ -24,48 +24,39 @@ struct SweepOptions {
     MethodOptions method;
     LookOptions look;
     std::string axis = "y", smoothing = "least-flicker", object = "still", probe = "moving", size = "512x512";
-    double from = -45, to = 45, step = 1, frameRate = 25;
+    double from = Motion{}.from, to = Motion{}.to, step = Motion{}.step, frameRate = 25;
     bool oneOtf = false, pictureFlicker = false;
     std::string csv, json, movie;
 };
 
-constexpr double largestPictureEdge = 4096;
+constexpr int largestPictureEdge = 4096;
 constexpr double mostFrames = 100'000;
 
-tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
-    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
-}
-
 Result<Motion> motionFrom(const SweepOptions& options) {
-    const auto isAngle = [](double degrees) { return std::abs(degrees) <= 36000.0; };
-    if (!isAngle(options.from) || !isAngle(options.to))
-        return wrong("--from and --to", "must be angles in degrees, -36000 to 36000");
-    if (!(options.step > 0.0) || !std::isfinite(options.step)) return wrong("--step", "must be above 0 degrees");
+    if (!isAngle(options.from) || !isAngle(options.to)) return wrongUsage("--from and --to", mustBeAngles);
+    if (!(options.step > 0.0) || !std::isfinite(options.step)) return wrongUsage("--step", "must be above 0 degrees");
     if (std::abs(options.to - options.from) / options.step > mostFrames)
-        return wrong("--step", "makes more than 100000 frames", "Use a larger one.");
+        return wrongUsage("--step", "makes more than 100000 frames", "Use a larger one.");
     Motion motion{
         .axis = *motionAxisFromName(options.axis), .from = options.from, .to = options.to, .step = options.step};
     motion.probeMoves = options.probe == "moving";
     motion.objectMoves = options.object == "moving";
     motion.firstPhase = options.volume.phase;
     if (!motion.probeMoves && !motion.objectMoves)
-        return wrong("--probe", "is still, and so is the object", "Use --object moving with a 4D volume.");
+        return wrongUsage("--probe", "is still, and so is the object", "Use --object moving with a 4D volume.");
     return motion;
 }
 
 Result<RayCastSettings> settingsFrom(const SweepOptions& options) {
-    const auto size = parseNumbers(options.size, 2, "--size");
+    const auto size = parseWholePair(options.size, 1, largestPictureEdge, "--size", "512x512");
     if (!size) return tl::unexpected<Failure>(size.error());
-    for (const double edge : *size)
-        if (!(edge >= 1 && edge <= largestPictureEdge) || edge != std::floor(edge))
-            return wrong("--size", "must be two whole numbers from 1 to 4096", "Write it as 512x512.");
     if (!(options.frameRate >= 1 && options.frameRate <= 1000))
-        return wrong("--frame-rate", "must be 1 to 1000 a second");
+        return wrongUsage("--frame-rate", "must be 1 to 1000 a second");
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
     RayCastSettings settings = rayCastSettings(*look);
-    settings.width = static_cast<int>((*size)[0]);
-    settings.height = static_cast<int>((*size)[1]);
+    settings.width = (*size)[0];
+    settings.height = (*size)[1];
     return settings;
 }
 
@@ -126,7 +117,7 @@ std::vector<std::string> outputsOf(const SweepOptions& options) { return {option
 
 Result<void> checkSweepOutputs(const SweepOptions& options) {
     if ((options.json == "-") + (options.csv == "-") + (options.movie == "-") > 1)
-        return wrong("", "only one of --csv, --json and --movie can go to standard output");
+        return wrongUsage("", "only one of --csv, --json and --movie can go to standard output");
     return checkOutputs(outputsOf(options), {options.method.initial});
 }
 

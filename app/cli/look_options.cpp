@@ -5,19 +5,11 @@
 
 #include <algorithm>
 
-#include "app/cli/command.h"
+#include "app/cli/option_text.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-/// "a, b or c".
-std::string listOf(const std::vector<std::string_view>& names) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
-    return list;
-}
 
 /// The names that people know a flag by, beside that of its row.
 std::string namesOf(const Parameter<Look>& parameter) {
@@ -27,17 +19,13 @@ std::string namesOf(const Parameter<Look>& parameter) {
     return option;
 }
 
-tl::unexpected<Failure> wrong(const std::string& option, const std::string& problem, const std::string& remedy = {}) {
-    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
-}
-
 /// The row's option says nothing that the row does not allow.
 Result<void> checked(const Parameter<Look>& parameter, const Look& look) {
     const std::optional<ParameterValue> value = parameter.get(look);
     const std::optional<double> number = value ? numberOf(*value) : std::nullopt;
     if (!number || inRange(*number, parameter.range)) return {};
-    return wrong(optionOf(parameter.name), fmt::format("must be {} to {} {}", textOf(parameter.range.least),
-                                                       textOf(parameter.range.largest), parameter.unit));
+    return wrongUsage(optionOf(parameter.name), fmt::format("must be {} to {} {}", textOf(parameter.range.least),
+                                                            textOf(parameter.range.largest), parameter.unit));
 }
 
 /// "AZ,EL" in degrees.
@@ -68,7 +56,7 @@ void LookOptions::addRow(CLI::App& command, const Parameter<Look>& parameter) {
         given.choice = *name;
         command
             .add_option(namesOf(parameter), given.choice,
-                        fmt::format("{}: {}", parameter.meaning, listOf(parameter.choices)))
+                        fmt::format("{}: {}", parameter.meaning, listed(parameter.choices)))
             ->type_name("NAME")
             ->capture_default_str();
     } else {
@@ -95,16 +83,16 @@ Result<Look> LookOptions::get() const {
     Look look;
     for (const Given& given : m_given)
         if (!given.parameter->set(look, given.value()))
-            return wrong(optionOf(given.parameter->name), "is \"" + given.choice + "\"",
-                         "Use " + listOf(given.parameter->choices) + ".");
+            return wrongUsage(optionOf(given.parameter->name), "is \"" + given.choice + "\"",
+                              "Use " + listed(given.parameter->choices) + ".");
     if (m_perspective) look.projection = Projection::perspective;
     if (!m_light.empty())
         if (const auto taken = takeLight(m_light, look); !taken) return tl::unexpected<Failure>(taken.error());
     for (const Parameter<Look>& parameter : lookParameters())
         if (const auto fits = checked(parameter, look); !fits) return tl::unexpected<Failure>(fits.error());
     if (look.mode != RenderMode::direct && (look.shaded || look.depthColoured))
-        return wrong("--shade, --light and --depth-colour", "need direct volume rendering",
-                     "Leave them out, or use --mode direct.");
+        return wrongUsage("--shade, --light and --depth-colour", "need direct volume rendering",
+                          "Leave them out, or use --mode direct.");
     return look;
 }
 

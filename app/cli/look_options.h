@@ -15,7 +15,8 @@ namespace echolucent::cli {
 
 /// An option for each row of lookParameters(), and the short forms --shade, --depth-colour, --perspective and --light.
 struct LookOptions {
-    /// names: of the rows that get an option; empty: all. The options must stay where they are from here to get().
+    /// `names` are those of the rows that get an option; where there are none, all rows get one. The options must stay
+    /// where they are from here to get().
     void addTo(CLI::App& command, const std::vector<std::string_view>& names = {});
     /// Fails (wrong usage) where an option is out of range or plays no part in the mode.
     [[nodiscard]] Result<Look> get() const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "app/cli/command.h"
@@ -19,16 +18,6 @@ using Row = Parameter<AdaptiveOtfConfig>;
 
 /// Names of options that are shorter than the parameter's.
 constexpr std::array<std::pair<std::string_view, const char*>, 1> shortOptions{{{"sigma_per_kernel_size", "--sigma"}}};
-
-/// "mirror or circular"
-std::string listed(const std::vector<std::string_view>& names) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) list += i + 1 < names.size() ? ", " : " or ";
-        list += names[i];
-    }
-    return list;
-}
 
 std::string mustBe(const ParameterRange& range) {
     return "must be " + textOf(range.least) + " to " + textOf(range.largest);
@@ -92,7 +81,7 @@ Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
         if (given == m_given.end()) continue;
         const std::string option = optionOf(row.name);
         const auto wrong = [&](const std::string& problem, const std::string& remedy = {}) {
-            return fail(FailureKind::wrongUsage, "", option, problem, remedy);
+            return wrongUsage(option, problem, remedy);
         };
         const ParameterValue& value = given->second;
         if (!row.choices.empty() &&
@@ -110,24 +99,18 @@ Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
 }
 
 Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid) {
-    const auto numbers = parseNumbers(text, 2, "--tube-grid");
-    if (!numbers) return tl::unexpected<Failure>(numbers.error());
     const ParameterRange range = parameterNamed(methodParameters(), "tube_columns")->range;
-    for (const double count : *numbers)
-        if (!inRange(count, range) || count != std::floor(count))
-            return fail(FailureKind::wrongUsage, "", "--tube-grid",
-                        fmt::format("must be two whole numbers from {} to {}", range.least, range.largest),
-                        "Write it as 15x15.");
-    grid.columns = static_cast<int>((*numbers)[0]);
-    grid.rows = static_cast<int>((*numbers)[1]);
+    const auto counts =
+        parseWholePair(text, static_cast<int>(range.least), static_cast<int>(range.largest), "--tube-grid", "15x15");
+    if (!counts) return tl::unexpected<Failure>(counts.error());
+    grid.columns = (*counts)[0];
+    grid.rows = (*counts)[1];
     return grid;
 }
 
 Result<AdaptiveOtfConfig> MethodOptions::get() const {
     const auto base = methodReadingFromName(reading);
-    if (!base)
-        return fail(FailureKind::wrongUsage, "", "--reading", "is \"" + reading + "\"",
-                    "Use published, settled or default.");
+    if (!base) return wrongUsage("--reading", "is \"" + reading + "\"", "Use published, settled or default.");
     AdaptiveOtfConfig chosen = configOf(*base);
     if (auto overridden = override(chosen); !overridden) return tl::unexpected<Failure>(overridden.error());
     if (!tubeGrid.empty()) {
@@ -140,8 +123,7 @@ Result<AdaptiveOtfConfig> MethodOptions::get() const {
         if (!curve) return tl::unexpected<Failure>(curve.error());
         chosen.initial = *curve;
     }
-    if (const std::string problem = problemOf(chosen); !problem.empty())
-        return fail(FailureKind::wrongUsage, "", "", problem);
+    if (const std::string problem = problemOf(chosen); !problem.empty()) return wrongUsage("", problem);
     return chosen;
 }
 
@@ -163,8 +145,7 @@ std::string curveFileOf(const std::string& name) {
 
 Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale) {
     const ParameterRange range = parameterNamed(methodParameters(), "opacity_scale")->range;
-    if (opacityScale && !inRange(*opacityScale, range))
-        return fail(FailureKind::wrongUsage, "", "--opacity-scale", mustBe(range));
+    if (opacityScale && !inRange(*opacityScale, range)) return wrongUsage("--opacity-scale", mustBe(range));
     const double scale = opacityScale.value_or(defaultOpacityScale);
     if (name == "parabolic") return OpacityCurve(PowerCurve{2, scale});
     if (name == "quartic") return OpacityCurve(PowerCurve{4, scale});
@@ -174,8 +155,17 @@ Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double
         return OpacityCurve(linear);
     }
     if (const std::string file = curveFileOf(name); !file.empty()) return manualCurve(file, opacityScale.value_or(1.0));
-    return fail(FailureKind::wrongUsage, "", "", "\"" + name + "\" is not an opacity curve",
-                "Use linear, parabolic, quartic or manual:FILE.");
+    return wrongUsage("", "\"" + name + "\" is not an opacity curve", "Use linear, parabolic, quartic or manual:FILE.");
+}
+
+Result<std::optional<OpacityCurve>> namedCurve(const std::string& name, std::optional<double> opacityScale) {
+    if (name == "adaptive") return std::optional<OpacityCurve>();
+    auto curve = curveFromName(name, opacityScale);
+    if (curve) return std::optional<OpacityCurve>(*std::move(curve));
+    Failure failure = curve.error();
+    if (failure.kind == FailureKind::wrongUsage)
+        failure.remedy = "Use adaptive, linear, parabolic, quartic or manual:FILE.";
+    return tl::unexpected<Failure>(std::move(failure));
 }
 
 }  // namespace echolucent::cli

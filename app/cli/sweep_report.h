@@ -15,7 +15,7 @@ struct SweepReport {
     std::string volume = {};  ///< as the person named it
     Viewpoint start = {};
     Motion motion = {};
-    std::optional<OtfSmoothing> smoothing = {};  ///< none: one OTF for all frames
+    std::optional<OtfSmoothing> smoothing = {};  ///< not set where one OTF is shown in all frames
     std::span<const SweptOtf> frames = {};
     std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< where they were asked for
 };

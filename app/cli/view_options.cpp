@@ -34,19 +34,15 @@ void ViewOptions::addTo(CLI::App& command) {
 Result<Viewpoint> ViewOptions::get() const {
     const bool signMissing = beamAxis.size() == 1;
     const auto axis = beamAxisFromName(signMissing ? "+" + beamAxis : beamAxis);
-    if (!axis)
-        return fail(FailureKind::wrongUsage, "", "--beam-axis", "is \"" + beamAxis + "\"",
-                    "Use +x, -x, +y, -y, +z or -z.");
-    // Beyond, a double has no degrees left to tell one angle from the next.
-    if (!(std::abs(view.azimuthDegrees) <= 36000.0) || !(std::abs(view.elevationDegrees) <= 36000.0))
-        return fail(FailureKind::wrongUsage, "", "--view-azimuth and --view-elevation",
-                    "must be angles in degrees, -36000 to 36000");
+    if (!axis) return wrongUsage("--beam-axis", "is \"" + beamAxis + "\"", "Use +x, -x, +y, -y, +z or -z.");
+    if (!isAngle(view.azimuthDegrees) || !isAngle(view.elevationDegrees))
+        return wrongUsage("--view-azimuth and --view-elevation", mustBeAngles);
     Viewpoint chosen = view;
     chosen.beamAxis = *axis;
     if (nearCutSuggested()) return chosen;
     const auto cut = parseNumbers(near, 1, "--near");
     if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
-        return fail(FailureKind::wrongUsage, "", "--near", "must be 0 mm or more, or auto");
+        return wrongUsage("--near", "must be 0 mm or more, or auto");
     chosen.nearCutMm = cut->front();
     return chosen;
 }

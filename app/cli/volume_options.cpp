@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -9,21 +7,16 @@
 #include "app/cli/command.h"
 #include "io/headers/header_text.h"
 #include "io/output/overwriting.h"
-#include "io/voxel_types.h"
 
 namespace echolucent::cli {
 
 namespace {
 
-tl::unexpected<Failure> wrongOption(const std::string& option, const std::string& problem, const std::string& remedy) {
-    return fail(FailureKind::wrongUsage, "", option, problem, remedy);
-}
-
 Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     const bool any = !options.rawSpacing.empty() || !options.rawType.empty() || !options.rawByteOrder.empty() ||
                      options.rawHeaderBytes != 0;
     if (options.rawSize.empty()) {
-        if (any) return wrongOption("--raw-size", "is missing beside other --raw options", "Give it as XxYxZ.");
+        if (any) return wrongUsage("--raw-size", "is missing beside other --raw options", "Give it as XxYxZ.");
         return std::optional<RawLayout>();
     }
     RawLayout layout;
@@ -32,13 +25,13 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = (*size)[axis];
         if (value < 1 || value > 1e15 || value != std::floor(value))
-            return wrongOption("--raw-size", "must be three whole numbers above 0, not " + quotedText(options.rawSize),
-                               "Give it as XxYxZ.");
+            return wrongUsage("--raw-size", "must be three whole numbers above 0, not " + quotedText(options.rawSize),
+                              "Give it as XxYxZ.");
         layout.size[axis] = static_cast<std::int64_t>(value);
     }
     if (!options.rawType.empty()) layout.type = options.rawType;
     layout.bigEndian = options.rawByteOrder == "big";
-    if (options.rawHeaderBytes < 0) return wrongOption("--raw-header-bytes", "must be 0 or more", "");
+    if (options.rawHeaderBytes < 0) return wrongUsage("--raw-header-bytes", "must be 0 or more");
     layout.headerBytes = options.rawHeaderBytes;
     if (!options.rawSpacing.empty()) {
         const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing");
@@ -46,9 +39,9 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
         for (int axis = 0; axis < 3; ++axis) {
             layout.spacing[axis] = (*spacing)[static_cast<std::size_t>(axis)];
             if (!std::isfinite(layout.spacing[axis]) || !(layout.spacing[axis] > 0))
-                return wrongOption("--raw-spacing",
-                                   "must be three numbers above 0, not " + quotedText(options.rawSpacing),
-                                   "Give it in mm as XxYxZ.");
+                return wrongUsage("--raw-spacing",
+                                  "must be three numbers above 0, not " + quotedText(options.rawSpacing),
+                                  "Give it in mm as XxYxZ.");
         }
         layout.spacingKnown = true;
     }
@@ -65,21 +58,6 @@ int exitStatus(const Failure& failure) {
         case FailureKind::cancelled: break;
     }
     return 3;
-}
-
-Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option) {
-    std::string spaced = text;
-    for (char& character : spaced)
-        if (character == 'x' || character == 'X' || character == ',') character = ' ';
-    const auto values = realNumbers(spaced);
-    // Counting separators too: "3xx4" is a slip, not two numbers.
-    const auto separators = static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X' || c == ','; }));
-    if (!values || values->size() != count || separators + 1 != count)
-        return wrongOption(option,
-                           fmt::format("must be {} numbers with x between them, not {}", count, quotedText(text)),
-                           count == 2 ? "Give it as AxB." : "Give it as AxBxC.");
-    return *values;
 }
 
 Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& curveNames) {
@@ -129,7 +107,7 @@ Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) co
     const auto layout = layoutFrom(*this);
     if (!layout) return tl::unexpected(layout.error());
     options.raw = *layout;
-    if (phase < 0) return wrongOption("--phase", "must be 0 or more", "Phases are counted from 0.");
+    if (phase < 0) return wrongUsage("--phase", "must be 0 or more", "Phases are counted from 0.");
     // The path itself is compared at once, the files behind it when they are known.
     if (auto kept = refuseToOverwrite({path}, outputs); !kept) return tl::unexpected(kept.error());
     auto study = readStudy(path, options);

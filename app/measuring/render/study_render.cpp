@@ -27,35 +27,20 @@ struct RenderStudyOptions {
 };
 
 constexpr int usualRepeats = 9, quickRepeats = 3;
-constexpr double largestEdge = 2048;
+constexpr int leastEdge = 16, largestEdge = 2048;  // pixels
 
 /// Away from every grid axis, so that samples lie between voxel centres.
 const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 Result<RayCastSettings> referenceSettings(const RenderStudyOptions& options) {
     const std::string text = !options.size.empty() ? options.size : options.quick ? "160x160" : "512x512";
-    const auto size = parseNumbers(text, 2, "--size");
+    const auto size = parseWholePair(text, leastEdge, largestEdge, "--size", "512x512");
     if (!size) return tl::unexpected<Failure>(size.error());
-    for (const double edge : *size)
-        if (!(edge >= 16 && edge <= largestEdge) || edge != std::floor(edge))
-            return fail(FailureKind::wrongUsage, "", "--size", "must be two whole numbers from 16 to 2048",
-                        "Write it as 512x512.");
     RayCastSettings settings;
-    settings.width = static_cast<int>((*size)[0]);
-    settings.height = static_cast<int>((*size)[1]);
+    settings.width = (*size)[0];
+    settings.height = (*size)[1];
     if (options.shade) settings.shading = Shading{};
     return settings;
-}
-
-/// The curve that was asked for; none: the adaptive one.
-Result<std::optional<OpacityCurve>> namedCurve(const RenderStudyOptions& options) {
-    if (options.otf == "adaptive") return std::optional<OpacityCurve>();
-    const auto curve = curveFromName(options.otf, options.method.opacityScale);
-    if (curve) return std::optional<OpacityCurve>(*curve);
-    Failure failure = curve.error();
-    if (failure.kind == FailureKind::wrongUsage)
-        failure.remedy = "Use adaptive, linear, parabolic, quartic or manual:FILE.";
-    return tl::unexpected<Failure>(std::move(failure));
 }
 
 std::shared_ptr<const Volume> phantom(int edge) {
@@ -84,7 +69,7 @@ Result<void> studyRendering(const RenderStudyOptions& options) {
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto named = namedCurve(options);
+    const auto named = namedCurve(options.otf, options.method.opacityScale);
     if (!named) return tl::unexpected<Failure>(named.error());
     const auto settings = referenceSettings(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
