@@ -2,7 +2,6 @@
 // panels all read the same row, so that no range and no default stands twice.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -24,7 +23,8 @@ struct ParameterRange {
     friend bool operator==(const ParameterRange&, const ParameterRange&) = default;
 };
 
-/// Where a parameter applies: only while another parameter, a choice, has this name chosen. Both empty: always.
+/// Where a parameter applies: only while another parameter, a choice, has this name chosen. Where both are empty, the
+/// parameter applies always.
 struct ParameterScope {
     std::string_view parameter;
     std::string_view choice;
@@ -38,17 +38,19 @@ struct Parameter {
     std::string_view name;     ///< key in JSON, words joined by underscores; the option is optionOf(name)
     std::string_view label;    ///< name for a person, sentence case
     std::string_view meaning;  ///< one sentence that begins with a capital and ends without a full stop
-    std::string_view
-        unit;  ///< "units", "mm", "degrees", "share", "standard deviations" ...; empty: a pure number or a choice
+    std::string_view unit;  ///< "units", "mm", "degrees", "share", "standard deviations" and so on; a pure number and a
+                            ///< choice have none
     std::string_view source;  ///< the paper's section or equation, or the experiment in docs/ that chose the default
     ParameterRange range;     ///< of numbers
-    std::vector<std::string_view> choices;  ///< names of a choice, in the order people are shown; empty: a number
-    /// The value; none: the parameter means nothing in these values (it belongs to an alternative that was not chosen).
+    std::vector<std::string_view> choices;  ///< names of a choice, in the order people are shown; a number has none
+    /// The value, or nothing where the parameter means nothing in these values, because it belongs to an alternative
+    /// that was not chosen.
     std::optional<ParameterValue> (*get)(const Values&);
-    /// Sets a value of the kind that `get` gives; false, and nothing is changed: it means nothing in these values, or
-    /// the value is of another kind or the name of no choice. Does not look at the range.
+    /// Sets a value of the kind that `get` gives. It returns false and changes nothing where the parameter means
+    /// nothing in these values, or where the value is of another kind or the name of no choice. It does not look at the
+    /// range.
     bool (*set)(Values&, const ParameterValue&);
-    /// What a control offers to the hand where the range is far wider; none: the range.
+    /// What a control offers to the hand where the range is far wider; where it is not set, a control offers the range.
     std::optional<ParameterRange> offered = {};
     /// Both functions find the parameter only there. The parameter that it names stands before this one in its table.
     ParameterScope scope = {};
@@ -63,7 +65,10 @@ struct Parameter {
     return option;
 }
 
-/// A number's value; none: it is a choice.
+/// "cellSize" of "cell_size": a parameter's key in the settings file and in the object names of widgets.
+[[nodiscard]] std::string camelCase(std::string_view name);
+
+/// A number's value, or nothing where the value is a choice.
 [[nodiscard]] inline std::optional<double> numberOf(const ParameterValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
     if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -78,7 +83,7 @@ struct Parameter {
     return value >= range.least && value <= range.largest;
 }
 
-/// What is out of range, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing is.
+/// What is out of range, lower case, no full stop ("the cell size must be 2 to 32"), or an empty text where nothing is.
 template <typename Values>
 [[nodiscard]] std::string problemIn(std::span<const Parameter<Values>> table, const Values& values) {
     for (const Parameter<Values>& parameter : table) {
@@ -93,7 +98,7 @@ template <typename Values>
     return {};
 }
 
-/// The row of a name; null: the table has none.
+/// The row of a name, or null where the table has no row of that name.
 template <typename Values>
 [[nodiscard]] const Parameter<Values>* parameterNamed(std::span<const Parameter<Values>> table, std::string_view name) {
     for (const Parameter<Values>& parameter : table)

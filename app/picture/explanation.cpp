@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "processing/adaptive/method_reading.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
@@ -144,7 +145,7 @@ QString explainPicture(const PictureFacts& facts) {
     if (std::holds_alternative<SimulatedScan>(facts.document.study))
         sentences << tr("This is a simulated scan, not a patient.");
     sentences << tr("The volume is looked at along its %1 axis, turned by %2° of azimuth and %3° of elevation.")
-                     .arg(QString::fromUtf8(nameOf(shown.beamAxis).data()))
+                     .arg(textOf(nameOf(shown.beamAxis)))
                      .arg(shown.azimuthDegrees, 0, 'f', 0)
                      .arg(shown.elevationDegrees, 0, 'f', 0);
     if (shown.nearCutMm > 0)

@@ -13,7 +13,7 @@ namespace echolucent {
 struct PictureFacts {
     const Study& study;
     const Volume& volume;
-    const AdaptiveOtf* otf;  ///< null: not computed yet
+    const AdaptiveOtf* otf;  ///< null where it is not computed yet
     const Document& document;
     int view;  ///< of the document
 };

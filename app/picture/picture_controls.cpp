@@ -2,6 +2,7 @@
 
 #include "app/picture/picture_status.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/panel_controls.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/view_panel.h"
 
@@ -12,8 +13,7 @@ namespace {
 /// "Colour map": what a step that changes a look is called.
 QString nameOfChange(const Look& before, const Look& after) {
     for (const Parameter<Look>& row : lookParameters())
-        if (row.get(before) != row.get(after))
-            return QString::fromUtf8(row.label.data(), static_cast<qsizetype>(row.label.size())).toLower();
+        if (row.get(before) != row.get(after)) return textOf(row.label).toLower();
     return {};
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "widgets/panels/panel_controls.h"
+
 namespace echolucent {
 namespace {
 
@@ -17,8 +19,6 @@ constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
 
 QString absolutePath(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
-
-QString asText(std::string_view name) { return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())); }
 
 /// "true" or "false" as written by QSettings; anything else is not understood.
 bool boolOr(const QVariant& value, bool otherwise) {
@@ -100,7 +100,7 @@ void Settings::setLook(const Look& look) {
         if (const auto* flag = std::get_if<bool>(&value))
             m_store.setValue(keyOf(row), *flag);
         else if (const auto* choice = std::get_if<std::string>(&value))
-            m_store.setValue(keyOf(row), asText(*choice));
+            m_store.setValue(keyOf(row), textOf(*choice));
         else
             m_store.setValue(keyOf(row), *numberOf(value));
     }
@@ -109,7 +109,7 @@ void Settings::setLook(const Look& look) {
 RendererChoice Settings::renderer() const {
     return rendererFromName(m_store.value(rendererKey).toString().toStdString()).value_or(RendererChoice::automatic);
 }
-void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererKey, asText(nameOf(renderer))); }
+void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererKey, textOf(nameOf(renderer))); }
 
 bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histogramKey), true); }
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }

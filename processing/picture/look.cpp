@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::string_view experiment = "docs/rendering.md";
+constexpr std::string_view page = "docs/rendering.md";
 
 /// Takes a number from a value where it holds one.
 bool setNumber(double& number, const ParameterValue& value) {
@@ -74,7 +74,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Azimuth of the light",
          "How far to the right of the viewer the light stands",
          "degrees",
-         experiment,
+         page,
          {-180, 180},
          {},
          &getAngle<&LightDirection::azimuthDegrees>,
@@ -83,7 +83,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Elevation of the light",
          "How far above the viewer the light stands",
          "degrees",
-         experiment,
+         page,
          {-90, 90},
          {},
          &getAngle<&LightDirection::elevationDegrees>,
@@ -101,7 +101,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Colour map",
          "Colours from dark to bright echoes",
          "",
-         experiment,
+         page,
          {},
          {nameOf(ColourMap::sepia), nameOf(ColourMap::grey), nameOf(ColourMap::ice)},
          &getChoice<&Look::colourMap>,
@@ -110,7 +110,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Projection",
          "Parallel keeps sizes, perspective gives depth",
          "",
-         experiment,
+         page,
          {},
          {nameOf(Projection::parallel), nameOf(Projection::perspective)},
          &getChoice<&Look::projection>,
@@ -119,7 +119,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Interpolation",
          "How intensities between voxels are taken",
          "",
-         experiment,
+         page,
          {},
          {nameOf(Interpolation::trilinear), nameOf(Interpolation::nearest)},
          &getChoice<&Look::interpolation>,
@@ -128,7 +128,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Step",
          "Distance between the samples on a ray; opacities are corrected for it",
          "units",
-         experiment,
+         page,
          {1e-3, 100},
          {},
          [](const Look& look) { return std::optional<ParameterValue>(look.step); },
@@ -148,17 +148,6 @@ bool playsAPart(std::string_view name, const Look& look) {
     if (name == "shaded" || name == "depth_colouring") return direct;
     if (name == "light_azimuth" || name == "light_elevation") return direct && look.shaded;
     return true;
-}
-
-std::string camelCase(std::string_view name) {
-    std::string camel;
-    bool upper = false;
-    for (const char letter : name) {
-        if (letter != '_')
-            camel += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
-        upper = letter == '_';
-    }
-    return camel;
 }
 
 std::string labelOfChoice(std::string_view choice) {

@@ -38,9 +38,6 @@ struct Look {
 /// Whether a row's value can change the picture of a look: a light plays no part in a picture without light.
 [[nodiscard]] bool playsAPart(std::string_view name, const Look& look);
 
-/// "colourMap" of "colour_map": a row's key in the settings file and in object names.
-[[nodiscard]] std::string camelCase(std::string_view name);
-
 /// A choice's name for a person ("Mean (x-ray)" for "mean"), sentence case.
 [[nodiscard]] std::string labelOfChoice(std::string_view choice);
 

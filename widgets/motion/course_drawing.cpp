@@ -5,16 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "widgets/otf_editor/canvas/curve_style.h"
+
 namespace echolucent {
 namespace {
 
 constexpr double tickLength = 3.0;
 constexpr double numberGap = 5.0;  // from the plot to its numbers, pixels
-
-QColor mixed(const QColor& from, const QColor& to, double share) {
-    const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
-    return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
-}
 
 }  // namespace
 

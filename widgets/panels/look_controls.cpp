@@ -11,8 +11,6 @@ namespace echolucent {
 
 namespace {
 
-QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
 QString objectNameOf(const Parameter<Look>& row) { return "view." + textOf(camelCase(row.name)); }
 
 QString toolTipOf(const Parameter<Look>& row) {

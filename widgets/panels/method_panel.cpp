@@ -24,19 +24,8 @@ namespace {
 /// The parameter's row; it must be there.
 const Parameter<AdaptiveOtfConfig>& rowOf(std::string_view name) { return *parameterNamed(methodParameters(), name); }
 
-QString textOf(std::string_view words) {
-    return MethodPanel::tr(QByteArray(words.data(), static_cast<qsizetype>(words.size())).constData());
-}
-
-/// "adaptive.tubeColumns" of "tube_columns".
 QString objectNameOf(std::string_view name) {
-    QString made = QStringLiteral("adaptive.");
-    bool capital = false;
-    for (const char letter : name) {
-        if (letter != '_') made += capital ? QChar::fromLatin1(letter).toUpper() : QChar::fromLatin1(letter);
-        capital = letter == '_';
-    }
-    return made;
+    return QStringLiteral("adaptive.") + QString::fromStdString(camelCase(name));
 }
 
 QString toolTipOf(const Parameter<AdaptiveOtfConfig>& row) {

@@ -21,10 +21,7 @@ constexpr int changedReading = -1;
 
 QComboBox* MethodPanel::createChoice(const char* parameter) {
     const Row& row = *parameterNamed(methodParameters(), parameter);
-    const auto text = [](std::string_view words) {
-        return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-    };
-    auto* comboBox = named(new QComboBox, {}, text(row.label), text(row.meaning));
+    auto* comboBox = named(new QComboBox, {}, textOf(row.label), textOf(row.meaning));
     wheelNeedsFocus(comboBox);
     return comboBox;
 }

@@ -108,7 +108,7 @@ void MotionPanel::createControls() {
     wheelNeedsFocus(m_angle);
     m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
     m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(-45)) + 4);
+    m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(firstMotionAngle)) + 4);
     m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"), tr("The axis about which the view turns"));
     m_axis->addItem(tr("x axis (elevation)"), static_cast<int>(MotionAxis::x));
     m_axis->addItem(tr("y axis (azimuth)"), static_cast<int>(MotionAxis::y));

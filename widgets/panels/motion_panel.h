@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] bool playing() const { return m_playing; }
     void setPlaying(bool playing);
-    /// Whole degrees, -45 to 45.
+    /// Whole degrees, firstMotionAngle to lastMotionAngle.
     [[nodiscard]] double angle() const;
     void setAngle(double degrees);
     [[nodiscard]] MotionAxis axis() const;
@@ -39,10 +39,10 @@ public:
     void setScenario(MotionScenario scenario);
     [[nodiscard]] MotionOtf otf() const;
     void setOtf(MotionOtf otf);
-    /// True: back and forth; false: from the start again.
+    /// Whether the motion goes back and forth; else it starts again from its first frame.
     [[nodiscard]] bool pingPong() const;
     void setPingPong(bool pingPong);
-    /// Frames shown a second; none: no read-out.
+    /// Shows how many frames are shown a second; hides the read-out where that is not given.
     void setFrameRate(std::optional<double> framesPerSecond);
 
 signals:

@@ -7,6 +7,9 @@
 #include <QSignalBlocker>
 
 namespace echolucent {
+
+QString textOf(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+
 namespace {
 
 class ControlFilter : public QObject {

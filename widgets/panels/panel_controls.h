@@ -3,11 +3,15 @@
 
 #include <QString>
 #include <QWidget>
+#include <string_view>
 
 class QComboBox;
 class QLabel;
 
 namespace echolucent {
+
+/// The words of a parameter table, which are UTF-8, as a text of Qt.
+[[nodiscard]] QString textOf(std::string_view words);
 
 /// Gives a widget its object name, its accessible name and its tool tip; returns the widget.
 template <typename Widget>

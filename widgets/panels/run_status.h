@@ -28,7 +28,7 @@ public:
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
-    /// Normalised intensity and opacity under the cursor, both in [0,1]; none: nothing is pointed at.
+    /// Normalised intensity and opacity under the cursor, both in [0,1]; not given where nothing is pointed at.
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
     /// Something runs, named with a word ("loading"). Its share is not known until setProgress. A second call renames

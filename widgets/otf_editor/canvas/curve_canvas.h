@@ -30,7 +30,7 @@ public:
     [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
     /// Stored value at normalised intensity 1, for the second row of numbers; 1 or less: no such row.
     void setWhiteLevel(double whiteLevel);
-    /// Marks the intensity under the cursor elsewhere (the 3D view); nothing: no mark.
+    /// Marks the intensity under the cursor elsewhere (the 3D view); removes the mark where it is not given.
     void setCursorIntensity(std::optional<double> intensity);
 
     /// The mapping between values and this widget's pixels.

@@ -14,11 +14,6 @@ constexpr double nodeSide = 8.0;
 constexpr double highlightedNodeSide = 11.0;
 constexpr double haloWidth = 2.5;  // background colour around the active curve, so that it stands off the others
 
-QColor mixed(const QColor& from, const QColor& to, double share) {
-    const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
-    return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
-}
-
 /// As many decimals as tell neighbouring ticks apart.
 QString tickText(double value, double step) {
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 1, 4);

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace echolucent {
@@ -17,7 +18,7 @@ struct CurveStyle {
     QColor color;
     double width;                // pixels, not active
     double activeWidth;          // pixels
-    std::vector<double> dashes;  // pixels on, off, ...; empty: solid
+    std::vector<double> dashes;  // pixels on and off in turn; without any the line is solid
 };
 
 const CurveStyle& styleOf(CurveKind kind) {
@@ -60,6 +61,11 @@ QPixmap bentArrow(bool toTheLeft, const QColor& color, double scale) {
 }
 
 }  // namespace
+
+QColor mixed(const QColor& from, const QColor& to, double share) {
+    const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
+}
 
 QString curveKey(CurveKind kind) { return styleOf(kind).key; }
 QString curveShortName(CurveKind kind) { return styleOf(kind).shortName; }

@@ -14,6 +14,9 @@ namespace echolucent {
 /// The accent of the program: what is active.
 inline constexpr QColor accentColor{0x4f, 0xb3, 0xbf};
 
+/// The colour at a share in [0,1] of the way from one colour to another, without transparency.
+[[nodiscard]] QColor mixed(const QColor& from, const QColor& to, double share);
+
 /// The part of object names that stands for a kind: "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] QString curveKey(CurveKind kind);
 /// The name in a legend: "Adaptive", "Manual", "Linear", "x²", "x⁴".
