@@ -13,10 +13,10 @@ namespace echolucent {
 
 /// A near cut and how it was found.
 struct NearCutSuggestion {
-    double nearCutMm = 0.0;    ///< as Viewpoint::nearCutMm; 0: nothing stands in front
+    double nearCutMm = 0.0;    ///< as Viewpoint::nearCutMm; it is 0 where nothing stands in front
     int tubesWithSurface = 0;  ///< tube cores whose surface was found
-    int tubesInFluid = 0;      ///< ... of these, how many have entered fluid at the cut and not reached their surface
-    std::string message;       ///< a sentence where nothing can be suggested ("no surface found: ..."); else empty
+    int tubesInFluid = 0;      ///< how many of these have entered fluid at the cut and not reached their surface
+    std::string message;       ///< a sentence where nothing can be suggested ; else it is empty
 };
 
 /// The depth at which most tube cores have entered fluid, measured without the view's own near cut. Empty only where

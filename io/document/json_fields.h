@@ -25,7 +25,7 @@ struct JsonProblems {
 /// to the problems, which outlive this.
 class JsonFields {
 public:
-    /// place: keys from the file's root to this object, "poses[0]"; empty: the root.
+    /// `place` holds the keys from the file's root to this object ("poses[0]"), and is empty for the root itself.
     JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
 
     [[nodiscard]] bool has(const char* key) const;
@@ -73,7 +73,7 @@ private:
             wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
     }
     const nlohmann::json* find(const char* key);
-    /// `value` as a parameter's value of the kind that `like` has; none: it is no such value.
+    /// `value` as a parameter's value of the kind that `like` has, or nothing where it is no such value.
     static std::optional<ParameterValue> parameterValue(const nlohmann::json& value,
                                                         const std::optional<ParameterValue>& like);
 

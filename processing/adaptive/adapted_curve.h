@@ -13,10 +13,10 @@ namespace echolucent {
 struct AdaptedCurve {
     std::vector<double> logOpacity;  ///< ln of the curve before any clamp, at equidistant intensities 0 ... 1
     SampledCurve curve;              ///< min(1, exp(logOpacity))
-    double trust = 1.0;  ///< by ramp: share of the tubes' own say, the rest is the initial function's, [0,1]
+    double trust = 1.0;  ///< with RampRule: the tubes' share of the curve, [0,1]; the rest is the initial function's
 };
 
-/// At `count` (>= 2) intensities. Where no tube core has a weight the curve is the initial function.
+/// The curve at `count` (>= 2) intensities. Where no tube core has a weight the curve is the initial function.
 [[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
                                         std::span<const TubeCore> tubes, int count);
 

@@ -42,7 +42,7 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
     return tube;
 }
 
-/// Why the curve is the initial function, as a sentence; empty: it is not.
+/// Why the curve is the initial function, as a sentence; an empty text where it is not.
 std::string messageFor(const AdaptiveOtf& otf) {
     const std::string consequence = ": the initial function is used.";
     if (otf.tubesWithSurface > 0) return {};

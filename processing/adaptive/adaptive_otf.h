@@ -12,8 +12,9 @@
 
 namespace echolucent {
 
-/// Runs the method. Empty only where progress.cancel was raised. The same bits for any number of threads.
-/// Throws std::invalid_argument where problemOf(config) is not empty.
+/// Runs the method on a volume, seen from a viewpoint. The result is empty only where progress.cancel was raised, and
+/// has the same bits for any number of threads.
+/// It throws std::invalid_argument where problemOf(config) is not empty.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {});
 

@@ -14,25 +14,29 @@
 
 namespace echolucent {
 
+/// The adaptive curve, the tube cores it was made of and what the run found out on the way. Units are those of
+/// processing/tube_core/tube_core.h.
 struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
     AdaptiveOtfConfig config;                      ///< as asked for
-    std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, along the view's right and down axes
+    std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, units, along the view's right and down axes
     Viewpoint view;
-    Vec3 directionVoxel{0, 0, 1};          ///< unit, voxel index space
-    double tubeLengthUnit = 1.0;           ///< mm per unit
-    int tubesMeetingVolume = 0;            ///< T and N
-    int tubesWithSurface = 0;              ///< status surface and d > 0
-    double dMax = 0.0;                     ///< strengthOf(config.curve) / T
-    std::vector<TubeCore> tubes;           ///< row-major: index = row * config.grid.columns + column
-    std::optional<double> leastContrast;   ///< by ratio: a boundary counted from this contrast on
-    std::optional<double> fluidIntensity;  ///< by ratio: means below it counted as fluid; none: no boundary anywhere
-    double trust = 1.0;              ///< by ramp: the curve is trust * ramp + (1 - trust) * initial function, [0,1]
-    std::vector<double> logOpacity;  ///< sampleCount values: ln of the curve before any clamp; by product ln initial(x)
-                                     ///< + sum over the tubes of ln(1+d) g(x)
-    SampledCurve curve;              ///< min(1, exp(logOpacity))
-    std::string message;             ///< a sentence where something could not be done ("No surface found: the initial
-                                     ///< function is used."); else empty
+    Vec3 directionVoxel{0, 0, 1};         ///< unit, voxel index space
+    double tubeLengthUnit = 1.0;          ///< mm per unit
+    int tubesMeetingVolume = 0;           ///< T and N: tube cores that meet the volume's data
+    int tubesWithSurface = 0;             ///< status surface and d > 0
+    double dMax = 0.0;                    ///< strengthOf(config.curve) / T
+    std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
+    std::optional<double> leastContrast;  ///< with RatioRule: a boundary counted from this contrast on
+    /// With RatioRule: means below it counted as fluid. It is not set where no boundary tells.
+    std::optional<double> fluidIntensity;
+    double trust = 1.0;  ///< with RampRule the curve is trust * ramp + (1 - trust) * initial function, [0,1]
+    /// sampleCount values: ln of the curve before any clamp; with ProductRule ln initial(x) + sum over the tubes of
+    /// ln(1+d) g(x).
+    std::vector<double> logOpacity;
+    SampledCurve curve;   ///< min(1, exp(logOpacity))
+    std::string message;  ///< a sentence where something could not be done ("No surface found: the initial
+                          ///< function is used."); else empty
     StageTimes times;
 };
 

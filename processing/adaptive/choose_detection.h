@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// samples: of all tube cores of the view; cellSize: edge of their cells, units.
+/// `samples` are those of all tube cores of the view, `cellSize` is the edge of their cells in units.
 [[nodiscard]] std::unique_ptr<Detection> detectionOf(const DetectionRule& rule, std::span<const TubeSamples> samples,
                                                      int cellSize);
 

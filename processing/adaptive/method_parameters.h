@@ -13,7 +13,8 @@ namespace echolucent {
 /// rule (processing/tube_core/rules/) and a row here.
 [[nodiscard]] std::span<const Parameter<AdaptiveOtfConfig>> methodParameters();
 
-/// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"); empty: nothing is.
+/// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"), or an empty text where
+/// nothing is.
 [[nodiscard]] std::string problemOf(const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

@@ -18,8 +18,8 @@ enum class MethodReading {
 [[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
-/// The reading that a config is, whatever its tube grid and initial function, which belong to no reading; none where it
-/// is another.
+/// The reading that a config is, whatever its tube grid and initial function, which belong to no reading. Nothing
+/// where the config is no reading.
 [[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

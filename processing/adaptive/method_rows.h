@@ -17,7 +17,7 @@ namespace echolucent::method_rows {
 
 using Row = Parameter<AdaptiveOtfConfig>;
 
-// Where each rule stands in the config, and when; null: another rule is chosen.
+// Where each rule stands in the config; null where another rule is chosen.
 inline TubeGrid* find(AdaptiveOtfConfig& config, TubeGrid*) { return &config.grid; }
 inline CellRule* find(AdaptiveOtfConfig& config, CellRule*) { return &config.cells; }
 inline SurfaceRule* find(AdaptiveOtfConfig& config, SurfaceRule*) { return &config.surface; }
@@ -52,7 +52,7 @@ using RuleOf = typename Field<decltype(member)>::Rule;
 template <auto member>
 using ValueOf = typename Field<decltype(member)>::Value;
 
-/// The field in a config; null: it means nothing there.
+/// The field in a config, or null where it means nothing there.
 template <auto member>
 ValueOf<member>* fieldIn(AdaptiveOtfConfig& config) {
     RuleOf<member>* rule = find(config, static_cast<RuleOf<member>*>(nullptr));

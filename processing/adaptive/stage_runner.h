@@ -23,7 +23,7 @@ inline constexpr Stage detectionStage{&StageTimes::detection, 0.75, 0.95};
 inline constexpr Stage weightsStage{&StageTimes::weights, 0.95, 0.98};
 inline constexpr Stage curveStage{&StageTimes::curve, 0.98, 1.0};
 
-/// One run; lives on the thread that asked for it. Progress is reported from that thread alone and never falls.
+/// One run. It lives on the thread that asked for it; progress is reported from that thread alone and never falls.
 class StageRunner {
 public:
     /// Both must outlive the runner.
@@ -43,8 +43,8 @@ public:
         return !m_progress.cancelled();
     }
 
-    /// Calls body(i, state) for i = 0 ... count - 1 on all threads, in any order; state: what makeState() gives, one
-    /// for the calls that follow each other on one thread. After a cancellation the remaining calls are left out.
+    /// Calls body(i, state) for i = 0 ... count - 1 on all threads, in any order. `state` is what makeState() gives,
+    /// one for the calls that follow each other on one thread. After a cancellation the remaining calls are left out.
     template <typename MakeState, typename Body>
     void forEach(std::size_t count, const MakeState& makeState, const Body& body) {
         std::atomic<std::size_t> done = 0;
@@ -73,7 +73,8 @@ private:
         m_stageStart = Clock::now();
     }
 
-    /// ofStage: share of the stage that is done. Other threads report nothing: their counts may arrive out of order.
+    /// `ofStage` is the share of the stage that is done, in [0,1]. Other threads report nothing, because their counts
+    /// may arrive out of order.
     void reportShare(double ofStage) {
         if (std::this_thread::get_id() == m_caller)
             m_progress.at(ofStage < 1.0 ? m_stage->from + ofStage * (m_stage->to - m_stage->from) : m_stage->to);

@@ -44,7 +44,7 @@ struct MotionChoice {
     MotionAxis axis = MotionAxis::y;
     MotionScenario scenario = MotionScenario::probe;
     MotionOtf otf = MotionOtf::oneOtf;
-    bool pingPong = true;  ///< turns at the ends; false: starts from the first frame again
+    bool pingPong = true;  ///< whether the motion turns at its ends; else it starts from the first frame again
     friend bool operator==(const MotionChoice&, const MotionChoice&) = default;
 };
 
@@ -98,7 +98,8 @@ struct Document {
 /// assumed beam, whole, uncut, from its first phase on.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
-/// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); empty: nothing does.
+/// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); an empty text where
+/// nothing does.
 [[nodiscard]] std::string problemOf(const Document& document);
 
 }  // namespace echolucent

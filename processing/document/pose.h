@@ -12,7 +12,7 @@ namespace echolucent {
 
 /// Who said along which way sound travelled.
 enum class BeamSource {
-    assumed,  ///< nobody: the default
+    assumed,  ///< nobody did; the default is taken
     person,   ///< chosen in the program
 };
 /// "assumed", "person".
@@ -26,7 +26,8 @@ struct Beam {
     friend bool operator==(const Beam&, const Beam&) = default;
 };
 
-/// A direction of looking, relative to the beam: the angles of Viewpoint, degrees. All 0: along the beam.
+/// A direction of looking, relative to the beam: the angles of Viewpoint, degrees. Where all are 0, it is along the
+/// beam.
 struct ViewDirection {
     double azimuth = 0.0;
     double elevation = 0.0;  ///< [-90, 90]
@@ -38,7 +39,7 @@ struct ViewDirection {
 struct Pose {
     ViewDirection direction;
     Vec3 offsetMm{0, 0, 0};      ///< from the volume's centre to the point seen at the picture's centre, grid mm
-    double magnification = 1.0;  ///< > 0; 1: the whole volume, seen along the beam in parallel projection, fits
+    double magnification = 1.0;  ///< above 0; at 1 the whole volume, seen along the beam in parallel projection, fits
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 

@@ -52,7 +52,7 @@ struct Motion {
     bool objectMoves = false;                    ///< whether phases follow each other; where false, firstPhase stays
     int firstPhase = 0;
 };
-/// The frames of a motion in a study of so many `phases`. Throws std::invalid_argument as sweepFrames() does, and where
+/// The frames of a motion in a study of `phases` phases. Throws std::invalid_argument as sweepFrames() does, and where
 /// firstPhase is not one of them.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 

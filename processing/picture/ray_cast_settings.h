@@ -28,8 +28,9 @@ struct ClippingPlane {
     friend bool operator==(const ClippingPlane&, const ClippingPlane&) = default;
 };
 
-/// Where something opaque stands in each pixel: depth along camera.frame.forward from the grid origin, mm; infinity:
-/// nothing. Row-major from the top left. A map of another size than the picture's is read at the nearest place.
+/// Where something opaque stands in each pixel: depth along camera.frame.forward from the grid origin, mm; infinity
+/// where nothing stands. Row-major from the top left. A map of another size than the picture's is read at the nearest
+/// place.
 struct DepthMap {
     int width = 0, height = 0;
     std::vector<float> depthMm;
@@ -38,17 +39,17 @@ struct DepthMap {
 struct RayCastSettings {
     int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
     Camera camera;
-    /// Nothing before this distance from the grid origin along camera.frame.forward (see nearPlaneDepthMm()).
+    /// Nothing is shown before this distance, mm, from the grid origin along camera.frame.forward (nearPlaneDepthMm()).
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();
     double step = 1.0;  ///< units (smallest spacing) between samples, > 0
     Interpolation interpolation = Interpolation::trilinear;
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
-    std::optional<Shading> shading;                ///< none: no gradient is computed; direct mode only
-    std::optional<DepthColouring> depthColouring;  ///< none: costs nothing; direct mode only
+    std::optional<Shading> shading;                ///< where it is not set, no gradient is computed; direct mode only
+    std::optional<DepthColouring> depthColouring;  ///< where it is not set, it costs nothing; direct mode only
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
-    std::shared_ptr<const DepthMap> opaqueDepth;  ///< null: rays end at the volume's box only
+    std::shared_ptr<const DepthMap> opaqueDepth;  ///< where it is null, rays end at the volume's box only
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
     bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner
     bool findDepth = false;      ///< Picture::depthMm is wanted

@@ -10,8 +10,8 @@ namespace echolucent {
 enum class RenderMode {
     direct,   ///< direct volume rendering: eqs. 2 and 3
     maximum,  ///< the colour of the largest intensity on the ray; the curve plays no part here and below
-    minimum,  ///< of the smallest
-    mean,     ///< of the mean: an x-ray
+    minimum,  ///< the colour of the smallest intensity on the ray
+    mean,     ///< the colour of the mean intensity on the ray: an x-ray
 };
 
 /// "direct", "maximum", "minimum", "mean".

@@ -32,7 +32,7 @@ public:
     /// Table positions; of a brick without any data the lowest is above the highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
-    /// 1 where a voxel of the brick's cubes carries no data; empty: all do.
+    /// 1 where a voxel of the brick's cubes carries no data; empty where all do.
     [[nodiscard]] const std::vector<std::uint8_t>& missing() const { return m_missing; }
 
 private:
@@ -54,11 +54,12 @@ public:
     void update(const BrickRanges& ranges, const TransferTable& table);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
-    /// False: every brick shows something.
+    /// Whether any brick shows nothing.
     [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
     /// Bricks whose distance the last update computed anew.
     [[nodiscard]] std::int64_t updatedBricks() const { return m_updatedBricks; }
-    /// Per brick: 0 where it shows something; d: all bricks less than d away on every axis show nothing.
+    /// One number a brick: 0 where the brick shows something, else d where all bricks less than d away on every axis
+    /// show nothing.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
 
 private:

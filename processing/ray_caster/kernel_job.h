@@ -22,8 +22,8 @@ struct DepthTint {
 };
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first, all rays' second, ...; each the table position times KernelJob::keptPerPosition,
-/// or noData; so for a shaded picture as for a plain one.
+/// follow each other: all rays' first samples, then all rays' second samples and so on. Each is the table position
+/// times KernelJob::keptPerPosition, or noData, in a shaded picture as in a plain one.
 struct KeptSamples {
     static constexpr std::uint16_t noData = 0xFFFF;
     static constexpr float perTablePosition = 32.0f;
@@ -42,13 +42,13 @@ struct KernelJob {
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< packed value to table position
     const TransferTable* table = nullptr;
-    const ColourBends* colourBends = nullptr;      ///< null: the picture has light, depth colours or depths
+    const ColourBends* colourBends = nullptr;      ///< null where the picture has light, depth colours or depths
     const ByteOpacities* byteOpacities = nullptr;  ///< of bytes whose white level is not too low; else `table`
-    const LightSource* light = nullptr;            ///< null: no gradient is computed
+    const LightSource* light = nullptr;            ///< null where no gradient is computed
     float worthGradient = 0.0f;                    ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
-    const std::uint8_t* distances = nullptr;  ///< EmptySpace; null: nothing may be jumped over
-    const std::uint8_t* missing = nullptr;    ///< BrickRanges; null: all voxels carry data
+    const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
+    const std::uint8_t* missing = nullptr;    ///< BrickRanges; null where all voxels carry data
     std::array<std::int64_t, 3> bricks{};
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;

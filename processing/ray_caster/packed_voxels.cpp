@@ -16,7 +16,7 @@ namespace {
 template <typename Voxel>
 struct Source {
     const Voxel* voxels;
-    const std::uint8_t* mask;  ///< null: all are data
+    const std::uint8_t* mask;  ///< null where all are data
     std::array<std::int64_t, 3> size;
     double floatsToTable;
 

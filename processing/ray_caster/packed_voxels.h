@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
     /// What brings a packed value to its table position.
     [[nodiscard]] static float toTable(double whiteLevel);
-    /// Packed like bytes: 255 where there is data, else 0. Null: all voxels carry data.
+    /// Packed like bytes: 255 where there is data, else 0. It is null where all voxels carry data.
     [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }
     [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cubes
     [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cubes

@@ -92,7 +92,8 @@ private:
         }
     }
 
-    /// The number of samples done: all of the run, or up to where nothing more of it shows; 0: nor anything behind it.
+    /// The number of samples done: all of the run, or up to where nothing more of it shows; 0 where nothing behind it
+    /// shows either.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
         for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
         prepareLanes(m_middle, 1.0);

@@ -40,7 +40,7 @@ struct Blend {
 template <typename Voxel>
 struct DirectRays {
     Packet<Voxel> packet;
-    KeptSamples::Packet* kept;  ///< null: samples are not kept
+    KeptSamples::Packet* kept;  ///< null where samples are not kept
     std::optional<Light<Voxel>> light;
     Gathered gathered;
 

@@ -27,7 +27,7 @@ struct PlainRun {
     bool clamped;            ///< there may be values above
     bool nearest;            ///< of the nearest voxel, not the mean of those around
     float keptPerValue;
-    std::uint16_t* kept;  ///< of the run's first sample; null: none are kept
+    std::uint16_t* kept;  ///< of the run's first sample; null where samples are not kept
     FloatVector limit;    ///< a ray ends above that opacity of the run
 };
 

@@ -152,7 +152,8 @@ public:
         return static_cast<std::int64_t>(steps) / blockSize * blockSize;
     }
 
-    /// The run from `first`, a multiple of blockSize, of `count` samples at most. lane: of that ray alone; -1: of all.
+    /// The run from `first`, a multiple of blockSize, of `count` samples at most; of the ray of `lane` alone, or of all
+    /// where lane is -1.
     [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
         Run<Voxel> run;
         run.first = first;
@@ -164,7 +165,7 @@ public:
         return run;
     }
 
-    /// Cut steps as a run of one sample. lane: of that ray alone; -1: of all.
+    /// Cut steps as a run of one sample, of the ray of `lane` alone, or of all where lane is -1.
     [[nodiscard]] Run<Voxel> run(const CutSteps<lanes>& cut, int lane) const {
         Run<Voxel> run;
         run.first = 0;
@@ -208,8 +209,8 @@ public:
         return run;
     }
 
-    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0: the rays are
-    /// so far apart that each needs runs of its own.
+    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0 where the rays
+    /// are so far apart that each needs runs of its own.
     [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
     [[nodiscard]] std::int64_t longestSingleRun() const { return std::max<std::int64_t>(runWithin(0.0), 1); }
 

@@ -253,7 +253,7 @@ HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t s
 template <typename Voxel>
 struct Cubes {
     const Voxel* cubes;
-    const std::uint8_t* mask;  ///< null: all voxels around carry data
+    const std::uint8_t* mask;  ///< null where all voxels around carry data
     std::int64_t rowStride, sliceStride;
 
     HWY_INLINE IntVector offsetOf(const Position& at) const {

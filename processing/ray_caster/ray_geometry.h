@@ -32,7 +32,8 @@ struct Ray {
     }
 };
 
-/// Part of a step at the begin or end of a ray: sampled at `at` steps, `length` (0: none) below 1.
+/// Part of a step at the begin or end of a ray: sampled at `at` steps; its `length` is below 1, and 0 where there is no
+/// such part.
 template <int lanes>
 struct CutSteps {
     alignas(64) double at[lanes], length[lanes];

@@ -25,7 +25,7 @@ struct ColourBends {
 
     explicit ColourBends(ColourMap colourMap);
 
-    bool any = false;  ///< false: one range is all, as of grey
+    bool any = false;  ///< false where one range is all, as in the grey map
     std::array<float, 3> base{}, slope{};
     std::array<std::array<float, count>, 3> change{};
 };

@@ -9,7 +9,7 @@ namespace echolucent {
 /// (1 + d)^g(x) of one tube core, by its logarithm range * g(x). What eq. 5 takes from I_L and I_H alone is computed
 /// once, together with what rounding drops there: I_L + I_H = centre2 + centre2Lost, I_H - I_L = gapHigh + gapLow.
 struct BasisFactor {
-    /// range: ln(1 + d). Needs high > low, both in [0,1].
+    /// `range` is ln(1 + d). high > low is needed, both in [0,1].
     BasisFactor(double low, double high, double range);
 
     double range;

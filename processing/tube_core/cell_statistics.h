@@ -19,10 +19,10 @@ struct CellStatistics {
     std::vector<double> means;           ///< normalised intensity
     std::vector<double> variances;       ///< of normalised intensity, over the cell (divided by n): the interface
                                          ///< indicating function; empty where only means were asked for
-    std::vector<std::uint8_t> complete;  ///< 1: at least half of the samples are data; 0: the values are held from the
-                                         ///< cell before
+    std::vector<std::uint8_t> complete;  ///< 1 where at least half of the samples are data; else 0, and the values are
+                                         ///< those of the cell before
     int firstCell = 0;                   ///< the first slab of which at least half is data
-    int lastCell = -1;                   ///< the last cell that ends at such a slab; below firstCell: there is no cell
+    int lastCell = -1;  ///< the last cell that ends at such a slab; below firstCell where there is no cell
     bool anyData = false;
 };
 
@@ -32,17 +32,17 @@ struct CellStatistics {
     return count * sumOfSquares - sum * sum;
 }
 
-/// Cells from exact sums; whiteLevel: the stored value of normalised intensity 1.
+/// Cells from exact sums. `whiteLevel` is the stored value of normalised intensity 1.
 void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
-/// Cells from single-precision moments; whiteLevel: times slabScale(), as they are. Where all slabs are equal, so are
-/// the cells, to the last bit.
+/// Cells from single-precision moments. `whiteLevel` is multiplied by slabScale(), as the moments are. Where all slabs
+/// are equal, so are the cells, to the last bit.
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
 /// Cells of whatever slabs the tube has.
 void cellsFrom(const TubeSlabs& tube, int cellSize, CellStatistics& cells);
 
-/// Cells' means alone, from the means of slabs that are all complete; `first`: index of the first of them.
+/// Cells' means alone, from the means of slabs that are all complete. `first` is the index of the first of them.
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);
 
 /// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.

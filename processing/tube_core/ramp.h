@@ -17,8 +17,8 @@ namespace echolucent {
 inline constexpr double leastRampWidth = 0.3;
 
 /// The tubes' ramps at `count` equidistant intensities 0 ... 1, their mean weighted by d: how surely an intensity is
-/// surface, [0,1]; empty: no tube has a weight. Compensated and summed in an order of the ramps' own: the same bits for
-/// any order of the tubes.
+/// surface, [0,1]; empty where no tube has a weight. The sums are compensated and have an order of the ramps' own, so
+/// that the bits are the same for any order of the tubes.
 [[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& rule, int count);
 
 }  // namespace echolucent

@@ -28,9 +28,9 @@ struct RatioThresholds {
 
 /// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
 /// Element i belongs to the boundary between slabs i + leastFluid - 1 and i + leastFluid; there is none with fewer than
-/// half of slabsBehind past it. `scaled`: the profile on the scale.
+/// half of slabsBehind past it. `scaled` is the profile on the scale.
 void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::span<float> contrasts);
-/// How many boundaries with a contrast a profile of so many slabs has.
+/// How many boundaries with a contrast a profile of `slabs` slabs has.
 [[nodiscard]] std::size_t contrastCount(std::size_t slabs, const RatioRule& rule);
 
 /// All tubes' profiles on the scale and their contrasts, computed once for the thresholds and for the surfaces.

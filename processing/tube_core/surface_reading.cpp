@@ -10,8 +10,9 @@ namespace echolucent {
 
 namespace {
 
-/// Finite values, not empty. Sorting by vectors takes half the time of std::nth_element, whose branches none foresees.
-double medianOf(std::vector<double>& values) {
+/// The middle of finite values, of which there must be one; of an even number the upper of the two in the middle. The
+/// values are sorted. Sorting by vectors takes half the time of std::nth_element, whose branches no processor foresees.
+double upperMedianOf(std::vector<double>& values) {
     thread_local hwy::Sorter sort;
     sort(values.data(), values.size(), hwy::SortAscending());
     return values[values.size() / 2];
@@ -31,7 +32,7 @@ double sumOf(std::span<const double> values) {
     return sum;
 }
 
-/// I_L over the last `reach` cells that end before the surface cell; none: there is no such cell.
+/// I_L over the last `reach` cells that end before the surface cell; nothing where there is no such cell.
 std::optional<double> meanBefore(const CellStatistics& cells, int surfaceCell, int reach, int cellSize) {
     const int last = surfaceCell - cellSize;
     const int first = std::max(cells.firstCell, last - reach + 1);
@@ -54,7 +55,7 @@ std::optional<double> scatterOf(std::span<const double> cellMeans, int apart) {
     for (std::size_t i = step; i < cellMeans.size(); ++i)
         differences.push_back(std::abs(cellMeans[i] - cellMeans[i - step]));
     // The median of |a - b| is 0.6745 sqrt(2) standard deviations of a in normal noise.
-    return medianOf(differences) / 0.9539;
+    return upperMedianOf(differences) / 0.9539;
 }
 
 bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule& rule, int cellSize, TubeCore& tube) {
@@ -74,7 +75,7 @@ bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule
     if (const auto scatter = scatterOf(prior, cellSize)) {
         // Without any noise, rounding to stored values would still be some.
         constexpr double leastScatter = 1e-6;
-        tube.edgeToNoise = (meanOf(behind) - medianOf(prior)) / std::max(*scatter, leastScatter);
+        tube.edgeToNoise = (meanOf(behind) - upperMedianOf(prior)) / std::max(*scatter, leastScatter);
     }
     return true;
 }

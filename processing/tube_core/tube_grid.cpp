@@ -28,7 +28,7 @@ struct Chord {
     double begin, end;  ///< mm along the axis from its point
 };
 
-/// The part of a line inside the volume's box and behind the near cut; none: nothing of it.
+/// The part of a line inside the volume's box and behind the near cut; nothing where no part of it is.
 std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
                              double nearDepth) {
     Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};

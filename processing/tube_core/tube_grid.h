@@ -15,20 +15,21 @@ namespace echolucent {
 struct TubeGrid {
     int columns = 15;      ///< tube cores across the view's right axis (Petersch 2005, 6.1)
     int rows = 15;         ///< tube cores across the view's down axis
-    double spacing = 0.0;  ///< units (the volume's smallest spacing) between tube cores; 0: as far as the grid covers
+    double spacing = 0.0;  ///< units (the volume's smallest spacing) between tube cores; where it is 0, the grid covers
                            ///< the volume (13 in the paper's 199x197x199)
     friend bool operator==(const TubeGrid&, const TubeGrid&) = default;
 };
 
 /// The axis of one tube core.
 struct TubeAxis {
-    int column = 0;                  ///< u: index along the view's right axis
-    int row = 0;                     ///< v: index along the view's down axis
-    Vec3 pointMm{0, 0, 0};           ///< a point of the axis, grid mm: in the plane across the view through the centre
-    Vec3 directionMm{0, 0, 1};       ///< unit, grid mm: the view's forward
-    std::optional<Vec3> entryVoxel;  ///< where the picture begins on it: entry into the volume's box or, if later, the
-                                     ///< near cut, voxel index space; none: the axis misses what the picture shows
-    std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; none with entryVoxel
+    int column = 0;             ///< u: index along the view's right axis
+    int row = 0;                ///< v: index along the view's down axis
+    Vec3 pointMm{0, 0, 0};      ///< a point of the axis, grid mm: in the plane across the view through the centre
+    Vec3 directionMm{0, 0, 1};  ///< unit, grid mm: the view's forward
+    /// Where the picture begins on the axis, voxel index space: entry into the volume's box or, if later, the near cut.
+    /// It is not set where the axis misses what the picture shows.
+    std::optional<Vec3> entryVoxel;
+    std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; set where entryVoxel is
 };
 
 /// Units between tube cores along the view's right and down axes: grid.spacing, or where that is 0 the extent of

@@ -14,7 +14,7 @@ double rankOf(double value, const std::vector<double>& ascending) {
     return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
 }
 
-/// The values as the lower ends of their bins, counted in bins; bins of 0: as they are.
+/// The values as the lower ends of their bins, counted in bins; the values as they are where bins is 0.
 void sortIntoBins(std::vector<double>& values, int bins) {
     if (bins == 0 || values.empty()) return;
     const double largest = *std::max_element(values.begin(), values.end());

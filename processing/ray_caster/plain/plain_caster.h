@@ -30,11 +30,11 @@ enum class CompositingPrecision {
 struct PlainCasting {
     CompositingPrecision precision = CompositingPrecision::twofold;
     /// A step that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
-    /// 0: every step is lit by its gradient, so that pictures converge; castRays() uses min(1, step) / 128.
+    /// Where it is 0, every step is lit by its gradient, so that pictures converge; castRays() uses min(1, step) / 128.
     double leastLitOpacity = 0.0;
-    /// No step is cut: each counts whole where its middle is rendered, else not at all, as many volume renderers do. A
-    /// ray then errs by up to half a step at either end: on opaque faces of the box by many levels, still at steps of
-    /// 0.1.
+    /// Whether no step is cut: then each counts whole where its middle is rendered, else not at all, as many volume
+    /// renderers do. A ray then errs by up to half a step at either end: on opaque faces of the box by many levels,
+    /// still at steps of 0.1.
     bool wholeSteps = false;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };

@@ -18,7 +18,8 @@ struct ProductRule {
 /// of the weights count, so the paper's strength is taken for d_max.
 struct RampRule {
     double begin = 0.4;          ///< an intensity is clear up to this share of the way from I_L to I_H
-    double clearSpreads = 2.5;   ///< and up to this many standard deviations of the fluid's own voxels above I_L
+    double clearSpreads = 2.5;   ///< an intensity is clear, too, up to this many standard deviations of the fluid's
+                                 ///< own voxels above I_L
     double end = 1.6;            ///< the ramp is full from this share of the way on; above begin
     double opacity = 1.0;        ///< opacity where all tube cores say surface, per unit length
     double trustedShare = 0.05;  ///< share of the tube cores that must have a weight for the initial function to have

@@ -7,9 +7,9 @@ namespace echolucent {
 /// voxels of a slab (SpeckleScale). The ranges, and the experiment that chose each value, stand in methodParameters().
 struct RatioRule {
     double falseAlarm = 3.25;  ///< the least contrast of a surface, in standard deviations of the contrast where there
-                               ///< is no boundary; 0: contrastFloor alone holds
+                               ///< is no boundary; where it is 0, contrastFloor alone holds
     double contrastFloor = 0.5;    ///< the least contrast of a surface is never below this
-    double contrastCeiling = 4.0;  ///< nor above this: what stands out so far is never speckle
+    double contrastCeiling = 4.0;  ///< and never above this, because what stands out so far is never speckle
     int slabsBefore = 10;          ///< slabs averaged before a boundary; leastFluid suffice where the tube begins later
     int slabsBehind = 6;           ///< slabs averaged behind a boundary; half of them suffice where the tube ends
     int rampSlabs = 3;             ///< slabs on each side of a boundary that may lie on its ramp

@@ -18,18 +18,18 @@ struct VarianceRule {
     int finestScale = 3;               ///< the narrowest Gaussian kernel has size 2^finestScale units
     double sigmaPerKernelSize = 0.25;  ///< standard deviation of a kernel, in sizes of that kernel
     double kernelCut = 3.0;            ///< kernels end at this many standard deviations and are renormalised
-    bool kernelEndsAtZero = true;      ///< true: kernels are lowered so that they end at zero; false: they are cut
+    bool kernelEndsAtZero = true;      ///< whether kernels are lowered so that they end at zero; else they are cut
     TubeBorder border = TubeBorder::mirrorThenZero;
     SmoothingRoute smoothing = SmoothingRoute::direct;
     double significance = 0.4;   ///< a local maximum counts from this share of the largest value in its range
-    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking; 0:
-                                 ///< nothing is taken off
+    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking; where
+                                 ///< it is 0, nothing is taken off
     double trackingRangeSigmas = 0.0;  ///< the next scale looks this many of the present scale's standard deviations
-                                       ///< around its maximum; 0: from valley to valley around the maximum
-    bool coarsestMustHaveMaximum = false;  ///< true: without a maximum at the coarsest scale there is no surface;
-                                           ///< false: tracking begins at the coarsest scale that has one
+                                       ///< around its maximum; where it is 0, from valley to valley
+    bool coarsestMustHaveMaximum = false;  ///< where true, there is no surface without a maximum at the coarsest scale;
+                                           ///< else tracking begins at the coarsest scale that has one
     double leastEdgeToNoise = 4.0;  ///< a surface of less edge to noise weighs nothing: the absolute test that ranks
-                                    ///< cannot be; 0: there is no test
+                                    ///< cannot be; where it is 0, there is no test
     friend bool operator==(const VarianceRule&, const VarianceRule&) = default;
 };
 

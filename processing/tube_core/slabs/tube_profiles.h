@@ -21,9 +21,9 @@ public:
 
     /// Takes one tube's slabs; different tubes may be set side by side.
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
-    /// Of stored values, with their second moments; whiteLevel: the one of normalised intensity 1.
+    /// Takes sums of stored values and of their squares. `whiteLevel` is the stored value of normalised intensity 1.
     void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
-    /// whiteLevel: times slabScale(), as the means are.
+    /// Takes means of stored values. `whiteLevel` is multiplied by slabScale(), as the means are.
     void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
 
     [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
@@ -31,14 +31,14 @@ public:
     [[nodiscard]] int firstSlab(std::size_t tube) const { return m_first[tube]; }
     /// Whether any of its samples has data.
     [[nodiscard]] bool anyData(std::size_t tube) const { return m_anyData[tube] != 0; }
-    /// Mean normalised intensity from that slab on; empty: no slab holds enough data.
+    /// Mean normalised intensity from that slab on; empty where no slab holds enough data.
     [[nodiscard]] std::span<const float> means(std::size_t tube) const { return part(m_means, tube); }
     /// Standard deviation of a slab's samples, normalised intensity; as long as means().
     [[nodiscard]] std::span<const float> spreads(std::size_t tube) const { return part(m_spreads, tube); }
 
 private:
-    /// countOf(k): samples of slab k with data. write(first, count, means, spreads): writes means and spreads of
-    /// `count` slabs from the first on; those of too little data are overwritten.
+    /// countOf(k) gives the samples of slab k with data. write(first, count, means, spreads) writes means and spreads
+    /// of `count` slabs from the first on; those of too little data are overwritten.
     template <typename CountOf, typename Write>
     void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
     [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {

@@ -23,7 +23,8 @@ using FloatVector = hn::Vec<Floats>;
 using IntVector = hn::Vec<Ints>;
 using FloatMask = hn::Mask<Floats>;
 
-/// Bytes are blended along x in integers, with weights of so many binary places: exact, and few instructions.
+/// Bytes are blended along x in integers, with weights of byteWeightBits binary places, which is exact and takes few
+/// instructions.
 constexpr int byteWeightBits = 14;
 
 /// What blended values must be multiplied by to be stored values.

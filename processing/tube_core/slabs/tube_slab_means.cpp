@@ -63,7 +63,7 @@ namespace {
 
 using namespace tube_slabs;
 
-/// Positions of slabs are added up with so many binary places more, so that their steps do not drift.
+/// Positions of slabs are added up with this many binary places more, so that their steps do not drift.
 constexpr int stepBits = 32;
 
 std::int64_t fixedPoint(double value, int bits) { return std::llround(std::ldexp(value, bits)); }

@@ -10,7 +10,8 @@ namespace echolucent::tube_slabs {
 /// Slabs in one piece at most, and one vector's lanes at most.
 inline constexpr int pieceLength = 16;
 
-/// Positions are fixed-point numbers with so many binary places: exact sums, a cell and its share by a shift.
+/// Positions are fixed-point numbers with positionBits binary places, so that sums are exact and a shift gives a cell
+/// and its share.
 inline constexpr int positionBits = 16;
 inline constexpr std::int32_t oneVoxel = 1 << positionBits;
 
@@ -29,7 +30,7 @@ enum class Surroundings {
 template <typename Voxel>
 struct Piece {
     const Voxel* first = nullptr;
-    const std::uint8_t* mask = nullptr;               ///< of the voxel at `first`; null: all are data
+    const std::uint8_t* mask = nullptr;               ///< of the voxel at `first`; null where all are data
     std::int32_t rowStride = 0, sliceStride = 0;      ///< voxels; 0 along an axis of one voxel
     std::array<std::int32_t, 3> lowest{}, highest{};  ///< the outermost voxels' positions
     std::array<std::int32_t, 3> lastCell{};           ///< the last cell with a voxel on either side

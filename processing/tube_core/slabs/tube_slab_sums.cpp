@@ -20,7 +20,7 @@ namespace echolucent::tube_slabs {
 template <typename Stored>
 struct VoxelGrid {
     const Stored* voxels;
-    const std::uint8_t* mask;  ///< null: all are data
+    const std::uint8_t* mask;  ///< null where all are data
     std::int64_t count;        ///< voxels
     Stored limit;              ///< larger ones count as this
 };

@@ -34,8 +34,8 @@ struct TubeSlabs {
     double whiteLevel = 1.0;  ///< what normalised intensity 1 is in SlabSums and SlabMeans
 };
 
-/// Stored values above this count as this (normalised intensity ends at 1); none: the volume's voxels are not integers,
-/// or its white level is not one where it matters, so that sums of stored values would not be exact.
+/// Stored values above this count as this (normalised intensity ends at 1). Nothing where the volume's voxels are not
+/// integers, or where its white level is not one and that matters, so that sums of stored values would not be exact.
 [[nodiscard]] std::optional<std::uint32_t> exactStoredLimit(const Volume& volume);
 
 /// Sums of tubes that lie on voxels, side by side in one row of the grid, so that memory is walked once for all of
