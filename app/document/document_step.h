@@ -14,7 +14,7 @@ public:
     /// Makes a document the present one.
     using Restore = std::function<void(const Document& document)>;
 
-    /// gesture 0: the step stands alone.
+    /// A step of gesture 0 stands alone.
     DocumentStep(Document before, Document after, const QString& what, int gesture, Restore restore);
 
     void undo() override;

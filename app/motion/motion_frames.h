@@ -35,7 +35,7 @@ public:
     };
     explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
 
-    /// Another study of so many phases is open: the motion is at rest in its first frame.
+    /// Another study is open, with `phases` phases: the motion is at rest in its first frame.
     void beginAtRest(int phases);
     /// The curve that the present frame shows of an OTF that was computed just now; the OTF is kept.
     [[nodiscard]] SampledCurve curveToShow(std::shared_ptr<const AdaptiveOtf> otf);
@@ -77,7 +77,7 @@ private:
     };
     std::optional<CourseKey> m_courseKey;
     QElapsedTimer m_frameClock;  ///< since the frame shown last
-    double m_frameSeconds = 0;   ///< running mean; 0: none yet
+    double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
 };
 
 }  // namespace echolucent

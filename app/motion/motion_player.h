@@ -32,7 +32,7 @@ public:
     [[nodiscard]] MotionScenario scenario() const { return m_scenario; }
     [[nodiscard]] MotionAxis axis() const { return m_axis; }
     [[nodiscard]] bool pingPong() const { return m_pingPong; }
-    /// Least time between two steps, ms; 0: as fast as frames are shown. Default 33.
+    /// The least time between two steps, ms, 33 at first. At 0, steps follow each other as fast as frames are shown.
     void setMinimumFrameInterval(int milliseconds);
 
     /// Takes the next step at once, without waiting for the interval. False (and no step) while paused, or while the
@@ -45,16 +45,17 @@ public slots:
     void togglePlaying();
     /// Rounded to whole degrees and clamped into the range. Emits angleChanged where it differs.
     void setAngle(double degrees);
-    /// The angle so many degrees on, clamped into the range.
+    /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);
     void setScenario(echolucent::MotionScenario scenario);
-    /// A study of so many phases (>= 1) is shown from its first phase; emits nothing.
+    /// A study of `count` phases (>= 1) is shown from its first phase; emits nothing.
     void setPhaseCount(int count);
     /// Another phase is shown, by hand; emits nothing. Needs a phase of the study.
     void setPhase(int phase);
-    /// Emits angleChanged(0) where another axis is chosen away from 0: the motion starts from its view again.
+    /// Emits angleChanged(0) where another axis is chosen while the angle is not 0: the motion starts from its view
+    /// again.
     void setAxis(echolucent::MotionAxis axis);
-    /// True: turns at the ends and shows them once; false: starts from the first angle again.
+    /// Whether the motion turns at its ends and shows them once; else it starts from the first angle again.
     void setPingPong(bool pingPong);
     /// The present frame is on the screen. To be called for every frame, played or scrubbed.
     void frameShown();

@@ -36,7 +36,7 @@ public:
     /// Saves what the 3D view shows, without any name of a patient or file in it.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
-    /// Asks where an edited manual curve would be lost; false: it must not be.
+    /// Asks where an edited manual curve would be lost. Returns false where it must not be.
     bool mayLoseManualCurve();
 
 private:

@@ -83,7 +83,7 @@ void MainWindow::connectProgress() {
         m_session.cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
     });
-    // Last of all that these signals lead to.
+    // This connection is made last, so that it runs after all others of these signals.
     const auto somethingEnded = [this] {
         m_motion->announceShownFrame();
         updateIdle();

@@ -23,7 +23,7 @@ class OtfCourse {
 public:
     /// A step of more frames than this is a jump: what was before it is not smoothed with what comes after.
     static constexpr int longestStep = 3;
-    /// Flicker is measured over the newest frames, at most so many.
+    /// Flicker is measured over the newest frames, at most this many.
     static constexpr std::size_t flickerFrames = 30;
 
     /// What the rows stand for: angles where the probe moves, phases where only the object does.

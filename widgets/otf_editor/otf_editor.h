@@ -42,7 +42,7 @@ public:
     void setHistogram(const IntensityHistogram& histogram);
     /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
     void setWhiteLevel(double whiteLevel);
-    /// Marks an intensity in the plot, as under the cursor in the 3D view; nothing: no mark.
+    /// Marks an intensity in the plot, as under the cursor in the 3D view; removes the mark where it is not given.
     void setCursorIntensity(std::optional<double> intensity);
 
     /// A curve read from a file: becomes the manual one and active, as one undo step, and counts as saved.

@@ -166,7 +166,7 @@ void OtfEditorModel::dragNode(int index, const CurveNode& node) {
     if (!m_beforeDrag) return;
     OtfEditorState next = withManualActive();
     next.manual.nodes.at(static_cast<std::size_t>(index)) = clampedNode(index, node);
-    // Until the node has really moved, the drag has changed nothing: not the active curve either.
+    // Until the node has really moved, the drag has changed nothing, not even which curve is active.
     if (next.manual != m_state.manual) preview(next);
 }
 

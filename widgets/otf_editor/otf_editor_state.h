@@ -9,7 +9,7 @@ namespace echolucent {
 
 /// The five curves, which of them is rendered and which are drawn.
 struct OtfEditorState : CurveSet {
-    SampledCurve adaptive;                                      ///< empty: not computed yet
+    SampledCurve adaptive;                                      ///< empty where it is not computed yet
     CurveKind active = CurveKind::adaptive;                     ///< the curve that is rendered
     std::array<bool, 5> visible{true, true, true, true, true};  ///< drawn in the plot, by indexOf(kind)
     friend bool operator==(const OtfEditorState&, const OtfEditorState&) = default;

@@ -39,7 +39,7 @@ private:
     QElapsedTimer m_sinceUpdate;
     QElapsedTimer m_sincePicture;
     double m_drawing = 0.0;
-    double m_interval = 0.0;  // ms, 0: not known
+    double m_interval = 0.0;  // ms; 0 where it is not known
     int m_intervals = 0;      // of the newest movement
 };
 

@@ -42,7 +42,7 @@ public:
     static constexpr double warmUpFrames = 5.0;
 
 private:
-    /// ms per ray and sample per unit of depth; 0: nothing measured yet.
+    /// Milliseconds a ray, and a sample per unit of depth; 0 before anything was measured.
     struct Cost {
         double sampling = 0.0;
         double reclassifying = 0.0;

@@ -31,7 +31,7 @@ struct PictureReport {
     QSize rays;
     double step = 1.0;              ///< units between samples
     double castMilliseconds = 0.0;  ///< in the casting thread
-    double drawMilliseconds = 0.0;  ///< in the person's thread, of the picture on the screen before; 0: not known yet
+    double drawMilliseconds = 0.0;  ///< in the GUI thread, of the picture before this one; 0 where it is not known yet
     std::optional<double> framesPerSecond = {};  ///< drawn in the newest movement; empty before the first
 };
 

@@ -30,9 +30,10 @@ public:
     static RayCastMapper* New();
     vtkTypeMacro(RayCastMapper, vtkVolumeMapper)
 
-        /// The picture drawn from now on; none: nothing is drawn.
+        /// Sets the picture that is drawn from now on; nothing is drawn where it is null.
         void setPicture(std::shared_ptr<const ScreenPicture> picture);
-    /// What is drawn instead of the picture; null: the picture. It must outlive this mapper's next drawing.
+    /// Sets what is drawn instead of the picture; null brings the picture back. It must outlive this mapper's next
+    /// drawing.
     void setGraphicsCardVolume(GraphicsCardVolume* volume);
 
     void Render(vtkRenderer* renderer, vtkVolume* volume) override;

@@ -26,7 +26,7 @@ namespace echolucent {
 /// data only; the mask is 1 on data.
 struct CellImages {
     vtkSmartPointer<vtkImageData> voxels;
-    vtkSmartPointer<vtkImageData> mask;  ///< null: all are data
+    vtkSmartPointer<vtkImageData> mask;  ///< null where all are data
 };
 [[nodiscard]] CellImages cellImagesOf(const Volume& volume);
 

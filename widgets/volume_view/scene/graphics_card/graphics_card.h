@@ -12,7 +12,7 @@ class vtkOpenGLRenderWindow;
 namespace echolucent {
 
 struct GraphicsCard {
-    std::string renderer;         ///< OpenGL's renderer string; empty: not known yet
+    std::string renderer;         ///< OpenGL's renderer string; empty where it is not known yet
     int largestTextureSide = 0;   ///< voxels along an axis of a 3D texture
     std::int64_t freeBytes = -1;  ///< of memory; -1: it does not tell
 };
