@@ -66,13 +66,13 @@ void ScaleSmoother::begin(std::span<const double> function) {
     transformKernels(length);
 }
 
-void ScaleSmoother::smooth(std::size_t level, std::vector<double>& result) {
+void ScaleSmoother::smooth(std::size_t scale, std::vector<double>& result) {
     if (m_function.empty()) {
         result.clear();
     } else if (m_space.route() == SmoothingRoute::fourier) {
-        multiplySpectra(level, result);
+        multiplySpectra(scale, result);
     } else {
-        convolve(m_space.kernel(level), result);
+        convolve(m_space.kernel(scale), result);
     }
 }
 
@@ -100,9 +100,9 @@ void ScaleSmoother::convolve(const GaussianKernel& kernel, std::vector<double>& 
 
 void ScaleSmoother::transformKernels(std::size_t length) {
     if (!m_kernelSpectra.empty() && m_kernelSpectra.front().size() == length) return;
-    m_kernelSpectra.assign(m_space.levels(), std::vector<double>(length));
-    for (std::size_t level = 0; level < m_space.levels(); ++level) {
-        const GaussianKernel& kernel = m_space.kernel(level);
+    m_kernelSpectra.assign(m_space.scales(), std::vector<double>(length));
+    for (std::size_t scale = 0; scale < m_space.scales(); ++scale) {
+        const GaussianKernel& kernel = m_space.kernel(scale);
         std::vector<double> wrapped(length, 0.0);
         wrapped[0] = kernel.weight(0);
         for (int distance = 1; distance <= kernel.radius(); ++distance) {
@@ -111,15 +111,15 @@ void ScaleSmoother::transformKernels(std::size_t length) {
             wrapped[after] += kernel.weight(distance);
             wrapped[(length - after) % length] += kernel.weight(distance);
         }
-        cv::Mat spectrum = rowOver(m_kernelSpectra[level]);
+        cv::Mat spectrum = rowOver(m_kernelSpectra[scale]);
         cv::dft(rowOver(wrapped), spectrum);
     }
 }
 
-void ScaleSmoother::multiplySpectra(std::size_t level, std::vector<double>& result) {
+void ScaleSmoother::multiplySpectra(std::size_t scale, std::vector<double>& result) {
     m_product.resize(m_spectrum.size());
     cv::Mat product = rowOver(m_product);
-    cv::mulSpectrums(rowOver(m_spectrum), rowOver(m_kernelSpectra[level]), product, 0);
+    cv::mulSpectrums(rowOver(m_spectrum), rowOver(m_kernelSpectra[scale]), product, 0);
     cv::dft(product, product, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
     const auto first = m_product.begin() + static_cast<std::ptrdiff_t>(m_before);
     result.assign(first, first + static_cast<std::ptrdiff_t>(m_function.size()));

@@ -12,8 +12,9 @@ namespace echolucent {
 /// A sampled Gaussian, cut and renormalised: symmetric, odd, its weights sum to 1.
 class GaussianKernel {
 public:
-    /// sigma in samples, above 0; ends at cut * sigma. endsAtZero: lowered before it is renormalised, so that it ends
-    /// at zero. A kernel that ends in a step makes a false maximum where its end passes over a peak.
+    /// `sigma` is in samples, above 0; the kernel ends at cut * sigma. Where endsAtZero, it is lowered before it is
+    /// renormalised, so that it ends at zero. A kernel that ends in a step makes a false maximum where its end passes
+    /// over a peak.
     GaussianKernel(double sigma, double cut, bool endsAtZero = true);
     [[nodiscard]] int radius() const { return static_cast<int>(m_weights.size()) - 1; }
     /// Weight at distance 0 ... radius().
@@ -29,11 +30,11 @@ private:
 class ScaleSpace {
 public:
     explicit ScaleSpace(const VarianceRule& rule);
-    [[nodiscard]] std::size_t levels() const { return m_sigmas.size(); }
-    /// In samples.
-    [[nodiscard]] double sigma(std::size_t level) const { return m_sigmas[level]; }
-    [[nodiscard]] const GaussianKernel& kernel(std::size_t level) const { return m_kernels[level]; }
-    /// Of the coarsest kernel.
+    [[nodiscard]] std::size_t scales() const { return m_sigmas.size(); }
+    /// The standard deviation of the kernel of a scale, samples; scale 0 is the coarsest.
+    [[nodiscard]] double sigma(std::size_t scale) const { return m_sigmas[scale]; }
+    [[nodiscard]] const GaussianKernel& kernel(std::size_t scale) const { return m_kernels[scale]; }
+    /// The radius of the coarsest kernel, samples.
     [[nodiscard]] std::size_t largestRadius() const;
     [[nodiscard]] TubeBorder border() const { return m_border; }
     [[nodiscard]] SmoothingRoute route() const { return m_route; }
@@ -45,10 +46,10 @@ private:
     std::vector<GaussianKernel> m_kernels;
 };
 
-/// Smooths one function after the other; one per thread.
+/// Smooths one function after the other. Each thread needs one of its own.
 ///
 /// Borders: mirrorThenZero is mirrored in front of the first sample (f(-1 - i) = f(i), once), zero before the mirror
-/// image and behind the last sample; circular is the function again on both sides. Routes: direct sums products and
+/// image and behind the last sample; circular is the function again on both sides. Routes: direct adds up products and
 /// gives equal surroundings equal bits, so that a constant stays the same to the last bit as far as the zero is out of
 /// reach; fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular) and equals it to rounding.
 class ScaleSmoother {
@@ -59,13 +60,13 @@ public:
     /// The function to be smoothed next; it must stay where it is until the last smooth().
     void begin(std::span<const double> function);
     /// The function at a scale.
-    void smooth(std::size_t level, std::vector<double>& result);
+    void smooth(std::size_t scale, std::vector<double>& result);
 
 private:
     void continueFunction(std::size_t before, std::size_t length);
     void convolve(const GaussianKernel& kernel, std::vector<double>& result) const;
     void transformKernels(std::size_t length);
-    void multiplySpectra(std::size_t level, std::vector<double>& result);
+    void multiplySpectra(std::size_t scale, std::vector<double>& result);
 
     const ScaleSpace& m_space;
     std::span<const double> m_function;

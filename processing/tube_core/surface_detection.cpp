@@ -72,16 +72,16 @@ IndexRange around(int position, double halfWidth) {
 
 std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
                               const VarianceRule& rule, DetectionScratch& scratch) {
-    const std::size_t levels = smoother.space().levels();
+    const std::size_t scales = smoother.space().scales();
     IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
-    if (levels == 0 || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
+    if (scales == 0 || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
     takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
     smoother.begin(scratch.aboveFloor);
     std::vector<int> tracked;
-    for (std::size_t level = 0; level <= levels; ++level) {
-        const bool unsmoothed = level == levels;
+    for (std::size_t scale = 0; scale <= scales; ++scale) {
+        const bool unsmoothed = scale == scales;
         if (unsmoothed && tracked.empty()) return {};
-        if (!unsmoothed) smoother.smooth(level, scratch.smoothed);
+        if (!unsmoothed) smoother.smooth(scale, scratch.smoothed);
         const std::vector<double>& function = unsmoothed ? scratch.aboveFloor : scratch.smoothed;
         const auto maximum = firstSignificantMaximum(function, range, rule.significance);
         if (!maximum && tracked.empty()) {
@@ -91,7 +91,7 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSm
         tracked.push_back(maximum ? *maximum : tracked.back());
         if (!maximum || unsmoothed) continue;
         range = rule.trackingRangeSigmas > 0.0
-                    ? around(*maximum, rule.trackingRangeSigmas * smoother.space().sigma(level))
+                    ? around(*maximum, rule.trackingRangeSigmas * smoother.space().sigma(scale))
                     : valleyToValley(function, *maximum);
     }
     return tracked;

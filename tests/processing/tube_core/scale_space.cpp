@@ -33,11 +33,11 @@ constexpr std::array<double, 5> settledSigmas{32, 16, 8, 4, 2};
 
 TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) {
     const ScaleSpace space{VarianceRule{}};
-    ASSERT_EQ(space.levels(), 5u);
-    for (std::size_t level = 0; level < space.levels(); ++level) {
-        const GaussianKernel& kernel = space.kernel(level);
-        const double sigma = settledSigmas[level];
-        EXPECT_EQ(space.sigma(level), sigma);
+    ASSERT_EQ(space.scales(), 5u);
+    for (std::size_t index = 0; index < space.scales(); ++index) {
+        const GaussianKernel& kernel = space.kernel(index);
+        const double sigma = settledSigmas[index];
+        EXPECT_EQ(space.sigma(index), sigma);
         ASSERT_EQ(kernel.radius(), static_cast<int>(3 * sigma));
         double sum = kernel.weight(0), secondMoment = 0;
         for (int i = 1; i <= kernel.radius(); ++i) {

@@ -41,8 +41,8 @@ int maximaOfScales(const Function& function, const VarianceRule& rule) {
     smoother.begin(function);
     int count = 0;
     Function scale;
-    for (std::size_t level = 0; level < space.levels(); ++level) {
-        smoother.smooth(level, scale);
+    for (std::size_t index = 0; index < space.scales(); ++index) {
+        smoother.smooth(index, scale);
         count += maximaOf(scale);
     }
     return count;
@@ -192,14 +192,14 @@ TEST(ScaleSpaceMaxima, SampledGaussiansAreCloseToTheDiscreteOnes) {
     config.kernelEndsAtZero = false;
     config.kernelCut = 9.0;
     const ScaleSpace space(config);
-    for (std::size_t level = 0; level < space.levels(); ++level) {
-        const Function discrete = discreteGaussian(space.sigma(level));
+    for (std::size_t index = 0; index < space.scales(); ++index) {
+        const Function discrete = discreteGaussian(space.sigma(index));
         double difference = 0.0;
-        for (int i = 0; i <= space.kernel(level).radius(); ++i)
+        for (int i = 0; i <= space.kernel(index).radius(); ++i)
             difference =
-                std::max(difference, std::abs(space.kernel(level).weight(i) - discrete[static_cast<std::size_t>(i)]));
+                std::max(difference, std::abs(space.kernel(index).weight(i) - discrete[static_cast<std::size_t>(i)]));
         // e^-t I_0(t) sqrt(2 pi t) = 1 + 1 / (8 t) + 9 / (128 t^2) + ...
-        const double t = space.sigma(level) * space.sigma(level);
+        const double t = space.sigma(index) * space.sigma(index);
         EXPECT_LE(difference / discrete[0], (0.125 + 0.1 / t) / t);
     }
 }

@@ -26,8 +26,8 @@ std::vector<std::vector<double>> scalesOf(const std::vector<double>& function, c
     const ScaleSpace space(config);
     ScaleSmoother smoother(space);
     smoother.begin(function);
-    std::vector<std::vector<double>> scales(space.levels());
-    for (std::size_t level = 0; level < scales.size(); ++level) smoother.smooth(level, scales[level]);
+    std::vector<std::vector<double>> scales(space.scales());
+    for (std::size_t index = 0; index < scales.size(); ++index) smoother.smooth(index, scales[index]);
     return scales;
 }
 
@@ -58,8 +58,8 @@ TEST(ScaleSpaceRoutes, FourierEqualsDirectToRounding) {
                 direct.kernelEndsAtZero = fourier.kernelEndsAtZero = endsAtZero;
                 const auto expected = scalesOf(function, direct), got = scalesOf(function, fourier);
                 ASSERT_EQ(expected.size(), got.size());
-                for (std::size_t level = 0; level < expected.size(); ++level)
-                    EXPECT_LE(largestDifference(expected[level], got[level]), 1e-12 * largestOf(function)) << length;
+                for (std::size_t index = 0; index < expected.size(); ++index)
+                    EXPECT_LE(largestDifference(expected[index], got[index]), 1e-12 * largestOf(function)) << length;
             }
 }
 
@@ -86,13 +86,13 @@ TEST(ScaleSpaceRoutes, CircularIsTheConvolutionOnARing) {
     const auto config = with(SmoothingRoute::direct, TubeBorder::circular);
     const ScaleSpace space(config);
     const auto scales = scalesOf(function, config);
-    for (std::size_t level = 0; level < scales.size(); ++level)
+    for (std::size_t index = 0; index < scales.size(); ++index)
         for (int i = 0; i < 37; ++i) {
             long double expected = 0;
-            for (int j = -space.kernel(level).radius(); j <= space.kernel(level).radius(); ++j)
-                expected += static_cast<long double>(space.kernel(level).weight(std::abs(j))) *
+            for (int j = -space.kernel(index).radius(); j <= space.kernel(index).radius(); ++j)
+                expected += static_cast<long double>(space.kernel(index).weight(std::abs(j))) *
                             function[static_cast<std::size_t>((i + j + 37 * 37) % 37)];
-            EXPECT_NEAR(scales[level][static_cast<std::size_t>(i)], static_cast<double>(expected), 1e-14);
+            EXPECT_NEAR(scales[index][static_cast<std::size_t>(i)], static_cast<double>(expected), 1e-14);
         }
 }
 
@@ -103,10 +103,10 @@ TEST(ScaleSpaceRoutes, ConstantsStayConstantAwayFromTheZeroBehind) {
                 const auto config = with(route, border);
                 const auto scales = scalesOf(std::vector<double>(800, value), config);
                 const double sigmas[] = {32, 16, 8, 4, 2};
-                for (std::size_t level = 0; level < scales.size(); ++level) {
-                    const double reach = border == TubeBorder::circular ? 0 : 4 * sigmas[level];
+                for (std::size_t index = 0; index < scales.size(); ++index) {
+                    const double reach = border == TubeBorder::circular ? 0 : 4 * sigmas[index];
                     for (std::size_t i = 0; i + static_cast<std::size_t>(reach) < 800; ++i)
-                        EXPECT_NEAR(scales[level][i], value, 1e-12 * value);
+                        EXPECT_NEAR(scales[index][i], value, 1e-12 * value);
                 }
             }
 }
