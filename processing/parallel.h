@@ -1,6 +1,6 @@
 // Parallel loops: oneTBB's. Under the thread sanitizer they run on plain threads instead, because Debian's oneTBB
 // runtime is not instrumented: the sanitizer would not see how it hands work from thread to thread, and would report
-// races that are none.
+// races where there are none.
 #pragma once
 
 #include <tbb/blocked_range.h>

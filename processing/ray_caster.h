@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings,
                                               const Progress& progress = {});
 
-    /// Of the newest cast() that was not cancelled.
+    /// How the newest cast() that was not cancelled used samples.
     [[nodiscard]] SampleUse sampleUse() const;
 
     /// Bytes that the samples of one view may take; above it nothing is kept. 2 bytes a sample.

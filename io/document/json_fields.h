@@ -57,7 +57,7 @@ public:
             if (!row.choices.empty() && row.get(values)) take(row, values);
         for (const Parameter<Values>& row : table) take(row, values);
     }
-    /// problem: lower case, no full stop.
+    /// Notes that a key holds something wrong; `problem` is lower case and has no full stop.
     void wrong(const char* key, const std::string& problem);
 
 private:

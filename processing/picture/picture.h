@@ -12,9 +12,9 @@ namespace echolucent {
 struct Picture {
     int width = 0, height = 0;
     std::vector<float> rgba;
-    /// Where findDepth was asked for: depth along camera.frame.forward from the grid origin, mm, of the sample at which
-    /// the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the first);
-    /// infinity where none does. Else empty.
+    /// Where RayCastSettings::findDepth is set, the depth along camera.frame.forward from the grid origin, mm, of the
+    /// sample at which the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the
+    /// first); infinity where no sample does. Else it is empty.
     std::vector<float> depthMm{};
 };
 

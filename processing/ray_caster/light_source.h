@@ -13,7 +13,7 @@ namespace echolucent::ray_casting {
 /// One directional light as Shading says it, and the gradient's reach.
 struct LightSource {
     static constexpr int highlightIntervals = 1024;
-    /// A reference step is lit as a surface where it adds at least that much to its pixel's opacity.
+    /// A reference step is lit as a surface where it adds at least this much to its pixel's opacity.
     static constexpr double worthGradient = 1.0 / 128;
 
     std::array<float, 3> towardsLight{};  ///< unit, grid mm

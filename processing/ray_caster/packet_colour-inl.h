@@ -23,7 +23,7 @@ HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
                    hn::Sub(position, hn::ConvertTo(floats, left)));
 }
 
-/// The colour map: two permutations of four values in place of a look-up in memory.
+/// The colour map as two permutations of four values in place of a look-up in memory.
 class Colours {
 public:
     explicit Colours(const ColourRanges& ranges) {
@@ -32,7 +32,7 @@ public:
             m_slope[channel] = spread(ranges.slope[channel]);
         }
     }
-    /// position: table position, 0 ... intervals.
+    /// The colour at a table position, 0 ... intervals.
     HWY_INLINE Colour at(FloatVector position) const {
         // A hair less, so that the last position is in the last range.
         constexpr float perRange = ColourRanges::count / (TransferTable::intervals * (1.0f + 0x1p-20f));
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// A gradient may lack data of that trilinear weight: less is the rounding of positions.
+    /// A gradient may lack data of this trilinear weight, because less is the rounding of positions.
     static constexpr float missingWeight = 2e-5f;
 
     template <int axis>

@@ -262,7 +262,7 @@ private:
         return position;
     }
 
-    /// position: 0 ... intervals.
+    /// `position` is a table position, 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
         if (m_job.byteOpacities != nullptr)
             return hn::GatherIndex(Floats(), m_job.byteOpacities->data(),

@@ -66,7 +66,7 @@ private:
             if (cut.length[lane] > 0.0) add(m_packet.run(cut, lane), cut.at);
     }
 
-    /// middle: of the first samples, steps.
+    /// `middle` says where the first samples lie, in steps.
     HWY_NOINLINE void add(const Run<Voxel>& run, const double (&middle)[lanes]) {
         const Floats floats;
         const bool sums = m_job.mode == RenderMode::mean;

@@ -37,7 +37,7 @@ struct PlainSums {
     FloatVector opacity, along, beyond[ColourBends::count];
 };
 
-/// whiteValue: of the sums' values, intensity 1.
+/// The colours of the sums; `whiteValue` is the value of intensity 1.
 inline Blend blendOf(const ColourBends& bends, const PlainSums& sums, float whiteValue) {
     const auto channel = [&](std::size_t c) {
         auto change = hn::Mul(sums.along, set(bends.slope[c]));
@@ -155,7 +155,7 @@ HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std
     }
 }
 
-/// cut: some lanes have not all of the samples.
+/// Adds `group` samples to the sums. Where `cut`, some lanes do not have all of them.
 template <Keeping keeping, bool masked, int group, bool cut, typename Voxel>
 HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                            Position& at, PlainSums& sums) {

@@ -52,7 +52,8 @@ HWY_INLINE DoubleVector setDouble(double value) { return hn::Set(Doubles(), valu
 HWY_INLINE double leastOf(DoubleVector values) { return hn::GetLane(hn::MinOfLanes(Doubles(), values)); }
 HWY_INLINE double mostOf(DoubleVector values) { return hn::GetLane(hn::MaxOfLanes(Doubles(), values)); }
 
-/// Least and most of value(first lane of a vector) over the lanes where chosen(first lane); 1e300 and -1e300: none is.
+/// Least and most of value(first lane of a vector) over the lanes where chosen(first lane); 1e300 and -1e300
+/// where no lane is chosen.
 template <typename Chosen, typename Value>
 HWY_INLINE void findRange(const Chosen& chosen, const Value& value, double& least, double& most) {
     constexpr double beyond = 1e300;

@@ -17,8 +17,8 @@ struct ColourRanges {
     std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
 };
 
-/// The same as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised intensity.
-/// What many samples show together needs no colour of each.
+/// The same colours as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised
+/// intensity. What many samples show together needs no colour of each.
 struct ColourBends {
     static constexpr int count = ColourRanges::count - 1;
     static constexpr float at(int bend) { return static_cast<float>(bend + 1) / ColourRanges::count; }
@@ -30,24 +30,24 @@ struct ColourBends {
     std::array<std::array<float, count>, 3> change{};
 };
 
-/// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. Small, so that it stays in the
-/// nearest cache beside the voxels: neighbouring rays through speckle read all of it.
+/// Opacities of one step of the ray at `intervals` + 1 intensities, linear between. It is small, so that it stays in
+/// the nearest cache beside the voxels: neighbouring rays through speckle read all of it.
 class TransferTable {
 public:
     /// Eight steps between two 8-bit values, so that each 8-bit value and each node of a 256-value curve is an entry.
     static constexpr int intervals = 255 * 8;
 
-    /// stepRatio: the ray's step in reference steps, > 0.
+    /// `stepRatio` is the ray's step in reference steps, above 0.
     TransferTable(const OpacityCurve& curve, ColourMap colourMap, double stepRatio);
 
-    /// At normalised intensity i / intervals, i = 0 ... intervals; and the last once more.
+    /// Opacities at normalised intensity i / intervals, i = 0 ... intervals, and the last one once more.
     [[nodiscard]] const float* opacities() const { return m_opacities.data(); }
-    /// Of the same step: -log(1 - opacity), mostExtinction for opacity 1; for parts of a step. In their own precision:
-    /// the opacity of a long step has lost its digits near 1.
+    /// The extinctions of the same step, for parts of a step: -log(1 - opacity), and mostExtinction for opacity 1. They
+    /// are kept beside the opacities because the opacity of a long step has lost its digits near 1.
     [[nodiscard]] const float* extinctions() const { return m_extinctions.data(); }
     static constexpr double mostExtinction = 1e6;
     [[nodiscard]] const ColourRanges& colours() const { return m_colours; }
-    /// Table positions up to that have opacity 0.
+    /// Table positions up to this one have opacity 0.
     [[nodiscard]] float firstVisible() const { return m_firstVisible; }
 
     /// True where no intensity between two table positions, within [0, intervals], is more opaque than `negligible` for
@@ -70,13 +70,13 @@ private:
 class ByteOpacities {
 public:
     static constexpr int perLevel = 16;
-    /// Below, there would be fewer entries up to white than TransferTable has.
+    /// Below this white level there would be fewer entries up to white than TransferTable has.
     static constexpr double leastWhite = 128.0;
 
-    /// toTable: from a voxel's value to its table position.
+    /// `toTable` is the factor from a voxel's value to its table position.
     ByteOpacities(const TransferTable& table, double toTable);
     [[nodiscard]] const float* data() const { return m_opacities.data(); }
-    /// Positions below, in entries, have opacity 0.
+    /// Positions below this one, in entries, have opacity 0.
     [[nodiscard]] float firstVisible() const { return m_firstVisible; }
 
 private:

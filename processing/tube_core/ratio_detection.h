@@ -56,10 +56,10 @@ private:
 [[nodiscard]] bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule);
 
 /// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
-/// contrast counts; where several do in a row, the one of highest contrast. `means`, `scaled`, `contrasts`: its
-/// profile, that on the scale, its contrasts. Returns the slab (counted from the profile's first) that begins the
-/// surface cell, so that the cell's mean is halfway between fluid and tissue; none: no surface. contrast: at the
-/// surface.
+/// contrast counts; where several do in a row, the one of highest contrast. `means` is its
+/// profile, `scaled` the profile on the scale, and `contrasts` are its contrasts. Returns the slab (counted from the
+/// profile's first) that begins the surface cell, so that the cell's mean is halfway between fluid and tissue, with the
+/// contrast there, or nothing where there is no surface.
 struct RatioSurface {
     int cell = 0;
     double contrast = 0.0;

@@ -37,9 +37,9 @@ struct DetectionScratch {
 /// Where the maximum was at each scale, coarsest first, the unsmoothed function last; indices into the function. Unless
 /// the coarsest must have one, it begins at the coarsest scale that has a significant maximum: a peak nearer to the
 /// front than sigma and its mirror image are one hill at the border, and a short tube has no room for the coarsest
-/// kernels. A later scale without a maximum in the range keeps position and range. Empty: there is no surface, because
-/// no scale has a maximum, or the function itself has none (a constant, a ramp, a step: there a coarse maximum is only
-/// the border's or rounding's, and the original scale has no place for it).
+/// kernels. A later scale without a maximum in the range keeps position and range. It is empty where there is no
+/// surface, because no scale has a maximum, or the function itself has none (a constant, a ramp, a step: there a coarse
+/// maximum is only the border's or rounding's, and the original scale has no place for it).
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
                                             const VarianceRule& rule, DetectionScratch& scratch);
 

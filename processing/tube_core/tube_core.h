@@ -10,8 +10,8 @@ namespace echolucent {
 
 enum class TubeStatus {
     surface,  ///< an interface was detected with at least one cell before it
-    none,     ///< no interface was detected, or none with a cell in front of it: d = 0
-    outside,  ///< the tube core's axis misses the volume (or meets no data): not counted in T and N
+    none,     ///< no interface was detected, or none with a cell in front of it; d is 0
+    outside,  ///< the tube core's axis misses the volume (or meets no data); it is not counted in T and N
 };
 
 /// One tube core. Intensities are normalised, lengths in units (the volume's smallest spacing), positions in voxel
@@ -24,7 +24,7 @@ struct TubeCore {
     std::optional<Vec3> surfaceVoxel;       ///< centre of the detected cell on the axis
     Vec3 firstSampleVoxel{0, 0, 0};         ///< axis position of sample 0
     int firstCell = 0;                      ///< cells before this one hold too little data: here the tube begins
-    int surfaceCell = -1;                   ///< s_t, index into cellMeans; -1: there is no surface
+    int surfaceCell = -1;                   ///< s_t, index into cellMeans; -1 where there is no surface
     std::optional<double> lowIntensity;     ///< I_L: mean of the last SurfaceRule::lowReach prior cells, of all where
                                             ///< that is 0
     std::optional<double> highIntensity;    ///< I_H: largest cell mean from the surface cell to
@@ -33,7 +33,7 @@ struct TubeCore {
     std::optional<double> slope;            ///< S: intensity per unit; may be negative
     std::optional<double> edgeToNoise;      ///< rise from the median prior cell mean to the cell mean
                                             ///< SurfaceRule::slopeHalfStep behind the surface, over the scatter of the
-                                            ///< prior cell means; none where the prior cells are too few
+                                            ///< prior cell means; not set where the prior cells are too few
     std::optional<double> contrast;         ///< detection by ratio: contrast at the surface, standard deviations of the
                                             ///< voxels of a slab
     std::optional<double> fluidSpread;      ///< detection by ratio: standard deviation of voxels around I_L (speckle)

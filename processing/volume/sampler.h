@@ -15,13 +15,14 @@ public:
     explicit VolumeSampler(const Volume& volume, Interpolation interpolation = Interpolation::trilinear)
         : m_volume(volume), m_interpolation(interpolation) {}
 
-    /// Normalised intensity in [0,1] at a place in voxels, clamped to the outermost voxel centres. Trilinear: the mean
-    /// of the voxels with data around the place by their weights, none where they weigh less than half. Nearest: none
-    /// where the voxel has no data; half way between two voxels it is the one of the larger index.
+    /// Normalised intensity in [0,1] at a place in voxels, clamped to the outermost voxel centres. Trilinear
+    /// interpolation gives the weighted mean of the voxels with data around the place, and nothing where they weigh
+    /// less than half; the nearest voxel gives nothing where it has no data, and half way between two voxels it is the
+    /// one of larger index.
     [[nodiscard]] std::optional<double> intensityAt(const Vec3& voxel) const;
 
     /// Central difference of trilinear samples, normalised intensity per unit; zero where a voxel it needs has no data.
-    /// reach: from the place to each sample, units, > 0.
+    /// `reach` is the distance from the place to each sample, units, above 0.
     [[nodiscard]] Vec3 gradientAt(const Vec3& voxel, double reach) const;
 
 private:

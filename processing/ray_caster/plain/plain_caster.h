@@ -43,7 +43,7 @@ struct PlainCasting {
 struct RaySample {
     Vec3 voxel;                       ///< the middle of the step, in voxels
     double length = 1.0;              ///< of what is rendered of the step, in steps: below 1 where it is cut
-    std::optional<double> intensity;  ///< normalised; none where there is no data
+    std::optional<double> intensity;  ///< normalised; not set where there is no data
 };
 
 /// A pixel in double: colour times alpha, alpha, and Picture::depthMm.

@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    /// Positions are rounded: so much nearer to the border counts as at it.
+    /// Positions are rounded, so that what is this near to the border counts as at it.
     static constexpr double slack = 4.0 / oneVoxel;
 
     [[nodiscard]] std::int64_t size(int axis) const { return m_size[static_cast<std::size_t>(axis)]; }
