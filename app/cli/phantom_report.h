@@ -10,8 +10,8 @@
 
 namespace echolucent::cli {
 
-/// One JSON object, numbers round-trip, ends with a newline. `phases`: the config of each phase written, at least one.
-/// cellSize: width of a tube core, units.
+/// One JSON object that ends with a newline; its numbers are read back without loss. `phases` are the configs of the
+/// phases written, at least one; `cellSize` is the width of a tube core in units.
 [[nodiscard]] std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view,
                                       const TubeGrid& tubes, int cellSize);
 

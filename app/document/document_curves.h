@@ -10,7 +10,7 @@ class DocumentCurves : public CurveOwner {
     Q_OBJECT
 
 public:
-    /// view: whose curve is the active one.
+    /// `view` is the id of the view whose curve is the active one.
     DocumentCurves(DocumentModel& model, int view, QObject* parent = nullptr);
 
     [[nodiscard]] EditedCurves edited() const override;

@@ -18,7 +18,7 @@ class DocumentView : public QObject {
     Q_OBJECT
 
 public:
-    /// All outlive this.
+    /// All of them must outlive this.
     DocumentView(DocumentModel& model, int view, HandGesture& hand, VolumeViewWidget& widget,
                  QObject* parent = nullptr);
 
@@ -28,14 +28,14 @@ public:
     /// The widget goes on showing what it shows, until the next volume: a picture is never made of one study's voxels
     /// and another's values.
     void hold() { m_held = true; }
-    /// The adaptive curve of the phase shown.
+    /// Takes the adaptive curve of the phase that is shown.
     void setAdaptiveCurve(const SampledCurve& curve) { m_adaptive = curve; }
 
 public slots:
     /// From where the document looks in the present frame of the motion. Poses and cuts that change are shown by
     /// themselves; a frame is shown when its OTF is there.
     void showPose();
-    /// The view's curve. To be called as often as a person is to see it change.
+    /// Shows the view's curve. To be called as often as a person is to see it change.
     void showCurve();
 
 signals:

@@ -12,7 +12,7 @@ class HandGesture : public QObject {
     Q_OBJECT
 
 public:
-    /// burstMilliseconds: the wheel turned again within this time goes on with its burst.
+    /// A wheel that is turned again within burstMilliseconds goes on with its burst.
     explicit HandGesture(QObject* parent = nullptr, int burstMilliseconds = 400);
 
     /// A number of its own for each gesture, DocumentModel::noGesture where there is none.

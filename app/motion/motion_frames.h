@@ -37,7 +37,7 @@ public:
 
     /// Another study is open, with `phases` phases: the motion is at rest in its first frame.
     void beginAtRest(int phases);
-    /// The curve that the present frame shows of an OTF that was computed just now; the OTF is kept.
+    /// Takes an OTF that was computed just now, and returns the curve that the present frame shows of it.
     [[nodiscard]] SampledCurve curveToShow(std::shared_ptr<const AdaptiveOtf> otf);
     /// The curve is in place: a frame that waited for it is shown.
     void showWaitingFrame();
@@ -62,8 +62,8 @@ private:
     void keepCourseOf(const AdaptiveOtfConfig& config);
 
     Parts m_parts;
-    MotionOtf m_mode = MotionOtf::oneOtf;      ///< that OTFs were asked for last
-    std::shared_ptr<const AdaptiveOtf> m_otf;  ///< of the adaptive curve shown; null before a study's first
+    MotionOtf m_mode = MotionOtf::oneOtf;      ///< the choice for which OTFs were asked last
+    std::shared_ptr<const AdaptiveOtf> m_otf;  ///< made the adaptive curve that is shown; null before a study's first
     bool m_frameWaits = false;                 ///< the present frame is shown once its OTF is there
     /// What the course's rows have in common; another one begins a new course.
     struct CourseKey {
@@ -76,7 +76,7 @@ private:
         friend bool operator==(const CourseKey&, const CourseKey&) = default;
     };
     std::optional<CourseKey> m_courseKey;
-    QElapsedTimer m_frameClock;  ///< since the frame shown last
+    QElapsedTimer m_frameClock;  ///< runs since the frame shown last
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
 };
 

@@ -25,9 +25,9 @@ public:
     explicit MotionPlayer(QObject* parent = nullptr);
 
     [[nodiscard]] bool isPlaying() const { return m_playing; }
-    /// Whole degrees from the view in which the motion began.
+    /// The angle in whole degrees from the view in which the motion began.
     [[nodiscard]] double angle() const { return m_angle; }
-    /// Of the 4D study, counted from 0.
+    /// The phase of the 4D study, counted from 0.
     [[nodiscard]] int phase() const { return m_phase; }
     [[nodiscard]] MotionScenario scenario() const { return m_scenario; }
     [[nodiscard]] MotionAxis axis() const { return m_axis; }
@@ -35,15 +35,15 @@ public:
     /// The least time between two steps, ms, 33 at first. At 0, steps follow each other as fast as frames are shown.
     void setMinimumFrameInterval(int milliseconds);
 
-    /// Takes the next step at once, without waiting for the interval. False (and no step) while paused, or while the
-    /// present frame has not been shown.
+    /// Takes the next step at once, without waiting for the interval. Returns false and takes none while paused, or
+    /// while the present frame has not been shown.
     bool stepNow();
 
 public slots:
     void play();
     void pause();
     void togglePlaying();
-    /// Rounded to whole degrees and clamped into the range. Emits angleChanged where it differs.
+    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits angleChanged where it differs.
     void setAngle(double degrees);
     /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);

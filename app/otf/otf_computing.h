@@ -14,18 +14,19 @@ class OtfComputing : public QObject {
     Q_OBJECT
 
 public:
-    /// view: the view of the document whose cut and phase count. Both outlive this.
+    /// `view` is the id of the view whose cut and phase are taken. Model and session must outlive this.
     OtfComputing(DocumentModel& model, int view, Session& session, QObject* parent = nullptr);
 
-    /// The view of the newest OTF asked for.
+    /// From where the newest OTF that was asked for looks.
     [[nodiscard]] const Viewpoint& viewpoint() const { return m_asked; }
     /// Computes for a view; the document's direction stays, and is taken again when it changes.
     void computeFor(const Viewpoint& viewpoint);
     /// Computes for the newest view again, for example where something took the place of its computation.
     void computeAgain() { computeFor(m_asked); }
-    /// Another study: the next OTF is that of the document's own direction.
+    /// Another study is open: the next OTF is that of the document's own direction.
     void begin();
-    /// From where the view looks now, as a step of the document: "compute for this view".
+    /// Makes the direction in which the view looks now that of the OTF, as a step of the document ("compute for this
+    /// view").
     void computeForThisView();
 
 private:

@@ -32,10 +32,10 @@ public:
     };
     explicit PictureControls(const Parts& parts, QObject* parent = nullptr);
 
-    /// The look and the renderer of the last start.
+    /// Takes the look and the renderer of the last start.
     void restore();
     void keep();
-    /// The whole volume, seen along the beam; a step of the document.
+    /// Shows the whole volume, seen along the beam, as a step of the document.
     void resetView();
 
 private:

@@ -9,7 +9,7 @@
 namespace echolucent {
 
 /// Quality, rays, step and cost of the newest picture, and the same and the frame rate of the newest movement where
-/// there was one. One line each.
+/// there was one, each on a line of its own.
 [[nodiscard]] QString pictureToolTip(const PictureReport& newest, const std::optional<PictureReport>& movement);
 
 }  // namespace echolucent

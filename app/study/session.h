@@ -31,9 +31,9 @@ public:
     void cancelLoading();
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
 
-    /// Null before the first study is open.
+    /// The study that is open; null before the first.
     [[nodiscard]] const Study* study() const { return m_study.get(); }
-    /// Of the file or folder; empty where the scan is simulated.
+    /// The path of the file or folder; empty where the scan is simulated.
     [[nodiscard]] QString path() const;
     [[nodiscard]] bool isSimulatedScan() const { return std::holds_alternative<SimulatedScan>(m_reference); }
     /// What a document names the study by.
@@ -63,7 +63,7 @@ public:
     using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
                                                               const Progress&)>;
     void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
-    /// The same for requestNearCut.
+    /// The search run by requestNearCut; tests put one in its place that ends on command.
     using NearCutSearch = std::function<std::optional<NearCutSuggestion>(const Volume&, const Viewpoint&,
                                                                          const AdaptiveOtfConfig&, const Progress&)>;
     void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }

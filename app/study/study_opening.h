@@ -17,7 +17,7 @@ class StudyOpening : public QObject {
     Q_OBJECT
 
 public:
-    /// window: parent of the dialogs. All outlive this.
+    /// `window` is the parent of the dialogs. All of them must outlive this.
     StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages);
 
     /// Opens a file or a DICOM folder; asks for the layout where the file has no header and none is remembered.

@@ -29,7 +29,7 @@ class MainWindow : public QMainWindow {
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// settingsFile: as in Settings; tests give one of their own.
+    /// `settingsFile` is handed to Settings; tests give one of their own.
     explicit MainWindow(const QString& settingsFile = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 

@@ -29,7 +29,7 @@ bool boolOr(const QVariant& value, bool otherwise) {
 
 QString keyOf(const Parameter<Look>& row) { return "picture/" + QString::fromStdString(camelCase(row.name)); }
 
-/// A stored value of the kind that the row has; none where it is not understood.
+/// A stored value of the kind that the row has; nothing where it is not understood.
 std::optional<ParameterValue> valueOf(const QVariant& stored, const Parameter<Look>& row) {
     const QString text = stored.toString();
     const ParameterValue standard = *row.get(Look{});

@@ -15,7 +15,8 @@ class Settings {
 public:
     static constexpr int recentFilesLimit = 10;
 
-    /// Empty: the person's standard place. Else an INI file, for tests and for portable use.
+    /// Keeps the settings in `file`, an INI file, for tests and for portable use; where the name is empty, in the
+    /// person's standard place.
     explicit Settings(const QString& file = {});
 
     /// Absolute paths, newest first, at most recentFilesLimit. Files that are not there now are left out, but kept in

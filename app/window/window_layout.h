@@ -18,7 +18,7 @@ class StudyPanel;
 class ViewPanel;
 class VolumeViewWidget;
 
-/// All belong to the window.
+/// The widgets of the window, which owns them.
 struct WindowLayout {
     MessageBar* messages = nullptr;
     VolumeViewWidget* picture = nullptr;

@@ -23,7 +23,8 @@ struct WindowCommands {
 /// A box of text beside the window that waits for nobody.
 void showText(QMainWindow& window, const QString& name, const QString& title, const QString& text);
 
-/// course: the dock of the OTF over the angle, which has an action of its own beside that of every dock.
+/// Fills the menu bar. `course` is the dock of the OTF over the angle, which has an action of its own beside that of
+/// every dock.
 void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, const WindowCommands& commands);
 
 }  // namespace echolucent

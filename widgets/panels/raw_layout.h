@@ -23,9 +23,9 @@ struct RawLayoutValues {
 /// uint8, int8, uint16, int16, uint32, int32, float32, float64.
 [[nodiscard]] const QStringList& rawVoxelTypes();
 
-/// Bytes of the voxels alone. None for a type or size that makes no sense, or beyond 2^63 - 1 bytes.
+/// Bytes of the voxels alone; nothing for a type or size that makes no sense, or beyond 2^63 - 1 bytes.
 [[nodiscard]] std::optional<std::int64_t> voxelBytesNeeded(const RawLayoutValues& layout);
-/// Bytes of header and voxels; none as above, or for a negative header.
+/// Bytes of header and voxels; nothing where voxelBytesNeeded() gives nothing, or for a negative header.
 [[nodiscard]] std::optional<std::int64_t> bytesNeeded(const RawLayoutValues& layout);
 
 }  // namespace echolucent

@@ -25,7 +25,7 @@ class RawLayoutDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// fileName: shown as it is. fileBytes: the file's length.
+    /// `fileName` is shown as it is; `fileBytes` is the file's length in bytes.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
     /// Spacing is 1, 1, 1 where it is said to be unknown.

@@ -14,30 +14,31 @@ namespace echolucent {
 /// so are pictures with and without light.
 class PreviewQuality {
 public:
-    /// frameMilliseconds: from one picture to the next while the hand moves.
+    /// `frameMilliseconds` is the time from one picture to the next while the hand moves.
     explicit PreviewQuality(double frameMilliseconds = 33.0) : m_frame(frameMilliseconds) {}
 
-    /// What a picture took whose samples had to be taken.
+    /// Learns what a picture took whose samples had to be taken.
     void sampled(const RayCastSettings& settings, double milliseconds);
-    /// What a picture took that was made from kept samples.
+    /// Learns what a picture took that was made from kept samples.
     void reclassified(const RayCastSettings& settings, double milliseconds);
-    /// Samples of as many rays and steps as these could not be kept.
+    /// Learns that samples of as many rays and steps as these could not be kept.
     void couldNotKeep(const RayCastSettings& settings);
-    /// What bringing a picture to the screen took, beside the casting. The first prepares OpenGL and does not count.
+    /// Learns what bringing a picture to the screen took, beside the casting. The first prepares OpenGL and does not
+    /// count.
     void drawn(double milliseconds);
 
     /// What casting one picture may take.
     [[nodiscard]] double budgetMilliseconds() const;
-    /// For the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two qualities on small
-    /// changes of cost.
+    /// The quality for the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two
+    /// qualities on small changes of cost.
     [[nodiscard]] std::size_t qualityInMotion(const RayCastSettings& asked);
-    /// For a view that no other follows closely: what is shown at rest, where that takes no longer than aloneFrames
-    /// frames. Else qualityInMotion().
+    /// The quality for a view that no other follows closely: the one shown at rest, where that takes no longer than
+    /// aloneFrames frames, else qualityInMotion().
     [[nodiscard]] std::size_t qualityAlone(const RayCastSettings& asked);
     static constexpr double aloneFrames = 1.5;
-    /// For the next picture of an edit. At each quality the first two pictures must be sampled: within a series of
-    /// edits the quality stays unless it is far off, and a quality at which each of the two would take longer than
-    /// warmUpFrames frames is left out. Never coarser than qualityInMotion().
+    /// The quality for the next picture of an edit. At each quality the first two pictures must be sampled: within a
+    /// series of edits the quality stays unless it is far off, and a quality at which each of the two would take longer
+    /// than warmUpFrames frames is left out. Never coarser than qualityInMotion().
     [[nodiscard]] std::size_t qualityForEdits(const RayCastSettings& asked, bool inSeries);
     static constexpr double warmUpFrames = 5.0;
 

@@ -1,4 +1,4 @@
-// Pictures made away from the person's thread: first one that is quick, then, when nothing newer waits, better ones.
+// Pictures made outside the GUI thread: first one that is quick, then, when nothing newer waits, better ones.
 #pragma once
 
 #include <QElapsedTimer>
@@ -40,7 +40,7 @@ class ProgressiveCaster : public QObject {
 public:
     explicit ProgressiveCaster(Cast cast = castThroughOneRayCaster(), const PreviewQuality& quality = PreviewQuality{});
 
-    /// settings: as in settingsAt().
+    /// Asks for the pictures of a request, whose settings are those that settingsAt() takes.
     void request(const PictureRequest& request);
     /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
     /// go.

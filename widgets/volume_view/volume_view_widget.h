@@ -61,9 +61,10 @@ public:
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
-    /// Millimetres behind the volume's foremost point along the view; the plane follows the camera. >= 0.
+    /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view; the
+    /// plane follows the camera.
     void setNearCut(double mm);
-    /// The camera: a pose relative to the beam. The near cut stays.
+    /// Sets the camera by a pose relative to the beam; the near cut stays.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
     /// The pose of the default camera of a view: the whole volume fills this widget's picture. Also of a volume of
@@ -78,7 +79,7 @@ public:
     void setView(const Viewpoint& view);
     /// From where the person looks now, near cut included.
     [[nodiscard]] Viewpoint view() const;
-    /// The default camera of a view: the whole volume in the picture.
+    /// Takes the default camera of a view, which shows the whole volume.
     void resetView(const Viewpoint& view);
 
     /// What the converged picture of the present state is made with, at the view's size or, for saving, at another one.
@@ -101,7 +102,8 @@ public:
     [[nodiscard]] QImage convergedImage();
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
-    /// graphicsCard: also where OpenGL is software, which is slow (see graphicsCardUsable()).
+    /// Chooses who renders. The graphics card can be chosen also where OpenGL is software, which is slow (see
+    /// graphicsCardUsable()).
     void setRenderer(RendererChoice choice);
     /// What rendered the newest picture, for the status line.
     [[nodiscard]] QString rendererName() const;
@@ -112,14 +114,14 @@ public:
 
     /// For further actors in grid mm, pickers, clipping and cropping of the volume.
     [[nodiscard]] VolumeScene& scene();
-    /// Something was changed there: rays may end elsewhere now.
+    /// Tells that something in scene() was changed, so that rays may end elsewhere now.
     void sceneChanged();
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void cameraChanged();  ///< by the person: pose() is another
+    void cameraChanged();  ///< the person has moved the camera: pose() is another
     /// The hand has let go; what it moved stays. Wheel turns have no end.
     void dragEnded();
     /// Escape has ended the drag; pose() and look() are again as before it.

@@ -28,7 +28,8 @@ public:
     void setHistogram(const IntensityHistogram& histogram);
     void setHistogramScale(HistogramScale scale);
     [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
-    /// Stored value at normalised intensity 1, for the second row of numbers; 1 or less: no such row.
+    /// Takes the stored value at normalised intensity 1, for the second row of numbers; at 1 or less there is no such
+    /// row.
     void setWhiteLevel(double whiteLevel);
     /// Marks the intensity under the cursor elsewhere (the 3D view); removes the mark where it is not given.
     void setCursorIntensity(std::optional<double> intensity);

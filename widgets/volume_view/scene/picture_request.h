@@ -27,7 +27,7 @@ struct PictureRequest {
 struct ScreenPicture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
-    /// Picture::depthMm, or empty: what VTK's depth buffer is told about the volume.
+    /// Picture::depthMm, which VTK's depth buffer is told about the volume; empty where it is told nothing.
     std::vector<float> depthMm{};
     /// Rays ended at the scene's opaque actors: the picture covers them only where the volume lies before them. False:
     /// it is drawn as if all of it lay at the volume's centre.

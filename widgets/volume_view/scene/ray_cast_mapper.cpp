@@ -203,7 +203,7 @@ void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* wi
     const WindowDepth scale(*renderer->GetActiveCamera());
     vtkHardwareSelector* selector = renderer->GetSelector();
     const bool namesProp = selector && selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS;
-    std::array<float, 3> marker{0, 0, 0};  // of a cell or point: none
+    std::array<float, 3> marker{0, 0, 0};  // a pass over cells or points has no marker
     if (namesProp) selector->GetPropColorValue(marker.data());
     vtkShaderProgram& program = *m_openGl->surface->Program;
     program.SetUniformi("picture", picture.GetTextureUnit());

@@ -38,7 +38,8 @@ public:
     [[nodiscard]] vtkVolume* volumeProp() { return m_volumeProp; }
     [[nodiscard]] const ScaleBar& scaleBar() const { return m_scaleBar; }
 
-    /// Null: an empty scene, in which nothing is drawn. The picture of the volume before is dropped.
+    /// Shows a volume; null makes an empty scene, in which nothing is drawn. The picture of the volume before is
+    /// dropped.
     void setVolume(std::shared_ptr<const Volume> volume);
     void setTransfer(const OpacityCurve& curve, ColourMap colourMap);
     /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
@@ -75,7 +76,7 @@ public:
     /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after
     /// each.
     [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
-    /// The same for a look: some only the software ray caster has.
+    /// Who renders a picture of this look: some looks only the software ray caster has.
     [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look) const;
     /// Why rendererFor() says software although that was not the choice, as a sentence; else empty.
     [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {}) const;

@@ -13,7 +13,7 @@ public:
     explicit WindowDepth(vtkCamera& camera);
 
     [[nodiscard]] double mmOf(double windowDepth) const;
-    /// Not clamped: below 0 before the near plane. Perspective: mm behind the eye.
+    /// The value is not clamped: it is below 0 before the near plane. In perspective `mm` counts from the eye.
     [[nodiscard]] double windowDepthOf(double mm) const;
 
     // The same as a shader needs it.

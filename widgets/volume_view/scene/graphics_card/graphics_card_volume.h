@@ -35,7 +35,7 @@ public:
     GraphicsCardVolume(const GraphicsCardVolume&) = delete;
     GraphicsCardVolume& operator=(const GraphicsCardVolume&) = delete;
 
-    /// Null: nothing is drawn. Copies a volume with a data mask once, others not at all.
+    /// Shows a volume; where it is null, nothing is drawn. A volume with a data mask is copied once, others are not.
     void setVolume(std::shared_ptr<const Volume> volume);
     /// Curve and colours come from the property of the scene's volume, which pickers read too.
     void setLook(const RayCastSettings& look, vtkVolumeProperty& transfer);
