@@ -67,12 +67,6 @@ void Settings::addRecentFile(const QString& path) {
     m_store.setValue(recentFilesKey, QStringList(paths.mid(0, recentFilesLimit)));
 }
 
-void Settings::removeRecentFile(const QString& path) {
-    QStringList paths = m_store.value(recentFilesKey).toStringList();
-    paths.removeAll(absolutePath(path));
-    m_store.setValue(recentFilesKey, paths);
-}
-
 void Settings::clearRecentFiles() { m_store.remove(recentFilesKey); }
 
 QString Settings::lastFolder() const { return m_store.value(lastFolderKey).toString(); }

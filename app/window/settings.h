@@ -24,7 +24,6 @@ public:
     [[nodiscard]] QStringList recentFiles() const;
     /// Puts a file (or DICOM folder) first; a path already there moves up.
     void addRecentFile(const QString& path);
-    void removeRecentFile(const QString& path);
     void clearRecentFiles();
     /// Folder in which the next file dialog opens; empty at first.
     [[nodiscard]] QString lastFolder() const;

@@ -16,9 +16,6 @@ struct LightDirection {
 /// The unit vector for Shading::towardsLight, in camera axes (right, down, forward). Exact in multiples of 90 degrees.
 [[nodiscard]] Vec3 towardsLight(const LightDirection& light);
 
-/// The angles of a vector of any length above 0; azimuth 0 for a light straight above or below.
-[[nodiscard]] LightDirection lightDirectionOf(const Vec3& towardsLight);
-
 /// The light moved by a drag in shares of the picture's height, to the right and down: it follows the hand, half a turn
 /// for a height. The azimuth wraps, the elevation stops at +-90 degrees.
 [[nodiscard]] LightDirection moved(const LightDirection& light, double right, double down);

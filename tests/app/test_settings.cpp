@@ -98,8 +98,6 @@ private slots:
         settings.addRecentFile(m_folder->filePath("x/../a.mha"));
         settings.addRecentFile({});
         QCOMPARE(settings.recentFiles(), (QStringList{a, b}));
-        settings.removeRecentFile(a);
-        QCOMPARE(settings.recentFiles(), QStringList{b});
         settings.clearRecentFiles();
         QVERIFY(settings.recentFiles().isEmpty());
     }

@@ -17,10 +17,4 @@ double WindowDepth::mmOf(double windowDepth) const {
     return m_eyeMm + m_nearMm * m_farMm / (m_farMm - windowDepth * (m_farMm - m_nearMm));
 }
 
-double WindowDepth::windowDepthOf(double mm) const {
-    const double before = mm - m_eyeMm;
-    if (m_parallel) return (before - m_nearMm) / (m_farMm - m_nearMm);
-    return m_farMm * (before - m_nearMm) / (before * (m_farMm - m_nearMm));
-}
-
 }  // namespace echolucent
