@@ -1,7 +1,6 @@
 #include "io/curve_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>

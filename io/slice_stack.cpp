@@ -1,7 +1,6 @@
 #include "io/slice_stack.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "io/dicom/dicom_grey.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 #include "processing/tube_core/slabs/tube_slabs.h"
 
