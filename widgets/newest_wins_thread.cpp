@@ -103,7 +103,7 @@ bool NewestWinsThread::event(QEvent* event) {
 void NewestWinsThread::ended(const Ended& job) {
     m_running = false;
     const bool wanted = !job.cancelFlag->load(std::memory_order_relaxed);
-    // The next job starts before the delivery, so that the worker never waits for the person's thread.
+    // The next job starts before the delivery, so that the worker never waits for the GUI thread.
     if (m_waiting) start(*std::exchange(m_waiting, std::nullopt));
     if (wanted && job.deliver) job.deliver();
     if (!busy()) emit busyChanged(false);

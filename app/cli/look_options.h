@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <deque>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -70,7 +70,7 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
             };
         }
-        // Here and not when a phase is shown: a 4D study plays its phases in the person's thread.
+        // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
         std::vector<IntensityHistogram> histograms;
         for (const auto& phase : study->phases) histograms.push_back(intensityHistogram(*phase));
         auto shared = std::make_shared<const Study>(std::move(*study));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "processing/adaptive/adaptive_otf.h"
 #include "widgets/motion/course_drawing.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 

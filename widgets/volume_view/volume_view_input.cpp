@@ -19,7 +19,7 @@ namespace {
 QSurfaceFormat surfaceFormat() {
     QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat();
     format.setSamples(0);
-    format.setSwapInterval(0);  // a swap that waits would hold up the person's thread
+    format.setSwapInterval(0);  // a swap that waits would hold up the GUI thread
     return format;
 }
 

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <map>
 #include <memory>
 
 #include "app/measuring/otf/study_otf.h"

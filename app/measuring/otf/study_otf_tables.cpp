@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/study.h"

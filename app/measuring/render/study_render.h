@@ -74,7 +74,7 @@ struct RenderStudy {
 /// Marks the settings of the kernel that no other beats in both run time and RMSE.
 void markFront(std::vector<RenderResult>& results);
 
-/// What a quality level may err by, in 8-bit levels: RMSE and largest difference from the converged reference.
+/// What a quality may err by, in 8-bit levels: RMSE and largest difference from the converged reference.
 struct QualityBound {
     std::string name;  ///< as the program names its level (widgets/volume_view/qualities.h)
     double rmse, largest = std::numeric_limits<double>::infinity();

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "app/measuring/render/study_render.h"
 #include "processing/ray_caster.h"

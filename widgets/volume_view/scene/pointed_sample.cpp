@@ -1,6 +1,5 @@
 #include "widgets/volume_view/scene/pointed_sample.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
