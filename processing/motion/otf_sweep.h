@@ -30,8 +30,8 @@ struct SweptOtf {
     SweepFrame frame;
     SampledCurve unsmoothed;
     SampledCurve shown;        ///< after smoothing
-    double sumOfD = 0.0;       ///< of the unsmoothed OTF's tube cores
-    int tubesWithSurface = 0;  ///< of the unsmoothed OTF
+    double sumOfD = 0.0;       ///< sum of d over the unsmoothed OTF's tube cores
+    int tubesWithSurface = 0;  ///< tube cores of the unsmoothed OTF that have a weight
 };
 
 /// The frames alone.

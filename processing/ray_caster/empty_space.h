@@ -29,7 +29,7 @@ public:
     explicit BrickRanges(const Volume& volume);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
-    /// Table positions; of a brick without any data the lowest is above the highest.
+    /// Table positions. In a brick without any data the lowest is above the highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
     /// 1 where a voxel of the brick's cubes carries no data; empty where all do.
@@ -44,7 +44,7 @@ private:
 /// How far away the next brick is that shows something.
 class EmptySpace {
 public:
-    /// Distances beyond are not told apart.
+    /// Distances beyond this one are not told apart.
     static constexpr int farthest = 8;
 
     explicit EmptySpace(const BrickGrid& grid);
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Whether any brick shows nothing.
     [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
-    /// Bricks whose distance the last update computed anew.
+    /// How many bricks' distances the last update computed anew.
     [[nodiscard]] std::int64_t updatedBricks() const { return m_updatedBricks; }
     /// One number a brick: 0 where the brick shows something, else d where all bricks less than d away on every axis
     /// show nothing.
@@ -64,7 +64,7 @@ public:
 
 private:
     struct Box {
-        std::array<std::int64_t, 3> first, last;  ///< last is beyond
+        std::array<std::int64_t, 3> first, last;  ///< `last` is one beyond
     };
     void findDistances(const Box& box);
     bool relax(std::int64_t x, std::int64_t y, std::int64_t z);

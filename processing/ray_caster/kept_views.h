@@ -18,7 +18,7 @@ public:
                                           std::size_t memoryLimit);
     /// The picture that samplesFor() was asked for is finished: from now on all of its samples are known.
     void finishPicture();
-    /// Of the newest finished picture.
+    /// How the newest finished picture used samples.
     [[nodiscard]] SampleUse sampleUse() const { return m_finished; }
     [[nodiscard]] std::size_t bytes() const;
 

@@ -40,12 +40,13 @@ struct KernelJob {
     const PackedVoxels<Voxel>* voxels = nullptr;
     VolumeGeometry geometry;
     const RayGeometry* rays = nullptr;
-    float toTable = 0.0f;  ///< packed value to table position
+    float toTable = 0.0f;  ///< factor from a packed value to its table position
     const TransferTable* table = nullptr;
-    const ColourBends* colourBends = nullptr;      ///< null where the picture has light, depth colours or depths
-    const ByteOpacities* byteOpacities = nullptr;  ///< of bytes whose white level is not too low; else `table`
-    const LightSource* light = nullptr;            ///< null where no gradient is computed
-    float worthGradient = 0.0f;                    ///< LightSource::worthGradient for the step
+    const ColourBends* colourBends = nullptr;  ///< null where the picture has light, depth colours or depths
+    /// For bytes of a white level of at least ByteOpacities::leastWhite; where it is null, `table` is read.
+    const ByteOpacities* byteOpacities = nullptr;
+    const LightSource* light = nullptr;  ///< null where no gradient is computed
+    float worthGradient = 0.0f;          ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
     const std::uint8_t* missing = nullptr;    ///< BrickRanges; null where all voxels carry data
@@ -54,8 +55,8 @@ struct KernelJob {
     ColourMap colourMap = ColourMap::sepia;
     bool nearest = false;
     double endTransmittance = 0.0;
-    KeptSamples* kept = nullptr;                            ///< filled, or used where it is filled already
-    float keptPerPosition = KeptSamples::perTablePosition;  ///< beside byteOpacities perByte / toTable
+    KeptSamples* kept = nullptr;                            ///< it is filled, or used where it is filled already
+    float keptPerPosition = KeptSamples::perTablePosition;  ///< where byteOpacities is set, perByte / toTable
     Picture* picture = nullptr;
 };
 

@@ -23,7 +23,7 @@ inline constexpr int voxelsPerCube = 2;
 /// Rows of cubes are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
 inline constexpr int rowAlignment = 16;
 
-/// Cost: one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats
+/// Makes one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats
 /// are stored as table positions (see transfer_table.h): their white level may be of any magnitude.
 template <typename Voxel>
 class PackedVoxels {
@@ -31,7 +31,7 @@ public:
     explicit PackedVoxels(const Volume& volume);
 
     [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
-    /// What brings a packed value to its table position.
+    /// The factor from a packed value to its table position.
     [[nodiscard]] static float toTable(double whiteLevel);
     /// Packed like bytes: 255 where there is data, else 0. It is null where all voxels carry data.
     [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }

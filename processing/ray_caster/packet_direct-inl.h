@@ -28,7 +28,7 @@ public:
         m_rays = &rays;
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
-        if (common == 0) rays.kept = nullptr;  // samples are kept of all rays together
+        if (common == 0) rays.kept = nullptr;  // samples are kept only of all rays together
         const std::optional<PlainCuts> cuts = plainCuts();
         if (cuts)
             add(ofAlive(cuts->head));
@@ -83,7 +83,7 @@ private:
         add(blend);
     }
 
-    /// Samples first ... last - 1 of one ray.
+    /// Adds samples first ... last - 1 of one ray.
     void castAlone(int lane, std::int64_t first, std::int64_t last) {
         for (std::int64_t next = first; next < last;) {
             const std::int64_t done = castRun(m_rays->packet.run(next, last - next, lane));
@@ -229,12 +229,12 @@ private:
         return most > 0.0 && most >= m_job.endTransmittance;
     }
 
-    /// True where all samples of the run are kept already; else makes room for them.
+    /// Whether all samples of the run are kept already; where they are not, makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
         if (m_rays->kept == nullptr) return false;
         if (m_rays->kept->samples.empty()) {
             m_rays->kept->first = run.first;
-            // As much as there may be, not the twice as much that growth would take.
+            // This reserves what may be needed; growth would take up to twice as much.
             m_rays->kept->samples.reserve(static_cast<std::size_t>((m_rays->packet.last() - run.first) * lanes));
         }
         const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
@@ -249,7 +249,7 @@ private:
     HWY_INLINE FloatVector sampled(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         return tablePositionAt(run.volume, m_job.nearest ? nearestVoxel(at) : at, m_job.toTable, active);
     }
-    /// Table positions of sample i, -1 where there is no data.
+    /// The table positions of sample i, -1 where there is no data.
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
         if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
         std::uint16_t* const kept = keptAt(run, i);
@@ -270,7 +270,7 @@ private:
         return entryAt(m_job.table->opacities(), position);
     }
 
-    /// With light, tint and depth, and where some voxels are no data.
+    /// Adds samples with light, tint and depth, and where some voxels carry no data.
     HWY_INLINE void blendRich(const Run<Voxel>& run, FloatVector number, FloatVector position, FloatVector stepOpacity,
                               LaneMask alive, Blend& blend) {
         const Floats floats;

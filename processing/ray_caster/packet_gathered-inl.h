@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// What rays have gathered. In double, and of each run its opacity, not its transmittance: a product of many factors
-/// near 1 keeps its digits.
+/// What rays have gathered. It is kept in double, and takes the opacity of each run, not its transmittance, so that a
+/// product of many factors near 1 keeps its digits.
 struct Gathered {
     alignas(64) double transmittance[lanes];
     alignas(64) double colour[3][lanes];
@@ -30,7 +30,7 @@ struct Gathered {
     }
 };
 
-/// Of a run alone, in shares of the light that reaches it.
+/// What a run alone adds, in shares of the light that reaches it.
 struct Blend {
     FloatVector opacity, red, green, blue;
     FloatVector half;  ///< the sample at which the pixel's opacity reaches one half

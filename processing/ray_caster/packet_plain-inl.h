@@ -19,20 +19,20 @@ enum class Keeping { none, keep, reuse };
 template <typename Voxel>
 struct PlainRun {
     const Run<Voxel>& run;
-    const float* opacities;  ///< ByteOpacities, of other voxels TransferTable's
-    int bends;               ///< of the colour map: ColourBends::count, or 0
-    float toTable;           ///< of a voxel's value
+    const float* opacities;  ///< those of ByteOpacities for bytes, else those of TransferTable
+    int bends;               ///< how many bends of the colour map count: ColourBends::count, or 0
+    float toTable;           ///< factor from a voxel's value to its table position
     float firstVisible;      ///< values below show nothing
-    float whiteValue;        ///< of intensity 1
-    bool clamped;            ///< there may be values above
-    bool nearest;            ///< of the nearest voxel, not the mean of those around
+    float whiteValue;        ///< the value of intensity 1
+    bool clamped;            ///< whether there may be values above whiteValue
+    bool nearest;            ///< whether values are the nearest voxel's, not means of those around
     float keptPerValue;
     std::uint16_t* kept;  ///< of the run's first sample; null where samples are not kept
     FloatVector limit;    ///< a ray ends above that opacity of the run
 };
 
-/// Of a run alone, in shares of the light that reaches it: opacity, and the sums that the colours are made of, of
-/// values and of what they have beyond each bend.
+/// What a run alone adds, in shares of the light that reaches it: its opacity, and the sums of values, and of what they
+/// have beyond each bend, from which its colours are made.
 struct PlainSums {
     FloatVector opacity, along, beyond[ColourBends::count];
 };
@@ -102,13 +102,13 @@ struct BlockLanes {
     }
 };
 
-/// Of sample i, at `at` but for rounding.
+/// The value of sample i, which lies at `at` but for rounding.
 template <typename Voxel>
 HWY_INLINE Position placeOf(const PlainRun<Voxel>& from, std::int64_t i, const Position& at) {
     return from.nearest ? nearestVoxel(from.run.at(set(static_cast<float>(i)))) : at;
 }
 
-/// Within the table.
+/// A value limited to those of the table.
 template <typename Voxel>
 HWY_INLINE FloatVector limited(FloatVector value) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
@@ -141,7 +141,7 @@ HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std
         }
     }
     if constexpr (masked) {
-        // Of the voxels' values the mean of those that are data.
+        // The mean of those voxels that are data.
         Position next = begin;
         for (int k = 0; k < group; ++k, next = next + step) {
             const Position place = placeOf(from, i + k, next);
@@ -195,7 +195,8 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
     }
 }
 
-/// Samples at once: where all rays have them, and where some do not, which are left out the sooner the fewer they are.
+/// How many samples are added at once where all rays have them, and where some do not; smaller groups are left out
+/// sooner.
 constexpr int wholeGroup = 8, cutGroup = 4;
 
 /// Samples block ... last - 1.

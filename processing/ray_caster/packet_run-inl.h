@@ -19,25 +19,26 @@ namespace echolucent::ray_casting::HWY_NAMESPACE {
 /// Rays end and jump by whole blocks of samples, whose numbers are multiples of this: what a ray shows does not depend
 /// on the rays beside it.
 constexpr std::int64_t blockSize = 8;
-/// Longest run from one corner.
+/// The most samples in a run from one corner.
 constexpr std::int64_t longestRun = 64;
 
 /// Some samples of all rays of a packet, in floats from a corner near to them. Sample i of a run is number first + i.
 template <typename Voxel>
 struct Run {
-    HWY_INLINE Run() {}  // of this instruction set, as what it calls: an implied one would be of none
+    // A constructor that is not written down would belong to no instruction set, and what it calls does.
+    HWY_INLINE Run() {}
     std::int64_t first, count;
     Cubes<Voxel> volume;
     std::array<std::int64_t, 3> corner;                       ///< cube
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cubes
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
-    bool near = true;  ///< of cut steps: all lie near enough to the corner to be counted from it
+    bool near = true;  ///< whether all cut steps lie near enough to the corner to be counted from it
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
                 truncated(hn::MulAdd(i, stepZ, startZ))};
     }
-    /// From one sample to the next.
+    /// The way from one sample to the next.
     HWY_INLINE Position way() const { return {rounded(stepX), rounded(stepY), rounded(stepZ)}; }
     HWY_INLINE LaneMask inRange(FloatVector i) const { return hn::And(hn::Ge(i, begin), hn::Lt(i, end)); }
 };
@@ -70,7 +71,7 @@ HWY_INLINE void findRange(const Chosen& chosen, const Value& value, double& leas
 }
 HWY_INLINE DoubleVector load(const double* values) { return hn::Load(Doubles(), values); }
 
-/// Lanes computed in double, from(tag, first lane), as floats.
+/// Lanes that from(tag, first lane) computes in double, as floats.
 template <typename From>
 HWY_INLINE FloatVector inFloats(const From& from) {
     const Doubles doubles;
@@ -120,7 +121,8 @@ public:
     [[nodiscard]] std::int64_t last() const { return m_last; }
     [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
 
-    /// Samples from `sample` on, a multiple of blockSize, that show nothing on any ray; a multiple of blockSize too.
+    /// How many samples from `sample` on, a multiple of blockSize, show nothing on any ray; also a multiple of
+    /// blockSize.
     [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
         const double number = static_cast<double>(sample);
         double low[3], high[3];
@@ -184,7 +186,7 @@ public:
                 return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cubeShift));
             };
             findRange(chosen, place, low[axis], high[axis]);
-            // Where no ray is cut nothing is read; the corner must be one all the same.
+            // Where no ray is cut, nothing is read, but the corner must be one of the volume.
             high[axis] = std::max(high[axis], 0.0);
             low[axis] = std::clamp(low[axis], 0.0, high[axis]);
             run.near = run.near && high[axis] - low[axis] < roomFromCorner();
@@ -210,8 +212,8 @@ public:
         return run;
     }
 
-    /// Samples at most in one run, so that positions and offsets from its corner stay within 32 bits; 0 where the rays
-    /// are so far apart that each needs runs of its own.
+    /// The most samples in one run for which positions and offsets from its corner stay within 32 bits; 0 where the
+    /// rays are so far apart that each needs runs of its own.
     [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
     [[nodiscard]] std::int64_t longestSingleRun() const { return std::max<std::int64_t>(runWithin(0.0), 1); }
 
@@ -230,11 +232,11 @@ private:
             isWhole, [&](int i) { return load(m_rays.last + i); }, unused, last);
         if (last > 0.0) {
             m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
-            // Whole blocks: no lane has what is behind its own last sample.
+            // Whole blocks are taken, because no lane has what is behind its own last sample.
             m_last = (static_cast<std::int64_t>(last) + blockSize - 1) / blockSize * blockSize;
         }
         for (int axis = 0; axis < 3; ++axis) {
-            // In cubes, at the begin of step 0.
+            // The origin in cubes, at the begin of step 0.
             findRange(
                 isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cubeShift)); },
                 m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
@@ -251,12 +253,12 @@ private:
         m_longestRun = runWithin(widest);
     }
 
-    /// Cubes along each axis that positions and offsets can be counted in.
+    /// The number of cubes along each axis that positions and offsets can be counted in.
     [[nodiscard]] double roomFromCorner() const {
         return std::min(16000.0, 0x1p29 / static_cast<double>(m_job.voxels->sliceStride()));
     }
 
-    /// Whole blocks whose samples, together with rays `widest` cubes apart, stay near enough to a corner.
+    /// The number of whole blocks whose samples, together with rays `widest` cubes apart, stay near enough to a corner.
     [[nodiscard]] std::int64_t runWithin(double widest) const {
         double fastest = 1e-9;
         for (int axis = 0; axis < 3; ++axis)

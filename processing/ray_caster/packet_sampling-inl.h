@@ -32,7 +32,8 @@ constexpr int packetRows = lanes / packetColumns;
 HWY_INLINE FloatVector set(float value) { return hn::Set(Floats(), value); }
 HWY_INLINE IntVector set(std::int32_t value) { return hn::Set(Ints(), value); }
 
-/// Towards zero, of numbers that fit 32 bits: Highway's ConvertTo spends four instructions more on those that do not.
+/// Rounds numbers that fit 32 bits towards zero: Highway's ConvertTo spends four instructions more on those that do
+/// not.
 HWY_INLINE IntVector truncated(FloatVector value) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return IntVector{_mm512_cvttps_epi32(value.raw)};
@@ -45,7 +46,7 @@ HWY_INLINE IntVector truncated(FloatVector value) {
 #endif
 }
 
-/// To the nearest, of numbers that fit 32 bits.
+/// Rounds numbers that fit 32 bits to the nearest.
 HWY_INLINE IntVector rounded(FloatVector value) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return IntVector{_mm512_cvtps_epi32(value.raw)};
@@ -87,7 +88,7 @@ HWY_INLINE FloatVector shareOf(IntVector position) {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// One ray at a time, without vectors: what all others are compared to.
+/// One ray at a time, without vectors: what all other routes are compared to.
 template <int shift>
 HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     std::int32_t pair[2];
@@ -96,7 +97,7 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-/// Four bytes of each lane, of the cube `offset` cubes after the first and the one behind it.
+/// Loads four bytes for each lane, of the cube `offset` cubes after the first and the one behind it.
 HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
     const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     std::int32_t four;
@@ -185,7 +186,8 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
     const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
     return hn::RearrangeToOddPlusEven(sum, rest);
 }
-/// Four bytes of each active lane, of the cubes `offset` cubes after the first; 0 of the others, which read nothing.
+/// Loads four bytes for each active lane, of the cubes `offset` cubes after the first; the other lanes read nothing and
+/// get 0.
 HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return hn::Vec<Bytes>{
@@ -205,7 +207,7 @@ HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, Lane
 
 /// The eight bytes around a position in each lane, and their shares.
 struct CubeOfBytes {
-    HWY_INLINE CubeOfBytes() {}  // see Run
+    HWY_INLINE CubeOfBytes() {}  // written down for the reason that Run gives
     hn::Vec<Bytes> near, far, shareY;
     hn::Vec<Words> shareX, shareZ;
 };
@@ -222,7 +224,7 @@ HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t slice
 }
 HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
     const auto near = pairSums(cube.near, cube.shareY), far = pairSums(cube.far, cube.shareY);
-    // The low half of each dword is of x, the high one of x + 1.
+    // The low half of each dword belongs to x, the high half to x + 1.
     const auto slices = hn::Add(near, hn::MulFixedPoint15(hn::Sub(far, near), cube.shareZ));
     return hn::ConvertTo(Floats(), pairSums(slices, cube.shareX));
 }
@@ -233,7 +235,7 @@ HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cubes, std::int64_t slice
                                    const Position& at, LaneMask active) {
     return meanOf(cubeOfBytes(cubes, sliceStride, offset, at, active));
 }
-/// The same with the shares that means of other voxels have.
+/// The same mean with the shares that means of voxels other than bytes have.
 HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                        const Position& at, LaneMask active) {
     const Floats floats;
@@ -320,7 +322,7 @@ HWY_INLINE FloatVector weightAt(const Cubes<Voxel>& volume, IntVector offset, co
     return hn::Mul(sum, set(1.0f / (byteScale * 255.0f)));
 }
 
-/// Stored values there, 0 for what carries no data, and the share of the weight that does.
+/// The stored values at a place, 0 where there is no data, and the share of the weight that is on data.
 struct Sample {
     FloatVector value, weight;
 };
@@ -332,7 +334,7 @@ HWY_INLINE Sample sampleAt(const Cubes<Voxel>& volume, const Position& at, LaneM
     return sample;
 }
 
-/// Each component on the nearest voxel: in the cube of that number it is the lower one.
+/// Moves each component to the nearest voxel, which is the lower one in the cube of its number.
 HWY_INLINE Position nearestVoxel(const Position& at) {
     const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCube / 2)), set(~(oneCube - 1))); };
     return {round(at.x), round(at.y), round(at.z)};

@@ -10,6 +10,6 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #endif
 
-/// With every compiler one ray at a time too, without vectors: what all others are compared to.
+/// Every compiler makes the route of one ray at a time too, without vectors: what all others are compared to.
 #define HWY_COMPILE_ALL_ATTAINABLE
 #define HWY_BROKEN_EMU128 1

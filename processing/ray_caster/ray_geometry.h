@@ -14,17 +14,17 @@
 namespace echolucent::ray_casting {
 
 /// A ray in steps: step k is the part from voxel position origin + k * step to origin + (k + 1) * step, and is sampled
-/// in its middle. What is rendered lies between `enter` and `leave` (steps; none where leave <= enter). Steps first ...
-/// last - 1 lie in it whole; those before and behind are cut where it begins and ends, count with what is left of them,
-/// and are sampled in the middle of that.
+/// in its middle. What is rendered lies between `enter` and `leave` (in steps; nothing is rendered where leave <=
+/// enter). Steps first ... last - 1 lie in it whole; those before and behind are cut where it begins and ends, count
+/// with what is left of them, and are sampled in the middle of that.
 struct Ray {
     Vec3 origin;
     Vec3 step;
     Vec3 direction;  ///< unit, grid mm
     double enter = 0.0, leave = 0.0;
     std::int64_t first = 0, last = 0;
-    double depthMm = 0.0;      ///< along camera.frame.forward from the grid origin, of origin
-    double depthStepMm = 1.0;  ///< and of a step
+    double depthMm = 0.0;      ///< depth of the origin along camera.frame.forward, from the grid origin
+    double depthStepMm = 1.0;  ///< change of that depth with one step
 
     [[nodiscard]] Vec3 position(std::int64_t sample) const {
         const double steps = static_cast<double>(sample) + 0.5;
@@ -39,7 +39,7 @@ struct CutSteps {
     alignas(64) double at[lanes], length[lanes];
 };
 
-/// Rays of neighbouring pixels; everything as in Ray, one lane a ray.
+/// Rays of neighbouring pixels, one lane a ray; members mean what they mean in Ray.
 template <int lanes>
 struct RayBundle {
     alignas(64) double origin[3][lanes];
@@ -51,7 +51,7 @@ struct RayBundle {
 
     /// Sets first, last, head and tail from enter and leave.
     __attribute__((always_inline)) inline void cut() {
-        // Without branches: the compiler makes vectors of it.
+        // There are no branches, so that the compiler makes vectors of it.
         for (int i = 0; i < lanes; ++i) {
             const bool any = enter[i] < leave[i];
             const double begin = any ? enter[i] : 0.0, end = any ? leave[i] : 0.0;
@@ -66,7 +66,7 @@ struct RayBundle {
             tail.at[i] = 0.5 * (down + end);
         }
     }
-    /// Nothing is rendered on this ray.
+    /// Makes a lane a ray on which nothing is rendered.
     void remove(int lane) {
         enter[lane] = leave[lane] = first[lane] = last[lane] = head.length[lane] = tail.length[lane] = 0.0;
     }
@@ -85,7 +85,7 @@ public:
     template <int lanes>
     __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 
-    /// Pixels outside cast no ray through what is rendered: [firstColumn, lastColumn) x [firstRow, lastRow).
+    /// Pixels outside these cast no ray through what is rendered: [firstColumn, lastColumn) x [firstRow, lastRow).
     struct PixelBox {
         int firstColumn, lastColumn, firstRow, lastRow;
     };
@@ -93,7 +93,7 @@ public:
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
-    /// Depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost
+    /// The depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost
     /// corner.
     [[nodiscard]] double nearDepthMm() const { return m_startDepth + m_eyeDepth; }
     [[nodiscard]] double farDepthMm() const { return m_farDepth; }
@@ -124,16 +124,16 @@ private:
     bool m_parallel;
     int m_width, m_height;
     double m_stepMm;
-    double m_eyeDepth = 0.0;  ///< perspective: depth of the eye from the grid origin
-    double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin; perspective: from the eye
-    double m_nearDepth;       ///< the near plane's depth, likewise
+    double m_eyeDepth = 0.0;  ///< in perspective the depth of the eye from the grid origin
+    double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin, in perspective from the eye
+    double m_nearDepth;       ///< the near plane's depth, counted from the same place
     double m_farDepth;
     Vec3 m_first, m_perColumn,
-        m_perRow;           ///< grid mm: parallel: where rays start; perspective: direction before its length is 1
+        m_perRow;           ///< grid mm: where parallel rays start; in perspective a direction of any length
     Vec3 m_eye, m_forward;  ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
-    Vec3 m_step, m_perStep;  ///< parallel: every ray's step, voxels, and 1 / step
+    Vec3 m_step, m_perStep;  ///< the step of every parallel ray, voxels, and 1 / step
     Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
     std::vector<HalfSpace> m_halfSpaces;
     std::shared_ptr<const DepthMap> m_opaqueDepth;
