@@ -76,7 +76,7 @@ struct MethodOptions {
     std::string initial = "parabolic";
     std::string tubeGrid;
     std::optional<double> opacityScale;
-    /// The options must stay where they are from here to get().
+    /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command);
     /// Fails (wrong usage) where a value is out of range, or where an option belongs to a detection or a form that is
     /// not chosen.
