@@ -66,7 +66,7 @@ void DocumentView::takePose() {
 
 void DocumentView::takeLight() {
     Document next = m_model.document();
-    lookOf(next, m_view) = m_widget.look();
+    lookOf(next, m_view).light = m_widget.look().light;
     take(next, tr("move light"));
 }
 
