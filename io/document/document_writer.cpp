@@ -137,7 +137,13 @@ std::string jsonOf(const Document& document) {
 }
 
 Result<void> writeDocument(const std::string& path, const Document& document) {
-    return writeFileAtomically(path, jsonOf(document));
+    try {
+        return writeFileAtomically(path, jsonOf(document));
+    } catch (const ordered_json::exception&) {
+        return fail(FailureKind::unwritable, path, "study",
+                    "names a file whose name is not UTF-8, which JSON cannot hold",
+                    "Rename the file of the study, and open it again.");
+    }
 }
 
 }  // namespace echolucent

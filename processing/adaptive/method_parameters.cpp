@@ -287,6 +287,9 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     if (const auto* variance = std::get_if<VarianceRule>(&config.detection))
         if (variance->finestScale > variance->coarsestScale)
             return "the coarsest of the scales must not be below the finest scale";
+    if (const auto* ratio = std::get_if<RatioRule>(&config.detection))
+        if (ratio->contrastFloor > ratio->contrastCeiling)
+            return "the contrast floor must not be above the contrast ceiling";
     if (const auto* ramp = std::get_if<RampRule>(&config.curve))
         if (!(ramp->end >= ramp->begin + 1e-3)) return "the ramp must end at least 0.001 behind where it begins";
     return {};

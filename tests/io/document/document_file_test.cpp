@@ -136,6 +136,19 @@ TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
     }
 }
 
+TEST(DocumentFile, APathThatIsNotUtf8IsAFailureAndLeavesNoFile) {
+    const TemporaryFolder folder;
+    Document document;
+    StudyFile file;
+    file.path = "scan\xff.mha";
+    document.study = file;
+    const std::string path = folder.file("document.json");
+    const auto written = writeDocument(path, document);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().kind, FailureKind::unwritable);
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(DocumentFile, TextThatIsNoJsonIsRefused) {
     for (const char* text : {"", "{", "[1]", "nonsense", "{\"format\": 1e999}"})
         EXPECT_FALSE(documentFromJson(text)) << text;

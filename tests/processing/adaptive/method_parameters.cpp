@@ -25,6 +25,10 @@ AdaptiveOtfConfig configFor(const Row& row) {
         if (row.name == "coarsest_scale") variance->finestScale = 0;
         if (row.name == "finest_scale") variance->coarsestScale = 10;
     }
+    if (auto* ratio = std::get_if<RatioRule>(&config.detection)) {
+        if (row.name == "contrast_floor") ratio->contrastCeiling = 1e6;
+        if (row.name == "contrast_ceiling") ratio->contrastFloor = 0;
+    }
     if (auto* ramp = std::get_if<RampRule>(&config.curve)) {
         if (row.name == "ramp_begin") ramp->end = 20;
         if (row.name == "ramp_end") ramp->begin = -10;
@@ -59,6 +63,12 @@ TEST(MethodParameters, BothEndsOfEveryRangeAreAllowedAndWhatLiesOutsideIsNamed) 
         ASSERT_TRUE(row.set(config, std::nan("")));
         EXPECT_NE(problemOf(config), "");
     }
+}
+
+TEST(MethodParameters, AFloorAboveTheCeilingIsNamed) {
+    AdaptiveOtfConfig config;
+    std::get<RatioRule>(config.detection).contrastFloor = 5;
+    EXPECT_EQ(problemOf(config), "the contrast floor must not be above the contrast ceiling");
 }
 
 TEST(MethodParameters, EveryChoiceCanBeMadeAndNoOther) {
