@@ -1,25 +1,30 @@
 #include "widgets/newest_wins_thread.h"
 
-#include <pthread.h>
-
 #include <QCoreApplication>
 #include <QEvent>
+#include <QThread>
 #include <chrono>
 #include <utility>
 
 namespace echolucent {
 
 NewestWinsThread::NewestWinsThread(const QString& name, QObject* parent)
-    : QObject(parent), m_thread([this](const std::stop_token& stopped) { work(stopped); }) {
-    // Linux keeps 15 characters of a thread's name.
-    pthread_setname_np(m_thread.native_handle(), name.left(15).toLatin1().constData());
+    : QObject(parent), m_thread(QThread::create([this] { work(); })) {
+    m_thread->setObjectName(name);
+    m_thread->start();
 }
 
 NewestWinsThread::~NewestWinsThread() {
     m_waiting.reset();
     if (m_cancelFlag) m_cancelFlag->store(true, std::memory_order_relaxed);
-    m_thread.request_stop();
-    m_thread.join();
+    {
+        std::unique_lock lock(m_mutex);
+        m_toEnd = true;
+        m_changed.notify_all();
+        // QThread::wait() alone would do, but the thread sanitizer does not see it.
+        m_changed.wait(lock, [this] { return m_hasEnded; });
+    }
+    m_thread->wait();
 }
 
 void NewestWinsThread::submit(Job job, WhenSuperseded whenSuperseded) {
@@ -46,16 +51,21 @@ void NewestWinsThread::start(Waiting next) {
         const std::lock_guard lock(m_mutex);
         m_order = Order{std::move(next.job), m_cancelFlag};
     }
-    m_ordered.notify_one();
+    m_changed.notify_all();
 }
 
-void NewestWinsThread::work(const std::stop_token& stopped) {
+void NewestWinsThread::work() {
     using Clock = std::chrono::steady_clock;
     while (true) {
         Order order;
         {
             std::unique_lock lock(m_mutex);
-            if (!m_ordered.wait(lock, stopped, [this] { return m_order.has_value(); })) return;
+            m_changed.wait(lock, [this] { return m_order.has_value() || m_toEnd; });
+            if (m_toEnd) {
+                m_hasEnded = true;
+                m_changed.notify_all();
+                return;
+            }
             order = *std::exchange(m_order, std::nullopt);
         }
         auto lastReport = Clock::time_point{};

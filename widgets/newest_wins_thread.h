@@ -8,15 +8,16 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <variant>
 #include <vector>
 
 #include "processing/progress.h"
 
+class QThread;
+
 namespace echolucent {
 
-/// Runs jobs in a thread of its own. While one runs, a newer one replaces whatever waits.
+/// Runs jobs in a QThread of its own. While one runs, a newer one replaces whatever waits.
 ///
 ///            submit(a)                        done, not superseded: deliver
 ///   [Idle] -------------> [Running a] -----------------------------------> [Idle]
@@ -82,7 +83,7 @@ private:
 
     void start(Waiting next);
     void ended(const Ended& job);
-    void work(const std::stop_token& stopped);
+    void work();
     void tell(News news);
 
     bool m_running = false;
@@ -93,10 +94,11 @@ private:
     // What crosses the threads, under one mutex of the standard library's: the thread sanitizer sees it, and does not
     // see the queue of events in Qt's library, which is not instrumented.
     std::mutex m_mutex;
-    std::condition_variable_any m_ordered;
+    std::condition_variable m_changed;  ///< an order came, the thread is to end, or it has ended
     std::optional<Order> m_order;
     std::vector<News> m_news;
-    std::jthread m_thread;
+    bool m_toEnd = false, m_hasEnded = false;
+    std::unique_ptr<QThread> m_thread;
 };
 
 }  // namespace echolucent
