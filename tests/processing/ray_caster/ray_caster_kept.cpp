@@ -3,7 +3,9 @@
 #include <tbb/task_arena.h>
 
 #include <atomic>
+#include <cstdio>
 
+#include "processing/ray_caster/kernel_job.h"
 #include "ray_caster_scenes.h"
 
 namespace echolucent {
@@ -262,9 +264,13 @@ TEST(RayCasterKept, AViewAboveTheMemoryLimitKeepsNothing) {
         settings.step = wanted.step;
         const double bytes = 2.0 * 32 / wanted.step * wanted.width * wanted.height;
         // A packet of one row or column takes the room of its other rays too.
-        const bool above = bytes * (std::min(wanted.width, wanted.height) == 1 ? 4 : 1) >
-                           static_cast<double>(RayCaster::sampleMemoryLimit);
-        ASSERT_TRUE(above);
+        const bool lonely = std::min(wanted.width, wanted.height) == 1;
+        const ray_casting::PacketShape packet = ray_casting::packetShape();
+        if (lonely && packet.columns * packet.rows == 1) {
+            std::printf("SKIP of %dx%d: a packet holds one ray here\n", wanted.width, wanted.height);
+            continue;
+        }
+        ASSERT_GT(bytes * (lonely ? 4 : 1), static_cast<double>(RayCaster::sampleMemoryLimit));
         EXPECT_EQ(bytesKeptOfTheFirstTiles(volume, settings), 0u) << wanted.width << "x" << wanted.height;
         settings.step *= 8;
         EXPECT_GT(bytesKeptOfTheFirstTiles(volume, settings), 0u) << "below the limit it is kept";

@@ -85,6 +85,9 @@ void expectOnePictureOnEveryTarget() {
     const Volume volume = speckledShell<Voxel>({48, 44, 52}, {1, 1.1, 0.9}, 31);
     const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
     if (targets.size() < 2) GTEST_SKIP() << "compiled for one instruction set only";
+#ifdef ECHOLUCENT_SANITIZED
+    GTEST_SKIP() << "under a sanitizer the kernel is compiled for few instruction sets, whose packets are alike";
+#endif
     const std::vector<Case> cases = casesFor(volume, 110, 97);
     std::map<std::string, Picture> expected;
     std::vector<int> lanes;
