@@ -48,8 +48,8 @@ function(echolucent_google_test name)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()
 
-# A Qt Test program from each test_*.cpp of the given folders (this one where none is given); they run under Xvfb, on OpenGL by llvmpipe. The first program's
-# precompiled headers serve the others: all have the same flags.
+# A Qt Test program from each test_*.cpp of the given folders (this one where none is given). They run under Xvfb, on OpenGL
+# by llvmpipe. The first program's precompiled headers serve the others: all have the same flags.
 function(echolucent_qt_tests)
     cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
     if(NOT ARG_FOLDERS)
@@ -80,8 +80,7 @@ function(echolucent_qt_tests)
 endfunction()
 
 function(echolucent_test_definitions name)
-    target_compile_definitions(${name} PRIVATE
-        ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" ECHOLUCENT_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    target_compile_definitions(${name} PRIVATE ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
 
 # What is tested is optimised as people run it; the tests' own code need not be.
