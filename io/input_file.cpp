@@ -89,4 +89,12 @@ Result<std::string> InputFile::beginning(std::size_t limit) const {
     return bytes;
 }
 
+Result<std::string> readWholeFile(const std::string& path, std::size_t limit) {
+    const auto file = InputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    if (file->size() > limit)
+        return fail(FailureKind::unreadable, path, "", "is larger than a file of this kind can be");
+    return file->beginning(limit);
+}
+
 }  // namespace echolucent

@@ -47,4 +47,7 @@ private:
     std::uint64_t m_size = 0;
 };
 
+/// Reads the whole file at `path`. Fails (unreadable) where it is no regular file or holds more than `limit` bytes.
+[[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::size_t limit);
+
 }  // namespace echolucent

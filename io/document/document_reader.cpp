@@ -1,61 +1,39 @@
-#include <cmath>
-
 #include "io/document/document_file.h"
-#include "io/document/json_fields.h"
-#include "io/output/atomic_file.h"
+#include "io/input_file.h"
+#include "io/json_values.h"
 #include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
 namespace {
 
-using nlohmann::json;
-
 constexpr std::int64_t largestId = 1'000'000;
-constexpr std::int64_t largestSize = 1'000'000;
 constexpr std::size_t largestFile = std::size_t{16} << 20;
 constexpr const char* remedy = "Correct the file, or save the document again from the program.";
 
+/// The largest opacity scale and slope that a curve may have.
+double largestScale() {
+    static const double largest = parameterNamed(methodParameters(), "opacity_scale")->range.largest;
+    return largest;
+}
+
 int idIn(JsonFields& fields, const char* key = "id") { return static_cast<int>(fields.whole(key, 0, largestId)); }
-
-std::array<std::int64_t, 3> sizeIn(JsonFields& fields) {
-    const Vec3 size = fields.vector("size");
-    std::array<std::int64_t, 3> whole{1, 1, 1};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto edge = static_cast<std::size_t>(axis);
-        if (size[axis] >= 1 && size[axis] <= static_cast<double>(largestSize) && size[axis] == std::floor(size[axis]))
-            whole[edge] = static_cast<std::int64_t>(size[axis]);
-        else
-            fields.wrong("size", "must be whole numbers from 1 on");
-    }
-    return whole;
-}
-
-RawLayout rawLayoutIn(JsonFields fields) {
-    RawLayout layout;
-    layout.size = sizeIn(fields);
-    layout.type = fields.text("type");
-    layout.bigEndian = fields.flag("big_endian");
-    layout.headerBytes = fields.whole("header_bytes", 0, std::numeric_limits<std::int64_t>::max());
-    layout.spacing = fields.vector("spacing_mm");
-    for (int axis = 0; axis < 3; ++axis)
-        if (!(layout.spacing[axis] > 0)) fields.wrong("spacing_mm", "must be above 0");
-    layout.spacingKnown = fields.flag("spacing_known");
-    return layout;
-}
 
 StudyReference studyIn(JsonFields root) {
     if (root.isNull("study")) return {};
     JsonFields study = root.object("study");
     if (study.has("simulated_scan")) {
         JsonFields scan = study.object("simulated_scan");
-        return SimulatedScan{scan.choice("scene", &phantomSceneFromName), sizeIn(scan), scan.seed("seed")};
+        return SimulatedScan{scan.choice("scene", &phantomSceneFromName), scan.size("size"), scan.seed("seed")};
     }
     JsonFields fields = study.object("file");
     StudyFile file;
     file.path = fields.text("path");
     file.series = fields.text("series");
-    if (!fields.isNull("raw_layout")) file.options.raw = rawLayoutIn(fields.object("raw_layout"));
+    if (!fields.isNull("raw_layout")) {
+        JsonFields layout = fields.object("raw_layout");
+        file.options.raw = rawLayoutIn(layout);
+    }
     file.options.framesAsSlices = fields.flag("frames_as_slices");
     file.options.guessNoData = fields.flag("guess_no_data");
     file.checksum = fields.text("checksum");
@@ -96,34 +74,22 @@ std::vector<View> viewsIn(JsonFields& root) {
     return views;
 }
 
-ManualCurve manualIn(JsonFields& fields) {
-    ManualCurve curve;
-    for (JsonFields& node : fields.list("manual")) {
-        curve.nodes.push_back({node.number("intensity", 0, 1), node.number("opacity", 0, 1)});
-        const std::size_t count = curve.nodes.size();
-        if (count > 1 && curve.nodes[count - 1].intensity < curve.nodes[count - 2].intensity)
-            node.wrong("intensity", "must not be below the one before it");
-    }
-    if (curve.nodes.empty()) fields.wrong("manual", "must be a list of at least one node");
-    return curve;
-}
-
 CurveSet curvesIn(JsonFields fields) {
     CurveSet curves;
-    curves.manual = manualIn(fields);
+    curves.manual = manualCurveIn(fields, "manual");
     JsonFields linear = fields.object("linear");
     curves.linear.lower = linear.number("lower", 0, 1);
-    curves.linear.slope = linear.number("slope", 0);
+    curves.linear.slope = linear.number("slope", 0, largestScale());
     curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
-    curves.parabolic.scale = fields.object("parabolic").number("scale", 0);
-    curves.quartic.scale = fields.object("quartic").number("scale", 0);
+    curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
+    curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
     return curves;
 }
 
 MethodChoice methodIn(JsonFields fields) {
     MethodChoice method;
     method.initial = fields.choice("initial", &initialKindFromName);
-    method.initialScale = fields.number("initial_scale", 0);
+    method.initialScale = fields.number("initial_scale", 0, largestScale());
     method.direction = directionIn(fields.object("direction"));
     JsonFields parameters = fields.object("parameters");
     parameters.parameters(methodParameters(), method.config);
@@ -158,24 +124,13 @@ Document documentIn(JsonFields root) {
 }  // namespace
 
 Result<Document> documentFromJson(std::string_view text, const std::string& file) {
-    const auto refuse = [&](const std::string& key, const std::string& problem) {
-        return fail(FailureKind::unreadable, file, key, problem, remedy);
-    };
-    json object;
-    try {
-        object = json::parse(text);
-    } catch (const json::exception&) {  // also numbers that are too large
-        return refuse({}, "is not JSON");
-    }
-    if (!object.is_object()) return refuse({}, "must be a JSON object");
-    if (object.value("format", json()) != "echolucent-document")
-        return refuse("format", "must be \"echolucent-document\"");
-    if (object.value("version", json()) != 1)
-        return refuse("version", "must be 1, not " + object.value("version", json()).dump());
+    const auto object = jsonObject(text, file, "echolucent-document", remedy);
+    if (!object) return tl::unexpected(object.error());
     JsonProblems problems{file, std::nullopt};
-    Document document = documentIn(JsonFields(object, {}, problems));
-    if (problems.first) return refuse(problems.first->element, problems.first->problem);
-    if (const std::string problem = problemOf(document); !problem.empty()) return refuse({}, problem);
+    Document document = documentIn(JsonFields(*object, {}, problems));
+    if (problems.first) return problems.refused(remedy);
+    if (const std::string problem = problemOf(document); !problem.empty())
+        return fail(FailureKind::unreadable, file, {}, problem, remedy);
     return document;
 }
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document/document_file.h"
+#include "io/json_values.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/method_parameters.h"
 
@@ -21,15 +22,6 @@ ordered_json parametersJson(std::span<const Parameter<Values>> table, const Valu
 }
 
 ordered_json triple(const Vec3& vector) { return ordered_json::array({vector[0], vector[1], vector[2]}); }
-
-ordered_json rawLayoutJson(const RawLayout& layout) {
-    return {{"size", layout.size},
-            {"type", layout.type},
-            {"big_endian", layout.bigEndian},
-            {"header_bytes", layout.headerBytes},
-            {"spacing_mm", triple(layout.spacing)},
-            {"spacing_known", layout.spacingKnown}};
-}
 
 ordered_json studyJson(const StudyReference& study) {
     if (const auto* file = std::get_if<StudyFile>(&study)) {
@@ -86,11 +78,8 @@ ordered_json viewsJson(const std::vector<View>& views) {
 }
 
 ordered_json curvesJson(const CurveSet& curves) {
-    ordered_json nodes = ordered_json::array();
-    for (const CurveNode& node : curves.manual.nodes)
-        nodes.push_back({{"intensity", node.intensity}, {"opacity", node.opacity}});
     return {
-        {"manual", nodes},
+        {"manual", manualCurveJson(curves.manual)},
         {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
         {"parabolic", {{"scale", curves.parabolic.scale}}},
         {"quartic", {{"scale", curves.quartic.scale}}}};

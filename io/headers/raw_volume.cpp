@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "io/headers/header_text.h"
+#include "io/input_file.h"
+#include "io/json_values.h"
 #include "io/output/atomic_file.h"
 #include "io/study_assembly.h"
 
@@ -13,25 +14,9 @@ namespace echolucent {
 
 namespace {
 
-using nlohmann::json;
-
-tl::unexpected<Failure> wrongSideCar(const std::string& file, const std::string& key, const std::string& problem) {
-    return fail(FailureKind::unreadable, file, key, problem,
-                "Delete this file and describe the raw file again, with --raw-size and the options beside it.");
-}
-
-/// Reads one key if it is there; false where it has another type.
-template <typename T>
-bool readKey(const json& object, const char* key, T& value) {
-    const auto found = object.find(key);
-    if (found == object.end()) return true;
-    try {
-        found->get_to(value);
-    } catch (const json::exception&) {
-        return false;
-    }
-    return true;
-}
+constexpr const char* formatName = "echolucent-raw-layout";
+constexpr const char* remedy =
+    "Delete this file and describe the raw file again, with --raw-size and the options beside it.";
 
 }  // namespace
 
@@ -68,14 +53,8 @@ Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLa
 }
 
 Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout) {
-    const json object{{"format", "echolucent-raw-layout"},
-                      {"version", 1},
-                      {"size", layout.size},
-                      {"type", layout.type},
-                      {"byte_order", layout.bigEndian ? "big" : "little"},
-                      {"header_bytes", layout.headerBytes},
-                      {"spacing_mm", {layout.spacing[0], layout.spacing[1], layout.spacing[2]}},
-                      {"spacing_known", layout.spacingKnown}};
+    nlohmann::ordered_json object{{"format", formatName}, {"version", 1}};
+    object.update(rawLayoutJson(layout));
     return writeFileAtomically(rawLayoutPath(path), object.dump(2) + "\n");
 }
 
@@ -85,26 +64,12 @@ Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
     if (!std::filesystem::exists(file, error)) return std::optional<RawLayout>();
     const auto text = readWholeFile(file, headerLimit);
     if (!text) return tl::unexpected(text.error());
-    const json object = json::parse(*text, nullptr, false);
-    std::string format;
-    if (!object.is_object() || !readKey(object, "format", format) || format != "echolucent-raw-layout")
-        return wrongSideCar(file, "", "does not describe a raw file");
-    RawLayout layout;
-    std::string byteOrder = "little";
-    std::array<double, 3> spacing{1, 1, 1};
-    if (!object.contains("size") || !readKey(object, "size", layout.size) || object["size"].size() != 3)
-        return wrongSideCar(file, "size", "must be three whole numbers");
-    if (!readKey(object, "type", layout.type)) return wrongSideCar(file, "type", "must be a word");
-    if (!readKey(object, "byte_order", byteOrder) || (byteOrder != "little" && byteOrder != "big"))
-        return wrongSideCar(file, "byte_order", "must be little or big");
-    if (!readKey(object, "header_bytes", layout.headerBytes))
-        return wrongSideCar(file, "header_bytes", "must be a whole number");
-    if (!readKey(object, "spacing_mm", spacing) || (object.contains("spacing_mm") && object["spacing_mm"].size() != 3))
-        return wrongSideCar(file, "spacing_mm", "must be three numbers");
-    if (!readKey(object, "spacing_known", layout.spacingKnown))
-        return wrongSideCar(file, "spacing_known", "must be true or false");
-    layout.bigEndian = byteOrder == "big";
-    layout.spacing = {spacing[0], spacing[1], spacing[2]};
+    const auto object = jsonObject(*text, file, formatName, remedy);
+    if (!object) return tl::unexpected(object.error());
+    JsonProblems problems{file, std::nullopt};
+    JsonFields fields(*object, {}, problems);
+    RawLayout layout = rawLayoutIn(fields);
+    if (problems.first) return problems.refused(remedy);
     return std::optional(layout);
 }
 

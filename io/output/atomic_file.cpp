@@ -74,21 +74,4 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
     return cannotWrite(path, problem);
 }
 
-Result<std::string> readWholeFile(const std::string& path, std::size_t limit) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-        return fail(FailureKind::unreadable, path, "", "is not a file that can be read", "Check the name.");
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno));
-    const auto size = std::filesystem::file_size(path, error);
-    if (error || size > limit)
-        return fail(FailureKind::unreadable, path, "", "is larger than a file of this kind can be");
-    std::string bytes(size, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (static_cast<std::size_t>(stream.gcount()) != size)
-        return fail(FailureKind::unreadable, path, "", "could not be read to its end");
-    return bytes;
-}
-
 }  // namespace echolucent

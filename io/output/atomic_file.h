@@ -13,7 +13,4 @@ namespace echolucent {
 /// (unwritable) where that cannot be done; what was at `path` is then as it was.
 [[nodiscard]] Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
-/// Reads the whole file at `path`. Fails (unreadable) where it is no regular file or holds more than `limit` bytes.
-[[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::size_t limit);
-
 }  // namespace echolucent

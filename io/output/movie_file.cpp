@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "io/input_file.h"
 #include "io/movie_encoder/movie_encoder.h"
 #include "io/output/atomic_file.h"
 

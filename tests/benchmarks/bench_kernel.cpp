@@ -22,7 +22,8 @@ constexpr int pictureEdge = 256;
 /// there must be fewer than that, and each opaque enough.
 enum class Depth { usual, shallow };
 
-/// A phantom, its voxels as another type of the same share of the white level; masked: a corner of it is no data.
+/// A phantom whose voxels are of another type and have the same share of the white level; where it is masked, a corner
+/// of it is no data.
 template <typename Voxel>
 std::shared_ptr<const Volume> volumeOf(Depth depth, bool masked = false) {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
@@ -45,7 +46,7 @@ std::shared_ptr<const Volume> volumeOf(Depth depth, bool masked = false) {
     return std::make_shared<const Volume>(volume.withDataMask(std::move(mask)));
 }
 
-/// Opaque enough that every sample counts, so little that light is left behind the last.
+/// The curve is so opaque that every sample counts, and so little opaque that light is left behind the last.
 OpacityCurve curveFor(Depth depth, double share = 1.0) {
     const double opacity = depth == Depth::usual ? 0.002 : 0.02;
     return ManualCurve{{{0.0, opacity * share}, {1.0, 1.2 * opacity * share}}};
@@ -63,7 +64,7 @@ RayCastSettings settingsOf(const Volume& volume, double turnDegrees) {
     return settings;
 }
 
-/// Samples of a picture that lie in the volume's box: one a unit of each ray's way through it.
+/// Counts the samples of a picture that lie in the volume's box: there is one a unit of each ray's way through it.
 double samplesOf(const Volume& volume, const RayCastSettings& settings) {
     const Vec3 low = volume.geometry().boxMinMm(), high = volume.geometry().boxMaxMm();
     const Camera& camera = settings.camera;
@@ -102,7 +103,7 @@ void castPictures(benchmark::State& state) {
     RayCaster caster(volume);
     int frame = 0;
     for (auto _ : state) {
-        // Turned a little: nothing of the picture before may be used again.
+        // The camera is turned a little, because nothing of the picture before may be used again.
         RayCastSettings settings = settingsOf(*volume, 0.01 * frame++);
         if (kind == Kind::shaded) settings.shading = Shading{};
         if (kind == Kind::maximum) settings.mode = RenderMode::maximum;
@@ -111,7 +112,7 @@ void castPictures(benchmark::State& state) {
     countSamples(state, *volume, settingsOf(*volume, 0.0));
 }
 
-/// Another curve each time under one camera: what is kept of the samples is classified and composited anew.
+/// Each time another curve is shown under one camera: what is kept of the samples is classified and composited anew.
 template <typename Voxel>
 void editCurves(benchmark::State& state) {
     const auto volume = volumeOf<Voxel>(Depth::usual);
@@ -127,7 +128,8 @@ void editCurves(benchmark::State& state) {
     state.counters["kept_bytes"] = static_cast<double>(caster.keptSampleBytes());
 }
 
-/// What is done once a volume: a caster made, and its first picture of one pixel, since some of it may wait for that.
+/// This is done once a volume: a caster is made, and its first picture of one pixel, since some of the work may wait
+/// for that.
 template <typename Voxel>
 void prepareCaster(benchmark::State& state) {
     const auto volume = volumeOf<Voxel>(Depth::usual);

@@ -18,10 +18,10 @@ namespace echolucent::bench {
 
 namespace {
 
-/// What the cell means of both may differ by, normalised intensity: at the volume's sides they count samples
+/// The cell means of both may differ by this much, normalised intensity: at the volume's sides they count samples
 /// differently.
 constexpr double largestDifference = 0.2;
-/// Before any run counts, caches and page tables are filled.
+/// Before any run counts, one run fills caches and page tables.
 constexpr int warmUps = 2;
 
 double millisecondsOf(const std::function<void()>& work) {

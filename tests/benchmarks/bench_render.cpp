@@ -1,4 +1,5 @@
-// echolucent-bench-render: our ray caster beside VTK's, in one run (docs/performance.md). Needs a display with OpenGL.
+// echolucent-bench-render measures our ray caster beside VTK's, in one run (docs/performance.md). It needs a display
+// with OpenGL.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <vtkVersion.h>
@@ -10,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "io/input_file.h"
 #include "io/output/atomic_file.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/render_report.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -21,7 +22,7 @@ struct RealVolume {
     BeamAxis beamAxis;
 };
 
-/// Beam axes by looking at the pictures: where the probe was.
+/// The beam axes were found by looking at the pictures: they tell where the probe was.
 constexpr std::array<RealVolume, 4> realVolumes{{
     {"fetal chest", "fetal_chest_iso0.3mm.mha", BeamAxis::plusY},
     {"adult heart", "adult_heart_256.nrrd", BeamAxis::plusZ},
@@ -122,7 +123,8 @@ BenchVolume doubled(const BenchVolume& volume) {
             for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
                 const Vec3 position{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
                 const float value = trilinearAt(voxels, old, position.mul(scale));
-                finer[static_cast<std::size_t>(geometry.offset(x, y, z))] = static_cast<std::uint8_t>(value + 0.5f);
+                finer[static_cast<std::size_t>(geometry.offset(x, y, z))] =
+                    static_cast<std::uint8_t>(std::lround(value));
             }
     });
     BenchVolume twice = volume;
@@ -134,7 +136,8 @@ BenchVolume doubled(const BenchVolume& volume) {
 NamedCurve parabolicCurve() { return {"parabolic", PowerCurve{2, 0.5}}; }
 
 std::vector<NamedCurve> benchCurves(const BenchVolume& volume) {
-    // As the program has it: the method knows what is no data even where the comparison does not.
+    // The adaptive curve is the one that the program has: the method knows what is no data even where the comparison
+    // does not.
     const Volume& seen = volume.masked ? *volume.masked : *volume.volume;
     const auto adaptive = adaptOpacity(seen, volume.view, AdaptiveOtfConfig{});
     return {{"linear", LinearCurve{}}, parabolicCurve(), {"adaptive", adaptive->curve}};

@@ -1,8 +1,10 @@
-// Ours alone: how many pictures a second, at which error.
+// This measures ours alone: how many pictures a second it makes, at which error.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "processing/adaptive/adaptive_otf.h"
@@ -10,6 +12,7 @@
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"
+#include "widgets/volume_view/qualities.h"
 
 namespace echolucent::bench {
 
@@ -17,25 +20,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A level of quality: a picture of 1 / reduction of the width and height, enlarged to the window.
-struct Level {
-    double reduction;
-    double step;
-    double terminationTransmittance = 1.0 / 128;
-};
+/// The finest qualities of the program, as many as are measured.
+constexpr std::size_t measuredOfTheProgram = 8;
 
-/// The program's (widgets/volume_view/qualities.h), and some beside them.
-constexpr std::array<Level, 9> levels{{
-    {1.0, 0.25, 1.0 / 2048},
-    {1.0, 0.5, 1.0 / 512},
-    {1.0, 0.75},
-    {1.0, 1.0},
-    {1.0, 1.5},
-    {1.5, 1.5},
-    {2.0, 1.5},
-    {2.0, 2.0},
-    {3.0, 2.0},
-}};
+/// The program's finest qualities from fine to coarse, and one between the first two that the program does not have.
+std::array<Quality, measuredOfTheProgram + 1> measuredQualities() {
+    std::array<Quality, measuredOfTheProgram + 1> measured{};
+    measured[0] = qualities[0];
+    measured[1] = {"between", 1.0, 0.5, false, 1.0 / 512};
+    std::copy_n(qualities.begin() + 1, measuredOfTheProgram - 1, measured.begin() + 2);
+    return measured;
+}
 
 /// Frame rates are promised for two cores, whatever the machine has.
 constexpr int threadsOfRates = 2;
@@ -52,7 +47,8 @@ public:
             const RayCastSettings window = turnedSettings(m_volume, lookOf(false), size, 0.0);
             const ReferencePicture reference =
                 cachedReference(m_plan.cacheFolder, *m_volume.volume, m_curve.curve, window, stride);
-            for (const Level& level : levels) rows.push_back(levelRow(level, size, window, reference));
+            for (const Quality& quality : measuredQualities())
+                rows.push_back(qualityRow(quality, size, window, reference));
             rows.push_back(editRow(size));
         }
     }
@@ -67,12 +63,12 @@ private:
         return row;
     }
 
-    ordered_json levelRow(const Level& level, int size, const RayCastSettings& window,
-                          const ReferencePicture& reference) {
-        const int pixels = static_cast<int>(size / level.reduction + 0.5);
+    ordered_json qualityRow(const Quality& quality, int size, const RayCastSettings& window,
+                            const ReferencePicture& reference) {
+        const int pixels = static_cast<int>(std::lround(size / quality.reduction));
         RayCastSettings look;
-        look.step = level.step;
-        look.terminationTransmittance = level.terminationTransmittance;
+        look.step = quality.step;
+        look.terminationTransmittance = quality.terminationTransmittance;
         const auto turned = [&](int frame) {
             return turnedSettings(m_volume, look, pixels, turnBetweenFrames * frame);
         };
@@ -80,15 +76,15 @@ private:
         std::vector<Cost> costs;
         for (int i = 1; i <= repeats(); ++i)
             costs.push_back(costOf([&] { (void)m_caster.cast(m_curve.curve, turned(i)); }));
-        ordered_json row = rowOf("level", size, costs);
-        row["reduction"] = level.reduction;
-        row["step"] = level.step;
-        row["ends_at"] = level.terminationTransmittance;
+        ordered_json row = rowOf("quality", size, costs);
+        row["reduction"] = quality.reduction;
+        row["step"] = quality.step;
+        row["ends_at"] = quality.terminationTransmittance;
         addError(row, "ours", errorOf(pixels == size ? rgbOf(*picture) : enlarged(*picture, size), reference, window));
         return row;
     }
 
-    /// Another curve each time, under one camera.
+    /// Each time another curve is shown, under one camera.
     ordered_json editRow(int size) {
         const RayCastSettings settings = turnedSettings(m_volume, lookOf(false), size, 0.0);
         const std::vector<double> opacities = sampledOpacities(m_curve.curve, AdaptiveOtf::sampleCount);

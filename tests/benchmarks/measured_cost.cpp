@@ -10,7 +10,7 @@
 namespace echolucent::bench {
 
 namespace {
-/// Longer than oneTBB's workers look for work before they sleep.
+/// The pause is longer than oneTBB's workers look for work before they sleep.
 constexpr std::chrono::milliseconds untilWorkersSleep{4};
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Ours beside VTK's GPU mapper, as volumes grow and as threads grow: one curve, unshaded but for the GPU.
+// This measures ours beside VTK's GPU mapper, as volumes grow and as threads grow, with one curve, unshaded but for the
+// GPU.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 

@@ -13,7 +13,7 @@ namespace echolucent::bench {
 class OpenCvOtf {
 public:
     OpenCvOtf(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);
-    /// Runs all stages once; the curve's sum.
+    /// Runs all stages once, and returns the curve's sum.
     [[nodiscard]] double run();
     /// The largest difference between its cell means and those of the method, normalised intensity.
     [[nodiscard]] double differenceTo(const AdaptiveOtf& otf) const;

@@ -34,7 +34,7 @@ private:
     std::uint64_t m_value = 0xcbf29ce484222325ull;
 };
 
-/// To be raised where PlainCaster computes another picture.
+/// This number is to be raised where PlainCaster computes another picture.
 constexpr double referenceVersion = 3;
 
 std::string hashOf(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings, int stride) {

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A step of one unit, as all comparisons have it.
+/// The step is one unit, as all comparisons have it.
 RayCastSettings plainLook() { return {}; }
 
 /// One bright voxel off the centre of an empty grid: its picture's centroid is known to a hundredth of a pixel.
@@ -53,7 +53,7 @@ Place projected(const RayCastSettings& settings, const Vec3& gridMm) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.column - b.column, a.row - b.row); }
 
-/// Across the picture: where both, and the GPU mapper, see one voxel, against where it is.
+/// Across the picture, the place where both renderers, and the GPU mapper, see one voxel is compared with where it is.
 ordered_json pixelOffsets(const BenchPlan& plan) {
     const BenchVolume volume = oneVoxel();
     const OpacityCurve curve = PowerCurve{1, 0.5};
@@ -79,7 +79,7 @@ BenchVolume smallPhantom(const BenchPlan& plan) {
     return benchPhantom(PhantomScene::shapes, {edge, edge, edge});
 }
 
-/// Along the rays: at a step of two units the picture of speckle depends on where samples lie. Of VTK's pictures with
+/// Along the rays, at a step of two units the picture of speckle depends on where samples lie. Of VTK's pictures with
 /// its sample planes moved by shares of a step, the one on our planes must be the nearest to ours.
 ordered_json depthOffsets(const BenchPlan& plan) {
     const BenchVolume volume = smallPhantom(plan);

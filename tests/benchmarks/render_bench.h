@@ -19,7 +19,7 @@ struct BenchPlan {
     int errorSize = 512;  ///< pixels of the pictures whose error is measured
 };
 
-/// Each returns the rows of one part, as objects; keys in docs/performance.md.
+/// Each function returns the rows of one part, as objects; docs/performance.md lists their keys.
 
 /// Whether both cast the same rays through the same places: see docs/performance.md, "The same rays".
 [[nodiscard]] nlohmann::ordered_json registrationOf(const BenchPlan& plan);
@@ -32,7 +32,7 @@ struct BenchPlan {
 [[nodiscard]] nlohmann::ordered_json growthRows(const BenchPlan& plan);
 /// The same picture on one thread, on two, and so on up to all threads.
 [[nodiscard]] nlohmann::ordered_json threadRows(const BenchPlan& plan, const BenchVolume& volume);
-/// Ours alone: whole pictures, OTF edits, and levels of quality, as frames a second.
+/// Ours alone: pictures of each quality, and edits of the OTF, as frames a second.
 [[nodiscard]] nlohmann::ordered_json frameRateRows(const BenchPlan& plan, const BenchVolume& volume);
 
 }  // namespace echolucent::bench

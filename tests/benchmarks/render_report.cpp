@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/measuring/measures/median.h"
+#include "io/input_file.h"
 #include "io/output/atomic_file.h"
 #include "tests/benchmarks/measured_cost.h"
 
@@ -82,7 +83,7 @@ Table rowsTable(const ordered_json& rows, bool shaded) {
     return table;
 }
 
-/// What comes before a first picture, and around VTK's rays: in the rows of one size and curve.
+/// This tells what comes before a first picture, and around VTK's rays, in the rows of one size and curve.
 Table aroundTable(const ordered_json& rows) {
     Table table{"around",
                 "CPU ms that are not in the tables above",
@@ -132,13 +133,13 @@ Table threadsTable(const ordered_json& rows) {
     return table;
 }
 
-Table levelsTable(const ordered_json& rows) {
-    Table table{"levels",
-                "Ours on two threads: levels of quality",
+Table qualitiesTable(const ordered_json& rows) {
+    Table table{"qualities",
+                "Ours on two threads: qualities",
                 {"volume", "OTF", "window", "reduction", "step", "wall ms", "pictures/s", "RMSE", "max"},
                 {}};
     for (const auto& row : rows)
-        if (row["what"] == "level")
+        if (row["what"] == "quality")
             table.rows.push_back({row["volume"].get<std::string>(), row["otf"].get<std::string>(), row["size"].dump(),
                                   fixed(row, "reduction", 1), shortest(row, "step"), fixed(row, "ours_wall_ms", 1),
                                   fixed(row, "frames_per_second", 0), fixed(row, "ours_rmse", 2),
@@ -185,7 +186,7 @@ Table kernelTable(const ordered_json& rows) {
     return table;
 }
 
-/// Characters, not bytes: "³" is one.
+/// The width counts characters and not bytes: "³" is one.
 std::size_t widthOf(const std::string& text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -230,7 +231,7 @@ std::vector<Table> tablesOf(const ordered_json& report) {
     if (report.contains("growth")) tables.push_back(growthTable(report["growth"]));
     if (report.contains("threads")) tables.push_back(threadsTable(report["threads"]));
     if (report.contains("frame_rates")) {
-        tables.push_back(levelsTable(report["frame_rates"]));
+        tables.push_back(qualitiesTable(report["frame_rates"]));
         tables.push_back(editsTable(report["frame_rates"]));
     }
     if (report.contains("summary")) tables.push_back(summaryTable(report["summary"]));

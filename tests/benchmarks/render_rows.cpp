@@ -1,10 +1,10 @@
 // Ours beside VTK's CPU mapper, picture by picture.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <opencv2/core/saturate.hpp>
 
 #include "io/output/picture_file.h"
 #include "processing/ray_caster.h"
@@ -18,14 +18,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A shaded reference takes seven times the samples: every second pixel of every second row tells as much.
+/// A shaded reference takes seven times the samples, and every second pixel of every second row tells as much.
 constexpr int shadedStride = 2;
 
 struct Errors {
     PictureError ours, vtk;
 };
 
-/// Ours on the left, VTK's on the right.
+/// Ours stands on the left, VTK's on the right.
 void writeSideBySide(const BenchPlan& plan, const std::string& name, const std::vector<float>& ours,
                      const std::vector<float>& vtk) {
     if (plan.pictureFolder.empty()) return;
@@ -34,7 +34,7 @@ void writeSideBySide(const BenchPlan& plan, const std::string& name, const std::
     for (std::size_t row = 0; row < ours.size(); row += line)
         for (const std::vector<float>* picture : {&ours, &vtk})
             for (std::size_t i = row; i < row + line; ++i)
-                bytes.push_back(static_cast<std::uint8_t>(std::clamp((*picture)[i], 0.0f, 1.0f) * 255.0f + 0.5f));
+                bytes.push_back(cv::saturate_cast<std::uint8_t>(255.0f * (*picture)[i]));
     std::error_code none;
     std::filesystem::create_directories(plan.pictureFolder, none);
     const std::string path = (std::filesystem::path(plan.pictureFolder) / (name + ".png")).string();
@@ -42,7 +42,7 @@ void writeSideBySide(const BenchPlan& plan, const std::string& name, const std::
         fmt::print(stderr, "{}\n", done.error().sentence());
 }
 
-/// Unshaded both are compared to the double reference. Shaded ours is, and VTK, which lights in another way, is
+/// Unshaded, both are compared to the double reference. Shaded, only ours is; VTK, which lights in another way, is
 /// compared to itself at the reference's step.
 Errors errorsOf(const BenchPlan& plan, const BenchVolume& volume, const NamedCurve& named, bool shaded) {
     const OpacityCurve& curve = named.curve;
@@ -116,7 +116,7 @@ private:
                    row["cpu_ratio"].get<double>());
         return row;
     }
-    /// Each ray is by itself: the error is measured once, in pictures of one size.
+    /// Each ray is by itself, so the error is measured once, in pictures of one size.
     const Errors& errorsFor(const NamedCurve& curve, bool shaded) {
         const std::pair key(curve.name, shaded);
         auto found = m_errors.find(key);

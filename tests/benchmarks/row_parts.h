@@ -13,19 +13,19 @@
 
 namespace echolucent::bench {
 
-/// WHO_cpu_ms, WHO_wall_ms.
+/// Adds WHO_cpu_ms and WHO_wall_ms.
 inline void addCost(nlohmann::ordered_json& row, const std::string& who, const Cost& cost) {
     row[who + "_cpu_ms"] = cost.cpuMs;
     row[who + "_wall_ms"] = cost.wallMs;
 }
 
-/// cpu_ratio, wall_ratio: how many times ours theirs is.
+/// Adds cpu_ratio and wall_ratio: how many times ours theirs is.
 inline void addRatios(nlohmann::ordered_json& row, const Cost& ours, const Cost& theirs) {
     row["cpu_ratio"] = theirs.cpuMs / ours.cpuMs;
     row["wall_ratio"] = theirs.wallMs / ours.wallMs;
 }
 
-/// WHO_rmse, WHO_max over the rays that meet the volume, WHO_rmse_picture, WHO_max_picture over all pixels.
+/// Adds WHO_rmse and WHO_max over the rays that meet the volume, WHO_rmse_picture and WHO_max_picture over all pixels.
 inline void addError(nlohmann::ordered_json& row, const std::string& who, const PictureError& error) {
     row[who + "_rmse"] = error.rmse;
     row[who + "_max"] = error.largest;
@@ -45,7 +45,8 @@ struct PreparedCaster {
 /// VTK's CPU mapper ends a ray where less of the light is left than 0xff of 0x7fff.
 inline constexpr double vtkEndTransmittance = 255.0 / 32767.0;
 
-/// Step 1, trilinear, sepia, rays end where VTK's do; shaded as the program shades.
+/// The look has step 1, trilinear interpolation and sepia; rays end where VTK's do, and where it is shaded it is as the
+/// program shades.
 inline RayCastSettings lookOf(bool shaded) {
     RayCastSettings look;
     look.terminationTransmittance = vtkEndTransmittance;

@@ -8,7 +8,7 @@ namespace echolucent::bench {
 vtkStandardNewMacro(StagedFixedPointMapper);
 
 void StagedFixedPointMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
-    // One picture of one volume: the base class passes zeros as well, which it does not read.
+    // This is one picture of one volume; the base class passes zeros as well, which it does not read.
     double origin[3]{}, spacing[3]{};
     int extent[6]{};
     const double wall = wallClockMs(), cpu = processCpuMs();

@@ -1,5 +1,5 @@
-// echolucent-bench-window: frames a second in the workstation's real window, on the display at hand
-// (scripts/with-display gives a virtual one). Prints a table and writes build/bench/window.json.
+// echolucent-bench-window measures frames a second in the workstation's real window, on the display at hand
+// (scripts/with-display gives a virtual one). It prints a table and writes build/bench/window.json.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>

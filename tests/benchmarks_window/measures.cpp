@@ -2,6 +2,7 @@
 
 #include <QThread>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -9,7 +10,7 @@ namespace echolucent::bench {
 
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    const auto place = std::lround(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + place, values.end());
     return values[static_cast<std::size_t>(place)];
 }
@@ -40,25 +41,25 @@ void FrameRecord::summarise(Row& row) const {
     row.framesPerSecond = row.frames / seconds;
     std::vector<double> intervals, casts, draws;
     for (std::size_t i = 1; i < m_drawn.size(); ++i) intervals.push_back(m_drawn[i] - m_drawn[i - 1]);
-    std::map<std::tuple<int, int, double>, int> levels;
+    std::map<std::tuple<int, int, double>, int> pictures;
     for (const PictureReport& report : m_reports) {
         casts.push_back(report.castMilliseconds);
         draws.push_back(report.drawMilliseconds);
-        ++levels[{report.rays.width(), report.rays.height(), report.step}];
+        ++pictures[{report.rays.width(), report.rays.height(), report.step}];
     }
     row.medianInterval = quantile(intervals, 0.5);
     row.interval95 = quantile(intervals, 0.95);
     row.castMilliseconds = quantile(casts, 0.5);
     row.drawMilliseconds = quantile(draws, 0.5);
-    const auto most = std::max_element(levels.begin(), levels.end(),
+    const auto most = std::max_element(pictures.begin(), pictures.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most == levels.end()) return;
+    if (most == pictures.end()) return;
     const auto& [width, height, step] = most->first;
     row.rays = {width, height};
     row.step = step;
-    row.levelShare = static_cast<double>(most->second) / static_cast<double>(m_reports.size());
+    row.qualityShare = static_cast<double>(most->second) / static_cast<double>(m_reports.size());
     for (const PictureReport& report : m_reports)
-        if (report.rays == row.rays && report.step == step) row.level = report.quality;
+        if (report.rays == row.rays && report.step == step) row.quality = report.quality;
 }
 
 }  // namespace echolucent::bench

@@ -21,10 +21,10 @@ struct Row {
     double deliveredPerSecond = 0.0;
     double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" the times
     double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians
-    QString level;                                          ///< the most frequent one
+    QString quality;                                        ///< the most frequent one
     QSize rays;
     double step = 0.0;
-    double levelShare = 0.0;      ///< share of the pictures that had this level
+    double qualityShare = 0.0;    ///< share of the pictures that had this quality, at these rays and this step
     double processorShare = 0.0;  ///< processor time of this program over wall time times processors
     int frames = 0;
 };

@@ -25,11 +25,11 @@ QJsonObject json(const Row& row) {
             {"interval_ms_95", row.interval95},
             {"cast_ms", row.castMilliseconds},
             {"draw_ms", row.drawMilliseconds},
-            {"level", row.level},
+            {"quality", row.quality},
             {"rays_across", row.rays.width()},
             {"rays_down", row.rays.height()},
             {"step", row.step},
-            {"level_share", row.levelShare},
+            {"quality_share", row.qualityShare},
             {"processor_share", row.processorShare},
             {"frames", row.frames}};
 }
@@ -37,7 +37,7 @@ QJsonObject json(const Row& row) {
 }  // namespace
 
 QString tableHeader() {
-    return QString("%1 %2 %3  frames/s  delivered/s  median ms  95 % ms  cast ms  draw ms   CPU  level")
+    return QString("%1 %2 %3  frames/s  delivered/s  median ms  95 % ms  cast ms  draw ms   CPU  quality")
         .arg("action", -12)
         .arg("curve", -14)
         .arg("size", -5);
@@ -49,11 +49,11 @@ QString tableLine(const Row& row) {
           << number(row.medianInterval, 1, 10) << number(row.interval95, 1, 8) << number(row.castMilliseconds, 1, 8)
           << number(row.drawMilliseconds, 1, 8) << number(100 * row.processorShare, 0, 4) + " %";
     cells << QString(" %1 %2x%3, step %4 (%5 %)")
-                 .arg(row.level)
+                 .arg(row.quality)
                  .arg(row.rays.width())
                  .arg(row.rays.height())
                  .arg(row.step)
-                 .arg(100 * row.levelShare, 0, 'f', 0);
+                 .arg(100 * row.qualityShare, 0, 'f', 0);
     return cells.join(' ');
 }
 

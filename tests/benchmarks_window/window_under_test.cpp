@@ -53,7 +53,7 @@ void WindowUnderTest::openVolume(const std::shared_ptr<const Volume>& volume) {
     waitUntilConverged();
 }
 
-/// By the wheel, until the face of the volume covers that share of the picture.
+/// Zooms by the wheel, until the face of the volume covers that share of the picture.
 void WindowUnderTest::fillTwoThirds() {
     const VolumeGeometry& geometry = m_window->session().volume()->geometry();
     const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();

@@ -1,5 +1,6 @@
 // Files appear whole or not at all, and what stood at the path keeps its kind.
 #include "io/output/atomic_file.h"
+#include "io/input_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -49,17 +49,18 @@ TEST(CurveFile, EveryMistakeIsNamed) {
     EXPECT_THAT(sentenceOf(R"({"format": "echolucent-opacity-curve", "version": 2})"), HasSubstr("version must be 1"));
     EXPECT_THAT(nodes("[]"), HasSubstr("nodes must be a list"));
     EXPECT_THAT(nodes("{}"), HasSubstr("nodes must be a list"));
-    EXPECT_THAT(nodes("[3]"), HasSubstr("nodes[0] must be an object"));
+    EXPECT_THAT(nodes("[3]"), HasSubstr("nodes[0] must be a JSON object"));
     EXPECT_THAT(nodes(R"([{"intensity": 0.5}])"), HasSubstr("nodes[0].opacity is missing"));
     EXPECT_THAT(nodes(R"([{"intensity": "a", "opacity": 0}])"), HasSubstr("nodes[0].intensity must be a number"));
     EXPECT_THAT(nodes(R"([{"intensity": 1.5, "opacity": 0}])"),
-                HasSubstr("nodes[0].intensity must lie in [0, 1], not 1.5"));
-    EXPECT_THAT(nodes(R"([{"intensity": 0.5, "opacity": -0.1}])"), HasSubstr("nodes[0].opacity must lie in [0, 1]"));
+                HasSubstr("nodes[0].intensity must be 0 to 1, not 1.5"));
+    EXPECT_THAT(nodes(R"([{"intensity": 0.5, "opacity": -0.1}])"),
+                HasSubstr("nodes[0].opacity must be 0 to 1, not -0.1"));
     EXPECT_THAT(nodes(R"([{"intensity": 0.5, "opacity": 1e999}])"), HasSubstr("number too large"));
     EXPECT_THAT(nodes(R"([{"intensity": 0.5, "opacity": 0}, {"intensity": 0.4, "opacity": 0}])"),
                 HasSubstr("nodes[1].intensity must not be below"));
     EXPECT_THAT(readCurve(folder.file("none.json")).error().sentence(),
-                AllOf(HasSubstr("none.json"), HasSubstr("not a file")));
+                AllOf(HasSubstr("none.json"), HasSubstr("could not be opened: No such file")));
 }
 
 TEST(PictureFile, PngHoldsThePixels) {

@@ -164,7 +164,8 @@ double secondsOf(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Far above what a linear reader needs, even under a sanitizer, and far below what a quadratic one takes (40 s).
+/// The bound is far above what a linear reader needs, even under a sanitizer, and far below what a quadratic one takes
+/// (40 s).
 constexpr double inTime = 5.0;
 
 std::string manyValues(int count) {

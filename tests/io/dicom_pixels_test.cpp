@@ -149,7 +149,7 @@ TEST(DicomPixels, PaletteIsReducedToLumaIn8And16Bits) {
     palette.green = {100 << 8, 0, 0xffff, 0xffff};
     palette.blue = {50 << 8, 0, 0, 0xffff};
     image.palette = palette;
-    // 124, 0, 150, 255; values outside the table take its first or last entry.
+    // The table holds 124, 0, 150, 255; values outside the table take its first or last entry.
     const std::vector<double> luma{124, 124, 0, 150, 255, 255, 255, 124};
     auto study = writtenAndRead(image, TestSyntax::explicitLittle);
     ASSERT_TRUE(study) << study.error().sentence();
@@ -194,7 +194,7 @@ TEST(DicomPixels, SignedValuesKeepTheirSign) {
 
 TEST(DicomPixels, LossyJpegIsCloseAndSaid) {
     TestImage image = ramp8();
-    // The full range, because the encoder stretches a narrower one.
+    // The pixels have the full range, because the encoder stretches a narrower one.
     for (int i = 0; i < 256; ++i) image.pixels8[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i);
     auto study = writtenAndRead(image, TestSyntax::jpegBaseline);
     ASSERT_TRUE(study) << study.error().sentence();

@@ -44,7 +44,7 @@ std::vector<MalformedRow> metaImageRows() {
     const std::string key = "ElementDataFile = LOCAL";
     return {
         {"a.mha", "", {"ElementDataFile is missing"}},
-        {"a.mha", std::string("\x01\x02\x03 garbage \xff\xfe\n", 16), {"line 1", "no \"Key = Value\""}},
+        {"a.mha", "\x01\x02\x03 garbage \xff\xfe\n", {"line 1", "no \"Key = Value\""}},
         {"a.mha", mha("ElementType", "no equals here\nElementType"), {"line 5", "no equals here"}},
         {"a.mha", "ObjectType = Image\nNDims = 3\nDim", {"line 3", "\"Dim\""}},
         {"a.mha", mha(key + "\n", "", ""), {"ElementDataFile is missing"}},

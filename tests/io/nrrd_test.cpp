@@ -117,7 +117,7 @@ TEST(Nrrd, ObliqueVectorsWithSpacesAndNegativeSpacing) {
 
 TEST(Nrrd, WithoutSpacingItIsMarkedUnknown) { EXPECT_FALSE(geometryOf("").spacingKnown); }
 
-/// 4D: two phases of 2 x 1 x 1, values 10, 11 and 20, 21.
+/// The file is 4D: two phases of 2 x 1 x 1, with the values 10, 11 and 20, 21.
 Result<Study> readMoving(const std::string& sizes, const std::string& more, const std::vector<std::uint8_t>& values) {
     const TemporaryFolder folder;
     return readStudy(

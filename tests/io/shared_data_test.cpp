@@ -1,4 +1,4 @@
-// Real files beside the source tree; skipped where they are not there.
+// The tests read real files beside the source tree; they are skipped where these are not there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,8 +96,8 @@ TEST(SharedVolumesAll, NaNVoxelsAreNoData) {
     EXPECT_GT(notFinite, 0);
 }
 
-/// Every DICOM file, alone and as the only two pictures of a folder, with frames taken as slices: a study or a
-/// sentence.
+/// Every DICOM file is read, alone and as the only two pictures of a folder, with frames taken as slices: each gives a
+/// study or a sentence.
 TEST(SharedDicom, EveryFileEndsInAStudyOrASentence) {
     SKIP_WITHOUT_DATA();
     int studies = 0;

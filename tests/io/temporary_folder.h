@@ -1,6 +1,7 @@
 // Files for one test, removed with it.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -67,9 +68,8 @@ inline std::string factOf(const Study& study, const std::string& name) {
 }
 
 inline bool warnsOf(const Study& study, const std::string& words) {
-    for (const std::string& warning : study.warnings)
-        if (warning.find(words) != std::string::npos) return true;
-    return false;
+    return std::ranges::any_of(study.warnings,
+                               [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
 }  // namespace echolucent

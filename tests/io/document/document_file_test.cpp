@@ -6,13 +6,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/io/temporary_folder.h"
 
 namespace echolucent {
 namespace {
 
-/// A document in which every value differs from its default, with numbers that have no short decimal text.
+/// A document in which every part differs from its default, with numbers that have no short decimal text.
 Document unusual() {
     Document document;
     StudyFile file{
@@ -30,6 +32,8 @@ Document unusual() {
     document.looks.front().value.mode = RenderMode::mean;
     document.looks.front().value.colourMap = ColourMap::ice;
     document.looks.front().value.depthColoured = true;
+    document.looks.front().value.projection = Projection::perspective;
+    document.looks.front().value.interpolation = Interpolation::nearest;
     document.looks.front().value.light = {100.0 / 3.0, -0.1};
     document.looks.front().value.step = 2.0 / 3.0;
     document.phases = {{1, 3}};
@@ -127,12 +131,39 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
                     Wrong{"/study/file/path", 5, "study.file.path", "text"}));
 
+/// Whether the key at a place may be missing: a parameter of the method or of a look, and all of a raw layout but its
+/// size, have defaults.
+bool mayBeMissing(const std::string& place) {
+    const std::string looks = "/looks/";
+    if (place.starts_with(looks) && place.find('/', looks.size()) != std::string::npos) return !place.ends_with("/id");
+    if (place.starts_with("/study/file/raw_layout/")) return !place.ends_with("/size");
+    return place.starts_with("/method/parameters/");
+}
+
+/// Adds the places of all keys below a place that must be there.
+void addNeeded(const nlohmann::ordered_json& value, const nlohmann::ordered_json::json_pointer& place,
+               std::vector<nlohmann::ordered_json::json_pointer>& needed) {
+    for (const auto& [key, inner] : value.items()) {
+        const nlohmann::ordered_json::json_pointer at = place / key;
+        if (mayBeMissing(at.to_string())) continue;
+        if (value.is_object()) needed.push_back(at);
+        if (inner.is_structured()) addNeeded(inner, at, needed);
+    }
+}
+
 TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
-    auto object = nlohmann::ordered_json::parse(jsonOf(unusual()));
-    for (const auto& [key, value] : object.items()) {
-        auto without = object;
-        without.erase(key);
-        EXPECT_FALSE(documentFromJson(without.dump())) << key;
+    Document simulated;
+    simulated.study = SimulatedScan{PhantomScene::shapes, {72, 68, 70}, 1};
+    for (const Document& document : {unusual(), simulated}) {
+        const auto object = nlohmann::ordered_json::parse(jsonOf(document));
+        std::vector<nlohmann::ordered_json::json_pointer> needed;
+        addNeeded(object, nlohmann::ordered_json::json_pointer(), needed);
+        EXPECT_GT(needed.size(), 30u);
+        for (const auto& place : needed) {
+            auto without = object;
+            without.at(place.parent_pointer()).erase(place.back());
+            EXPECT_FALSE(documentFromJson(without.dump())) << place.to_string();
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // Checked access to the values of a JSON object; the first that is wrong is kept as a failure that names its key.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -15,32 +16,49 @@
 
 namespace echolucent {
 
+/// The JSON object that a text holds. A text that is no JSON object (the sentence names the line where it breaks), that
+/// holds a number too large for a double, or whose "format" and "version" are not the given format and 1, is refused.
+/// The file is named in that sentence, which ends with the remedy.
+[[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
+                                                const std::string& format, const std::string& remedy);
+
 /// What went wrong while a file was read.
 struct JsonProblems {
     std::string file;
     std::optional<Failure> first;
+    /// The first problem with what to do about it; there must be one.
+    [[nodiscard]] tl::unexpected<Failure> refused(const std::string& remedy) const;
 };
 
-/// The values of one object. What is missing or wrong gives the value passed as `otherwise` (or a default) and is told
-/// to the problems, which outlive this.
+/// The values of one object. A value that is missing or wrong is told to the problems, which outlive this, and read as
+/// the least that is allowed (0 where nothing is), false, an empty text, (0, 0, 0), an object or a list without
+/// entries.
 class JsonFields {
 public:
     /// `place` holds the keys from the file's root to this object ("poses[0]"), and is empty for the root itself.
     JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
 
     [[nodiscard]] bool has(const char* key) const;
+    /// Whether the value is null, or missing.
     bool isNull(const char* key);
     /// A finite number in [least, largest].
     double number(const char* key, double least = -std::numeric_limits<double>::infinity(),
                   double largest = std::numeric_limits<double>::infinity());
+    /// A whole number in [least, largest].
     std::int64_t whole(const char* key, std::int64_t least, std::int64_t largest);
+    /// A whole number from 0 to 2^64 - 1.
     std::uint64_t seed(const char* key);
+    /// True or false.
     bool flag(const char* key);
     std::string text(const char* key);
     /// Three finite numbers.
     Vec3 vector(const char* key);
+    /// The object under a key.
     JsonFields object(const char* key);
+    /// The objects of a list.
     std::vector<JsonFields> list(const char* key);
+    /// Three whole numbers in [1, 10^6]: the size of a volume, voxels.
+    std::array<std::int64_t, 3> size(const char* key);
     /// A choice by name; `named` gives none for an unknown name.
     template <typename Choice>
     Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {
@@ -49,12 +67,10 @@ public:
         if (!found) wrong(key, "must not be \"" + name + "\"");
         return found.value_or(Choice{});
     }
-    /// The parameters of a table that stand here; what is not here stays. Choices come first, since what else has a
-    /// meaning follows from them.
+    /// The parameters of a table that stand here; what is not here stays. A table holds each choice before the
+    /// parameters that have a meaning by it.
     template <typename Values>
     void parameters(std::span<const Parameter<Values>> table, Values& values) {
-        for (const Parameter<Values>& row : table)
-            if (!row.choices.empty() && row.get(values)) take(row, values);
         for (const Parameter<Values>& row : table) take(row, values);
     }
     /// Notes that a key holds something wrong; `problem` is lower case and has no full stop.

@@ -1,5 +1,6 @@
-#include "io/document/json_fields.h"
+#include "io/json_fields.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -22,6 +23,33 @@ std::string rangeText(double least, double largest) {
 }
 
 }  // namespace
+
+Result<json> jsonObject(std::string_view text, const std::string& file, const std::string& format,
+                        const std::string& remedy) {
+    const auto refuse = [&](const std::string& key, const std::string& problem) {
+        return fail(FailureKind::unreadable, file, key, problem, remedy);
+    };
+    json object;
+    try {
+        object = json::parse(text);
+    } catch (const json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        return refuse("", fmt::format("is not JSON: it breaks in line {}", 1 + std::count(text.begin(), end, '\n')));
+    } catch (const json::exception&) {
+        return refuse("", "holds a number too large for JSON readers");
+    }
+    if (!object.is_object()) return refuse("", "must be a JSON object");
+    if (object.value("format", json()) != format) return refuse("format", "must be \"" + format + "\"");
+    if (const json version = object.value("version", json()); version != 1)
+        return refuse("version", "must be 1, not " + version.dump());
+    return object;
+}
+
+tl::unexpected<Failure> JsonProblems::refused(const std::string& remedy) const {
+    Failure failure = *first;
+    failure.remedy = remedy;
+    return tl::unexpected(std::move(failure));
+}
 
 JsonFields::JsonFields(const json& object, std::string place, JsonProblems& problems)
     : m_object(object.is_object() ? &object : &emptyObject()), m_place(std::move(place)), m_problems(&problems) {
@@ -128,6 +156,19 @@ std::vector<JsonFields> JsonFields::list(const char* key) {
             entries.emplace_back((*value)[i], fmt::format("{}[{}]", place, i), *m_problems);
     }
     return entries;
+}
+
+std::array<std::int64_t, 3> JsonFields::size(const char* key) {
+    constexpr double largest = 1e6;
+    const Vec3 edges = vector(key);
+    std::array<std::int64_t, 3> size{1, 1, 1};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (edges[axis] >= 1 && edges[axis] <= largest && edges[axis] == std::floor(edges[axis]))
+            size[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(edges[axis]);
+        else
+            wrong(key, "must be three whole numbers from 1 to 1000000");
+    }
+    return size;
 }
 
 std::optional<ParameterValue> JsonFields::parameterValue(const json& value, const std::optional<ParameterValue>& like) {
