@@ -24,8 +24,7 @@ std::string absurdVoxelsWarning(const WhiteLevel& white) {
 
 Volume withGuess(Volume volume, const ReadOptions& options) {
     if (!options.guessNoData) return volume;
-    auto mask = guessDataMask(volume);
-    return mask.empty() ? volume : volume.withDataMask(std::move(mask));
+    return volume.withDataMask(guessDataMask(volume));
 }
 
 double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {

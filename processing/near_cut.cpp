@@ -83,19 +83,16 @@ std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View
     uncut.nearCutMm = 0.0;
     const auto otf = adaptOpacity(volume, uncut, config, progress);
     if (!otf) return std::nullopt;
-    NearCutSuggestion suggestion;
-    suggestion.tubesWithSurface = otf->tubesWithSurface;
-    if (otf->tubesWithSurface == 0) {
-        suggestion.message = "No surface behind fluid was found, so no near cut can be suggested.";
-        return suggestion;
-    }
+    const auto without = [&](const char* why) { return NearCutSuggestion{0.0, otf->tubesWithWeight, 0, why}; };
+    if (otf->tubesWithWeight == 0)
+        return without("No surface behind fluid was found that counts, so no near cut can be suggested.");
     const auto stretches = fluidStretches(*otf, volume.geometry());
+    if (stretches.empty()) return without("No stretch of fluid is long enough to suggest a near cut.");
+    NearCutSuggestion suggestion{.tubesWithWeight = otf->tubesWithWeight, .message = {}};
     suggestion.nearCutMm = bestCut(stretches, depthAlongViewMm(uncut, volume.geometry()));
     // Where a cell of fluid begins the wall's ramp is not over yet: at its middle it is.
     if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cells.size - 1) / 2.0 * volume.geometry().unit();
     suggestion.tubesInFluid = inFluid(stretches, suggestion.nearCutMm);
-    if (suggestion.nearCutMm == 0.0)
-        suggestion.message = "Nothing stands in front of the fluid: no near cut is needed.";
     return suggestion;
 }
 

@@ -2,6 +2,7 @@
 // panels all read the same row, so that no range and no default stands twice.
 #pragma once
 
+#include <cctype>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -91,8 +92,7 @@ template <typename Values>
         const std::optional<double> number = value ? numberOf(*value) : std::nullopt;
         if (!number || inRange(*number, parameter.range)) continue;
         std::string label(parameter.label);
-        if (!label.empty() && label.size() > 1 && !(label[1] >= 'A' && label[1] <= 'Z') && label[1] != '_')
-            label[0] = static_cast<char>(label[0] >= 'A' && label[0] <= 'Z' ? label[0] - 'A' + 'a' : label[0]);
+        if (!label.empty()) label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
         return "the " + label + " must be " + textOf(parameter.range.least) + " to " + textOf(parameter.range.largest);
     }
     return {};

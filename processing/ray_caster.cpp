@@ -1,9 +1,7 @@
 #include "processing/ray_caster.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "processing/parallel.h"
@@ -19,22 +17,6 @@ using namespace ray_casting;
 
 constexpr int tileEdge = 32;
 
-/// Reports from the calling thread only; counts for all.
-class TileCount {
-public:
-    TileCount(const Progress& progress, int tiles) : m_progress(progress), m_tiles(tiles) {}
-    void oneDone() {
-        const int done = m_done.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() == m_caller) m_progress.at(static_cast<double>(done) / m_tiles);
-    }
-
-private:
-    const Progress& m_progress;
-    int m_tiles;
-    std::thread::id m_caller = std::this_thread::get_id();
-    std::atomic<int> m_done{0};
-};
-
 /// False where it was cancelled. Tiles start at the first packets that may see the volume.
 template <typename Voxel>
 bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
@@ -43,7 +25,7 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const int left = box.firstColumn / shape.columns * shape.columns, top = box.firstRow / shape.rows * shape.rows;
     const int columns = (std::max(0, box.lastColumn - left) + tileEdge - 1) / tileEdge;
     const int rows = (std::max(0, box.lastRow - top) + tileEdge - 1) / tileEdge;
-    TileCount count(progress, columns * rows);
+    ProgressCount count(progress, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     parallelFor(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
         for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
             for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
@@ -56,31 +38,18 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     return !progress.cancelled();
 }
 
-Picture emptyPicture(const RayCastSettings& settings) {
-    const auto pixels = static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    Picture picture{settings.width, settings.height, std::vector<float>(pixels * 4), {}};
-    if (settings.findDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
-    return picture;
-}
-
-DepthTint depthTint(const DepthColouring& colouring, const RayGeometry& rays) {
+DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geometry, const RayCastSettings& settings) {
     DepthTint tint;
     for (int channel = 0; channel < 3; ++channel) {
         tint.near[static_cast<std::size_t>(channel)] = static_cast<float>(colouring.nearTint[channel]);
         tint.change[static_cast<std::size_t>(channel)] =
             static_cast<float>(colouring.farTint[channel] - colouring.nearTint[channel]);
     }
-    const double range = rays.farDepthMm() - rays.nearDepthMm();
-    tint.nearDepthMm = rays.nearDepthMm();
+    const auto box = geometry.depthsAlong(settings.camera.frame.forward);
+    tint.nearDepthMm = std::max(box.nearest, settings.nearPlaneDepthMm);
+    const double range = box.farthest - tint.nearDepthMm;
     tint.perMm = range > 0.0 ? 1.0 / range : 0.0;
     return tint;
-}
-
-void requireSensible(const RayCastSettings& settings) {
-    if (std::isnan(settings.terminationTransmittance))
-        throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
-    if (settings.shading && !(settings.shading->gradientReach > 0.0))
-        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
 }
 
 }  // namespace
@@ -92,8 +61,7 @@ public:
 
     std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
         const RayGeometry rays(volume->geometry(), settings);
-        requireSensible(settings);
-        Picture picture = emptyPicture(settings);
+        Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
         const bool finished = std::visit(
             [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
         if (!finished) return std::nullopt;
@@ -141,7 +109,8 @@ private:
             if (settings.shading)
                 job.light = &light.emplace(
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
-            if (settings.depthColouring) job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, rays));
+            if (settings.depthColouring)
+                job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, job.geometry, settings));
         }
         const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.findDepth;
         constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;

@@ -30,15 +30,16 @@ namespace echolucent {
 /// * 10^5 samples. A ray ends at a multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1,
 /// step) / 128 to its pixel's opacity. Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
 ///
-/// Empty only where progress.cancel was raised (polled once a tile of 32 x 32 pixels). Uses the calling thread's oneTBB
-/// arena; the same pixels for any number of threads. Throws std::invalid_argument for settings that make no sense.
+/// The result is empty only where progress.cancel was raised (it is polled once a tile of 32 x 32 pixels). The work is
+/// done in the calling thread's oneTBB arena, and the pixels are the same for any number of threads. Throws
+/// std::invalid_argument for settings that make no sense.
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,
                                               const RayCastSettings& settings, const Progress& progress = {});
 
 /// Casts rays through one volume again and again, and keeps what pictures have in common: the voxels in the order the
 /// kernel reads them, where they are empty under the curve, and, for an edit of the curve under a fixed camera, the
 /// samples themselves. Pictures are those of castRays(), from kept samples to half an 8-bit level (RMSE 0.02): 16 bits
-/// are kept of each. One thread at a time.
+/// are kept of each. Only one thread at a time may use it.
 class RayCaster {
 public:
     explicit RayCaster(std::shared_ptr<const Volume> volume);
@@ -55,7 +56,7 @@ public:
     /// How the newest cast() that was not cancelled used samples.
     [[nodiscard]] SampleUse sampleUse() const;
 
-    /// Bytes that the samples of one view may take; above it nothing is kept. 2 bytes a sample.
+    /// Bytes that the samples of one view may take, 2 each; where they would take more, none are kept.
     static constexpr std::size_t sampleMemoryLimit = std::size_t{512} << 20;
     /// Bytes of kept samples now; 0 where none are kept.
     [[nodiscard]] std::size_t keptSampleBytes() const;

@@ -1,15 +1,15 @@
 #include "processing/viewpoint.h"
 
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "processing/choice_names.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> beamAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
+constexpr ChoiceNames<6> beamAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
 
 /// The fixed turn that brings +z onto the beam axis.
 Mat3 beamFrame(BeamAxis axis) {
@@ -28,13 +28,9 @@ double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 }  // namespace
 
-std::string_view nameOf(BeamAxis axis) { return beamAxisNames[static_cast<std::size_t>(axis)]; }
+std::string_view nameOf(BeamAxis axis) { return nameIn(beamAxisNames, axis); }
 
-std::optional<BeamAxis> beamAxisFromName(std::string_view name) {
-    const auto* found = std::find(beamAxisNames.begin(), beamAxisNames.end(), name);
-    if (found == beamAxisNames.end()) return std::nullopt;
-    return static_cast<BeamAxis>(found - beamAxisNames.begin());
-}
+std::optional<BeamAxis> beamAxisFromName(std::string_view name) { return choiceNamed<BeamAxis>(beamAxisNames, name); }
 
 ViewFrame frameOf(const Viewpoint& view) {
     const Mat3 turn = beamFrame(view.beamAxis) * rotationY(view.azimuthDegrees) * rotationX(view.elevationDegrees) *
@@ -62,34 +58,13 @@ Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
 }
 
-namespace {
-struct Range {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-/// Where the box begins and ends along the view, mm from the grid origin.
-Range boxAlongView(const Viewpoint& view, const VolumeGeometry& geometry) {
-    const Vec3 forward = frameOf(view).forward;
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-    Range range;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 point{corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]};
-        const double depth = forward.dot(point);
-        range.low = std::min(range.low, depth);
-        range.high = std::max(range.high, depth);
-    }
-    return range;
-}
-}  // namespace
-
 double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry) {
-    const Range range = boxAlongView(view, geometry);
-    return range.high - range.low;
+    const auto depths = geometry.depthsAlong(frameOf(view).forward);
+    return depths.farthest - depths.nearest;
 }
 
 double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
-    return boxAlongView(view, geometry).low + std::max(0.0, view.nearCutMm);
+    return geometry.depthsAlong(frameOf(view).forward).nearest + std::max(0.0, view.nearCutMm);
 }
 
 }  // namespace echolucent

@@ -85,7 +85,12 @@ struct MethodOptions {
 private:
     void add(CLI::App& command, const Parameter<AdaptiveOtfConfig>& parameter);
     [[nodiscard]] Result<void> override(AdaptiveOtfConfig& config) const;
-    std::map<std::string_view, ParameterValue> m_given;  ///< by the parameter's name: what the command line says
+    /// What the command line says of a parameter.
+    struct Given {
+        std::string option;  ///< as it was written
+        ParameterValue value;
+    };
+    std::map<std::string_view, Given> m_given;  ///< by the parameter's name
     const CLI::Option* m_initialOption = nullptr;
 };
 

@@ -27,16 +27,17 @@ struct PhantomOptions {
 };
 
 /// "AxBxC", or one number for all three.
-Result<std::vector<double>> parseTriple(const std::string& text, const std::string& option) {
-    if (text.find_first_of("x,") != std::string::npos) return parseNumbers(text, 3, option);
-    return parseNumbers(text, 1, option).map([](const std::vector<double>& one) {
+Result<std::vector<double>> parseTriple(const std::string& text, const std::string& option,
+                                        const std::string& example) {
+    if (text.find_first_of("x,") != std::string::npos) return parseNumbers(text, 3, option, example);
+    return parseNumbers(text, 1, option, example).map([](const std::vector<double>& one) {
         return std::vector<double>(3, one.front());
     });
 }
 
 Result<void> setGrid(const PhantomOptions& options, PhantomConfig& config) {
     if (!options.size.empty()) {
-        const auto size = parseTriple(options.size, "--size");
+        const auto size = parseTriple(options.size, "--size", "199x197x199");
         if (!size) return tl::unexpected<Failure>(size.error());
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double count = (*size)[axis];
@@ -46,7 +47,7 @@ Result<void> setGrid(const PhantomOptions& options, PhantomConfig& config) {
         }
     }
     if (!options.spacing.empty()) {
-        const auto spacing = parseTriple(options.spacing, "--spacing");
+        const auto spacing = parseTriple(options.spacing, "--spacing", "0.5x0.5x1");
         if (!spacing) return tl::unexpected<Failure>(spacing.error());
         for (int axis = 0; axis < 3; ++axis) {
             const double mm = (*spacing)[static_cast<std::size_t>(axis)];
@@ -60,7 +61,7 @@ Result<void> setGrid(const PhantomOptions& options, PhantomConfig& config) {
 
 Result<void> setContrast(const PhantomOptions& options, PhantomConfig& config) {
     if (options.contrast.empty()) return {};
-    const auto echoes = parseNumbers(options.contrast, 3, "--contrast");
+    const auto echoes = parseNumbers(options.contrast, 3, "--contrast", "14,85,170");
     if (!echoes) return tl::unexpected<Failure>(echoes.error());
     for (const double echo : *echoes)
         if (!(echo >= 0 && echo <= 255))
@@ -97,7 +98,7 @@ Result<PhantomConfig> configFrom(const PhantomOptions& options) {
     return config;
 }
 
-/// What CLI11's ranges let through: NaN; and more memory than a person can have meant.
+/// Refuses what CLI11's ranges let through: numbers that are not finite, and more memory than a person can have meant.
 Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
     for (const double value :
          {config.speckle, config.speckleSize, config.ramp, config.gainVariation, config.attenuation, config.shadow,

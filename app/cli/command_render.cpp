@@ -39,7 +39,7 @@ Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
 }
 
 Result<Vec3> backgroundFrom(const std::string& text) {
-    const auto levels = parseNumbers(text, 3, "--background");
+    const auto levels = parseNumbers(text, 3, "--background", "14,85,170");
     if (!levels) return tl::unexpected<Failure>(levels.error());
     Vec3 colour;
     for (int channel = 0; channel < 3; ++channel) {

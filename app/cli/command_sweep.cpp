@@ -68,7 +68,7 @@ std::vector<SweptOtf> withOneOtf(const Study& study, const Viewpoint& start, con
     for (const TubeCore& tube : otf->tubes) sumOfD += tube.d;
     std::vector<SweptOtf> swept;
     for (const SweepFrame& frame : frames)
-        swept.push_back({frame, otf->curve, otf->curve, sumOfD, otf->tubesWithSurface});
+        swept.push_back({frame, otf->curve, otf->curve, sumOfD, otf->tubesWithWeight});
     return swept;
 }
 
@@ -105,7 +105,7 @@ Result<void> write(const SweepOptions& options, const Study& study, SweepReport&
 
 void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bool pictures) {
     const auto without =
-        std::count_if(swept.begin(), swept.end(), [](const SweptOtf& frame) { return frame.tubesWithSurface == 0; });
+        std::count_if(swept.begin(), swept.end(), [](const SweptOtf& frame) { return frame.tubesWithWeight == 0; });
     if (without > 0)
         std::fprintf(stderr, "No surface found in %d of %d frames: the initial function is used there.\n",
                      static_cast<int>(without), static_cast<int>(swept.size()));

@@ -30,8 +30,15 @@ Result<void> checked(const Parameter<Look>& parameter, const Look& look) {
 
 /// "AZ,EL" in degrees.
 Result<void> takeLight(const std::string& text, Look& look) {
-    const auto angles = parseNumbers(text, 2, "--light");
+    const auto angles = parseNumbers(text, 2, "--light", "40,-20");
     if (!angles) return tl::unexpected<Failure>(angles.error());
+    const ParameterRange azimuth = parameterNamed(lookParameters(), "light_azimuth")->range;
+    const ParameterRange elevation = parameterNamed(lookParameters(), "light_elevation")->range;
+    if (!inRange((*angles)[0], azimuth) || !inRange((*angles)[1], elevation))
+        return wrongUsage("--light",
+                          fmt::format("must be an azimuth from {} to {} and an elevation from {} to {} degrees",
+                                      textOf(azimuth.least), textOf(azimuth.largest), textOf(elevation.least),
+                                      textOf(elevation.largest)));
     look.shaded = true;
     look.light = {(*angles)[0], (*angles)[1]};
     return {};
@@ -74,9 +81,11 @@ void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& 
     for (const Parameter<Look>& parameter : lookParameters())
         if (wanted(parameter.name)) addRow(command, parameter);
     if (!names.empty()) return;
-    command.add_flag("--perspective", m_perspective, "Short for --projection perspective");
+    command.add_flag("--perspective", m_perspective, "Short for --projection perspective")->excludes("--projection");
     command.add_option("--light", m_light, "Short for --shade with --light-azimuth AZ and --light-elevation EL")
-        ->type_name("AZ,EL");
+        ->type_name("AZ,EL")
+        ->excludes("--light-azimuth")
+        ->excludes("--light-elevation");
 }
 
 Result<Look> LookOptions::get() const {

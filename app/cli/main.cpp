@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -39,6 +40,13 @@ std::string unknownCommand(const CLI::App& program, int count, char** arguments)
     return {};
 }
 
+/// "info, otf or render".
+std::string commandsOf(const CLI::App& program) {
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : program.get_subcommands({})) names.emplace_back(command->get_name());
+    return echolucent::cli::listed(names);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -71,8 +79,7 @@ int main(int count, char** arguments) {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
         if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
-            std::fprintf(stderr, "\"%s\" is not a command: use info, otf, render, phantom, study, sweep or bench.\n",
-                         word.c_str());
+            std::fprintf(stderr, "\"%s\" is not a command: use %s.\n", word.c_str(), commandsOf(program).c_str());
             return 2;
         }
         return program.exit(error) == 0 ? 0 : 2;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/cli/command.h"
+#include "app/cli/parameter_page.h"
 #include "io/curve_file.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
@@ -16,16 +17,11 @@ namespace {
 
 using Row = Parameter<AdaptiveOtfConfig>;
 
-/// Names of options that are shorter than the parameter's.
+/// Options that say the same as a parameter's own and are shorter.
 constexpr std::array<std::pair<std::string_view, const char*>, 1> shortOptions{{{"sigma_per_kernel_size", "--sigma"}}};
 
 std::string mustBe(const ParameterRange& range) {
     return "must be " + textOf(range.least) + " to " + textOf(range.largest);
-}
-
-std::string textOf(const ParameterValue& value) {
-    if (const auto number = numberOf(value)) return echolucent::textOf(*number);
-    return std::get<std::string>(value);
 }
 
 std::string helpOf(const Row& row) {
@@ -50,18 +46,21 @@ void MethodOptions::addTo(CLI::App& command) {
         command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear or manual:FILE")
             ->type_name("NAME")
             ->capture_default_str();
+    for (const Row& row : methodParameters()) add(command, row);
     command
         .add_option("--tube-grid", tubeGrid, "Tube cores across and down the view, as --tube-columns and --tube-rows")
-        ->type_name("NxM");
-    for (const Row& row : methodParameters()) add(command, row);
+        ->type_name("NxM")
+        ->excludes("--tube-columns")
+        ->excludes("--tube-rows");
 }
 
 void MethodOptions::add(CLI::App& command, const Row& row) {
-    std::string option = optionOf(row.name);
-    for (const auto& [name, shorter] : shortOptions)
-        if (name == row.name) option += std::string(",") + shorter;
+    const std::string option = optionOf(row.name);
     const ParameterValue standard = defaultOf(methodParameters(), row);
-    const auto taking = [this, &row](auto value) { m_given[row.name] = value; };
+    const auto takingAs = [this, &row](const std::string& written) {
+        return [this, &row, written](const auto& value) { m_given[row.name] = {written, ParameterValue(value)}; };
+    };
+    const auto taking = takingAs(option);
     CLI::Option* added = nullptr;
     if (!row.choices.empty())
         added = command.add_option_function<std::string>(option, taking, helpOf(row))->type_name("NAME");
@@ -71,7 +70,12 @@ void MethodOptions::add(CLI::App& command, const Row& row) {
         added = command.add_option_function<std::int64_t>(option, taking, helpOf(row))->type_name("N");
     else
         added = command.add_option_function<double>(option, taking, helpOf(row))->type_name("NUMBER");
-    added->default_str(textOf(standard));
+    added->default_str(wordOf(standard));
+    for (const auto& [name, shorter] : shortOptions)
+        if (name == row.name)
+            command.add_option_function<double>(shorter, takingAs(shorter), "Short for " + option)
+                ->type_name("NUMBER")
+                ->excludes(added);
 }
 
 Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
@@ -79,11 +83,10 @@ Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
     for (const Row& row : methodParameters()) {
         const auto given = m_given.find(row.name);
         if (given == m_given.end()) continue;
-        const std::string option = optionOf(row.name);
-        const auto wrong = [&](const std::string& problem, const std::string& remedy = {}) {
-            return wrongUsage(option, problem, remedy);
+        const auto& [option, value] = given->second;
+        const auto wrong = [&written = option](const std::string& problem, const std::string& remedy = {}) {
+            return wrongUsage(written, problem, remedy);
         };
-        const ParameterValue& value = given->second;
         if (!row.choices.empty() &&
             std::find(row.choices.begin(), row.choices.end(), std::get<std::string>(value)) == row.choices.end())
             return wrong("is \"" + std::get<std::string>(value) + "\"", "Use " + listed(row.choices) + ".");
@@ -92,7 +95,7 @@ Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
         if (row.set(config, value)) continue;
         const auto chosen = parameterNamed(methodParameters(), row.scope.parameter)->get(config);
         const std::string owner = optionOf(row.scope.parameter);
-        return wrong(fmt::format("belongs to {} {}, and {} is chosen", owner, row.scope.choice, textOf(*chosen)),
+        return wrong(fmt::format("belongs to {} {}, and {} is chosen", owner, row.scope.choice, wordOf(*chosen)),
                      fmt::format("Give {} {} too, or leave it out.", owner, row.scope.choice));
     }
     return {};

@@ -13,7 +13,8 @@ tl::unexpected<Failure> wrongUsage(const std::string& option, const std::string&
     return fail(FailureKind::wrongUsage, "", option, problem, remedy);
 }
 
-Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option) {
+Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count, const std::string& option,
+                                         const std::string& example) {
     std::string spaced = text;
     for (char& character : spaced)
         if (character == 'x' || character == 'X' || character == ',') character = ' ';
@@ -22,15 +23,13 @@ Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t co
     const auto separators = static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X' || c == ','; }));
     if (!values || values->size() != count || separators + 1 != count)
-        return wrongUsage(option,
-                          fmt::format("must be {} numbers with x between them, not {}", count, quotedText(text)),
-                          count == 2 ? "Give it as AxB." : "Give it as AxBxC.");
+        return wrongUsage(option, fmt::format("must be like {}, not {}", example, quotedText(text)));
     return *values;
 }
 
 Result<std::array<int, 2>> parseWholePair(const std::string& text, int least, int largest, const std::string& option,
                                           const std::string& example) {
-    const auto numbers = parseNumbers(text, 2, option);
+    const auto numbers = parseNumbers(text, 2, option, example);
     if (!numbers) return tl::unexpected<Failure>(numbers.error());
     for (const double number : *numbers)
         if (!(number >= least && number <= largest) || number != std::floor(number))

@@ -16,9 +16,10 @@ namespace echolucent::cli {
 [[nodiscard]] tl::unexpected<Failure> wrongUsage(const std::string& option, const std::string& problem,
                                                  const std::string& remedy = {});
 
-/// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named.
+/// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named, and with `example` as what it must be
+/// like.
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
-                                                       const std::string& option);
+                                                       const std::string& option, const std::string& example);
 
 /// "AxB" into two whole numbers from `least` to `largest`; fails with `option` named and with `example` as remedy.
 [[nodiscard]] Result<std::array<int, 2>> parseWholePair(const std::string& text, int least, int largest,

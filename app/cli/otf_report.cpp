@@ -181,7 +181,7 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                                    size[1], size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
                                    otf.view.azimuthDegrees, otf.view.elevationDegrees, otf.view.nearCutMm);
     text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
-                        otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithSurface);
+                        otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);
     text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
     text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
                         otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,

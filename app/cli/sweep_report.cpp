@@ -69,7 +69,7 @@ std::string sweepJson(const SweepReport& report) {
                                   {"degrees", frame.frame.degrees},
                                   {"phase", frame.frame.phase},
                                   {"sum_of_d", frame.sumOfD},
-                                  {"tubes_with_surface", frame.tubesWithSurface}});
+                                  {"tubes_with_surface", frame.tubesWithWeight}});
     return json.dump(2) + "\n";
 }
 
@@ -80,7 +80,7 @@ std::string sweepTable(std::span<const SweptOtf> frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const SweptOtf& frame = frames[i];
         table += fmt::format("{},{},{},{},{}", i, frame.frame.degrees, frame.frame.phase, frame.sumOfD,
-                             frame.tubesWithSurface);
+                             frame.tubesWithWeight);
         for (const double opacity : frame.shown.opacities) table += fmt::format(",{}", opacity);
         table += '\n';
     }

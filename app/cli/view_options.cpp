@@ -40,7 +40,7 @@ Result<Viewpoint> ViewOptions::get() const {
     Viewpoint chosen = view;
     chosen.beamAxis = *axis;
     if (nearCutSuggested()) return chosen;
-    const auto cut = parseNumbers(near, 1, "--near");
+    const auto cut = parseNumbers(near, 1, "--near", "18");
     if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
         return wrongUsage("--near", "must be 0 mm or more, or auto");
     chosen.nearCutMm = cut->front();
@@ -52,11 +52,12 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig
     if (!chosen || !nearCutSuggested()) return chosen;
     const auto suggestion = suggestNearCut(volume, *chosen, config);
     chosen->nearCutMm = suggestion->nearCutMm;
-    const std::string sentence =
-        suggestion->message.empty()
-            ? fmt::format("Near cut at {:.2f} mm: {} of {} tube cores with a surface are in fluid there.",
-                          suggestion->nearCutMm, suggestion->tubesInFluid, suggestion->tubesWithSurface)
-            : suggestion->message;
+    std::string sentence = suggestion->message;
+    if (sentence.empty() && suggestion->nearCutMm == 0.0)
+        sentence = "Nothing stands in front of the fluid: no near cut is needed.";
+    else if (sentence.empty())
+        sentence = fmt::format("Near cut at {:.2f} mm: {} of {} tube cores with a surface are in fluid there.",
+                               suggestion->nearCutMm, suggestion->tubesInFluid, suggestion->tubesWithWeight);
     std::fprintf(stderr, "%s\n", sentence.c_str());
     return chosen;
 }

@@ -20,7 +20,7 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
         return std::optional<RawLayout>();
     }
     RawLayout layout;
-    const auto size = parseNumbers(options.rawSize, 3, "--raw-size");
+    const auto size = parseNumbers(options.rawSize, 3, "--raw-size", "256x256x128");
     if (!size) return tl::unexpected(size.error());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = (*size)[axis];
@@ -34,7 +34,7 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     if (options.rawHeaderBytes < 0) return wrongUsage("--raw-header-bytes", "must be 0 or more");
     layout.headerBytes = options.rawHeaderBytes;
     if (!options.rawSpacing.empty()) {
-        const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing");
+        const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing", "0.5x0.5x1");
         if (!spacing) return tl::unexpected(spacing.error());
         for (int axis = 0; axis < 3; ++axis) {
             layout.spacing[axis] = (*spacing)[static_cast<std::size_t>(axis)];
@@ -113,7 +113,7 @@ Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) co
     auto study = readStudy(path, options);
     if (!study) return study;
     if (auto kept = refuseToOverwrite(study->files, outputs); !kept) return tl::unexpected(kept.error());
-    if (phase < 0 || static_cast<std::size_t>(phase) >= study->phases.size())
+    if (static_cast<std::size_t>(phase) >= study->phases.size())
         return fail(FailureKind::wrongUsage, path, "--phase",
                     fmt::format("is {}, but the volume has {} phase(s)", phase, study->phases.size()),
                     fmt::format("Choose 0 to {}.", study->phases.size() - 1));

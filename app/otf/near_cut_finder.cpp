@@ -49,7 +49,7 @@ void NearCutFinder::take(const NearCutSuggestion& suggestion) {
     const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
                                        .arg(locale.toString(cut, 'f', 1))
                                        .arg(suggestion.tubesInFluid)
-                                       .arg(suggestion.tubesWithSurface)
+                                       .arg(suggestion.tubesWithWeight)
                                  : tr("Nothing stands in front of the fluid: no near cut is needed.");
     if (cut == before) return m_parts.messages.showMessage(MessageKind::info, said);
     m_parts.messages.showMessage(

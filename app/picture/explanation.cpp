@@ -57,7 +57,7 @@ QString surfaceSentence(const AdaptiveOtf& otf) {
             : tr("In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
                  "opaque.");
     return tr("%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid.")
-               .arg(otf.tubesWithSurface)
+               .arg(otf.tubesWithWeight)
                .arg(otf.tubesMeetingVolume) +
            QLatin1Char(' ') + effect.arg(mean.low, 0, 'f', 2).arg(mean.high, 0, 'f', 2);
 }

@@ -99,7 +99,7 @@ void ShownStudy::takeOtf() {
     m_parts.view.setAdaptiveCurve(curve);
     m_parts.editor.setAdaptiveCurve(curve);
     m_parts.method.showResult(*m_otf);
-    m_parts.status.setOtf(m_otf->times.total, m_otf->tubesWithSurface, m_otf->tubesMeetingVolume);
+    m_parts.status.setOtf(m_otf->times.total, m_otf->tubesWithWeight, m_otf->tubesMeetingVolume);
     // Not while it plays: the bar would push the picture up and down.
     if (!m_parts.player.isPlaying()) m_parts.messages.setRemark(QString::fromStdString(m_otf->message));
     m_parts.view.showVolume(m_parts.session.volume());

@@ -45,7 +45,7 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
 /// Why the curve is the initial function, as a sentence; an empty text where it is not.
 std::string messageFor(const AdaptiveOtf& otf) {
     const std::string consequence = ": the initial function is used.";
-    if (otf.tubesWithSurface > 0) return {};
+    if (otf.tubesWithWeight > 0) return {};
     if (otf.tubesMeetingVolume == 0) return "No tube core meets the volume's data" + consequence;
     int found = 0, usable = 0;
     for (const TubeCore& tube : otf.tubes) {
@@ -104,7 +104,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     otf.tubesMeetingVolume = tubesMeetingVolume(otf.tubes);
     if (otf.tubesMeetingVolume > 0) otf.dMax = strengthOf(config.curve) / otf.tubesMeetingVolume;
     weighTubes(otf.tubes, otf.dMax, detection->leastEdgeToNoise(), config.weights);
-    otf.tubesWithSurface = tubesWithWeight(otf.tubes);
+    otf.tubesWithWeight = tubesWithWeight(otf.tubes);
 
     // The curve (eqs. 4 to 7, or the mean ramp).
     if (!run.begin(curveStage)) return std::nullopt;

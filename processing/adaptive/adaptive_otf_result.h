@@ -24,7 +24,7 @@ struct AdaptiveOtf {
     Vec3 directionVoxel{0, 0, 1};         ///< unit, voxel index space
     double tubeLengthUnit = 1.0;          ///< mm per unit
     int tubesMeetingVolume = 0;           ///< T and N: tube cores that meet the volume's data
-    int tubesWithSurface = 0;             ///< status surface and d > 0
+    int tubesWithWeight = 0;              ///< status surface and d > 0
     double dMax = 0.0;                    ///< strengthOf(config.curve) / T
     std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
     std::optional<double> leastContrast;  ///< with RatioRule: a boundary counted from this contrast on
@@ -39,5 +39,22 @@ struct AdaptiveOtf {
                           ///< function is used."); else empty
     StageTimes times;
 };
+
+/// Intensities before and at the surfaces that were found: means over the tube cores, weighted by what each brings to
+/// the curve (TubeCore::d). Both are 0 where no tube core has weight.
+struct MeanInterface {
+    double low = 0.0, high = 0.0;  ///< I_L and I_H, normalised
+};
+[[nodiscard]] inline MeanInterface meanInterfaceOf(const AdaptiveOtf& otf) {
+    MeanInterface sum;
+    double weight = 0.0;
+    for (const TubeCore& tube : otf.tubes) {
+        if (!(tube.d > 0.0) || !tube.lowIntensity || !tube.highIntensity) continue;
+        sum.low += tube.d * *tube.lowIntensity;
+        sum.high += tube.d * *tube.highIntensity;
+        weight += tube.d;
+    }
+    return weight > 0.0 ? MeanInterface{sum.low / weight, sum.high / weight} : MeanInterface{};
+}
 
 }  // namespace echolucent

@@ -24,9 +24,7 @@ void DetectionByRatio::keep(TubeReader& reader, std::size_t place, std::size_t t
 void DetectionByRatio::computeInterfaceFunction(StageRunner& /*run*/) {
     m_scale.emplace(m_profiles);
     m_contrasts.emplace(m_profiles, *m_scale, m_rule);
-    m_thresholds = ratioThresholds(*m_contrasts, m_rule);
-    m_thresholds.step = m_rule.leastStep * m_scale->brightMean();
-    if (m_thresholds.anyBoundary && !mayBeFluid(m_thresholds, *m_scale, m_rule)) m_thresholds.anyBoundary = false;
+    m_thresholds = ratioThresholds(*m_contrasts, *m_scale, m_rule);
 }
 
 const CellStatistics& DetectionByRatio::cellsOf(std::size_t tube, CellStatistics& scratch) const {
@@ -60,7 +58,7 @@ std::optional<FoundSurface> DetectionByRatio::surfaceOf(std::size_t tube, const 
 std::optional<double> DetectionByRatio::spreadAt(double intensity) const { return m_scale->spreadAt(intensity); }
 
 std::optional<double> DetectionByRatio::fluidIntensity() const {
-    if (!m_thresholds.anyBoundary) return std::nullopt;
+    if (!m_thresholds.mayHoldSurfaces) return std::nullopt;
     return m_scale->intensityAt(m_thresholds.fluidLevel);
 }
 

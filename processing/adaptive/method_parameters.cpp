@@ -12,7 +12,7 @@ namespace {
 
 using namespace method_rows;
 
-constexpr std::array samplings{Named{TubeSampling::trilinear, "trilinear"}, Named{TubeSampling::nearest, "nearest"}};
+constexpr std::array samplings{Named{Interpolation::trilinear, "trilinear"}, Named{Interpolation::nearest, "nearest"}};
 constexpr std::array precisions{Named{Precision::single32, "single"}, Named{Precision::double64, "double"}};
 constexpr std::array borders{Named{TubeBorder::mirrorThenZero, "mirror"}, Named{TubeBorder::circular, "circular"}};
 constexpr std::array routes{Named{SmoothingRoute::direct, "direct"}, Named{SmoothingRoute::fourier, "fourier"}};

@@ -10,7 +10,7 @@
 namespace echolucent {
 
 /// All parameters of an AdaptiveOtfConfig but the kind and shape of its initial function. A new one is a field of a
-/// rule (processing/tube_core/rules/) and a row here.
+/// rule (processing/tube_core/rules/) and a row in method_parameters.cpp.
 [[nodiscard]] std::span<const Parameter<AdaptiveOtfConfig>> methodParameters();
 
 /// What is out of range in a config, lower case, no full stop ("the cell size must be 2 to 32"), or an empty text where

@@ -1,32 +1,24 @@
 #include "processing/adaptive/method_reading.h"
 
-#include <array>
-#include <utility>
+#include "processing/choice_names.h"
 
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::pair<MethodReading, std::string_view>, 3> names{{{MethodReading::asPublished, "published"},
-                                                                           {MethodReading::settled, "settled"},
-                                                                           {MethodReading::standard, "default"}}};
+constexpr ChoiceNames<3> methodReadingNames{"published", "settled", "default"};
 }  // namespace
 
-std::string_view nameOf(MethodReading reading) {
-    for (const auto& [value, name] : names)
-        if (value == reading) return name;
-    return {};
-}
+std::string_view nameOf(MethodReading reading) { return nameIn(methodReadingNames, reading); }
 
 std::optional<MethodReading> methodReadingFromName(std::string_view name) {
-    for (const auto& [value, known] : names)
-        if (known == name) return value;
-    return std::nullopt;
+    return choiceNamed<MethodReading>(methodReadingNames, name);
 }
 
 AdaptiveOtfConfig configOf(MethodReading reading) {
     AdaptiveOtfConfig config;
     if (reading == MethodReading::standard) return config;
-    // Every open point stands here by its value, so that these two readings stay what they are when defaults change.
+    // Every open point and every part of the numerics stands here by its value, so that these two readings stay what
+    // they are when defaults change.
     VarianceRule variance{.coarsestScale = 7,
                           .finestScale = 3,
                           .sigmaPerKernelSize = 0.25,
@@ -39,7 +31,7 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
                           .trackingRangeSigmas = 0.0,
                           .coarsestMustHaveMaximum = true,
                           .leastEdgeToNoise = 0.0};
-    config.cells.size = 5;
+    config.cells = {.size = 5, .sampling = Interpolation::trilinear, .precision = Precision::single32};
     config.surface = {.lowReach = 0, .highReach = 0, .slopeHalfStep = 5, .priorCellsMayOverlap = false};
     config.weights = {.rankBins = 0};
     // d_max = 0.03 at the paper's 225 tube cores. A d_max that stays 0.03 at any T would be a strength of 0.03 T; at
@@ -59,7 +51,7 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
 }
 
 std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config) {
-    for (const auto& [reading, name] : names) {
+    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
         AdaptiveOtfConfig known = configOf(reading);
         known.grid = config.grid;
         known.initial = config.initial;

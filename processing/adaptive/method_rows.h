@@ -110,6 +110,8 @@ struct Named {
     Value value;
     std::string_view name;
 };
+template <typename Value>
+Named(Value, const char*) -> Named<Value>;  // of a plain struct clang 14 does not find it by itself
 template <auto member, const auto& names>
 std::optional<ParameterValue> choiceIn(const AdaptiveOtfConfig& config) {
     const auto* field = fieldIn<member>(config);

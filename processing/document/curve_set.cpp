@@ -2,19 +2,18 @@
 
 #include <stdexcept>
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::string_view, allCurveKinds.size()> curveKindNames{"adaptive", "manual", "linear", "parabolic",
-                                                                            "quartic"};
+constexpr ChoiceNames<allCurveKinds.size()> curveKindNames{"adaptive", "manual", "linear", "parabolic", "quartic"};
 }
 
-std::string_view nameOf(CurveKind kind) { return curveKindNames.at(indexOf(kind)); }
+std::string_view nameOf(CurveKind kind) { return nameIn(curveKindNames, kind); }
 
 std::optional<CurveKind> curveKindFromName(std::string_view name) {
-    for (const CurveKind kind : allCurveKinds)
-        if (nameOf(kind) == name) return kind;
-    return std::nullopt;
+    return choiceNamed<CurveKind>(curveKindNames, name);
 }
 
 OpacityCurve curveOf(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive) {

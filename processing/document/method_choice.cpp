@@ -1,20 +1,19 @@
 #include "processing/document/method_choice.h"
 
-#include <array>
 #include <stdexcept>
+
+#include "processing/choice_names.h"
 
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::string_view, 4> initialKindNames{"parabolic", "quartic", "linear", "manual"};
+constexpr ChoiceNames<4> initialKindNames{"parabolic", "quartic", "linear", "manual"};
 }
 
-std::string_view nameOf(InitialKind kind) { return initialKindNames.at(static_cast<std::size_t>(kind)); }
+std::string_view nameOf(InitialKind kind) { return nameIn(initialKindNames, kind); }
 
 std::optional<InitialKind> initialKindFromName(std::string_view name) {
-    for (std::size_t i = 0; i < initialKindNames.size(); ++i)
-        if (initialKindNames[i] == name) return static_cast<InitialKind>(i);
-    return std::nullopt;
+    return choiceNamed<InitialKind>(initialKindNames, name);
 }
 
 OpacityCurve initialCurve(const MethodChoice& method, const CurveSet& curves) {

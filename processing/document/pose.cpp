@@ -1,9 +1,11 @@
 #include "processing/document/pose.h"
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::string_view, 2> beamSourceNames{"assumed", "person"};
+constexpr ChoiceNames<2> beamSourceNames{"assumed", "person"};
 
 /// Height of the picture at magnification 1, mm.
 double fittedHeightMm(const VolumeGeometry& geometry, BeamAxis beam, double aspect) {
@@ -12,12 +14,10 @@ double fittedHeightMm(const VolumeGeometry& geometry, BeamAxis beam, double aspe
 
 }  // namespace
 
-std::string_view nameOf(BeamSource source) { return beamSourceNames.at(static_cast<std::size_t>(source)); }
+std::string_view nameOf(BeamSource source) { return nameIn(beamSourceNames, source); }
 
 std::optional<BeamSource> beamSourceFromName(std::string_view name) {
-    for (std::size_t i = 0; i < beamSourceNames.size(); ++i)
-        if (beamSourceNames[i] == name) return static_cast<BeamSource>(i);
-    return std::nullopt;
+    return choiceNamed<BeamSource>(beamSourceNames, name);
 }
 
 Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm) {

@@ -1,32 +1,27 @@
 #include "processing/motion/motion_mode.h"
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> axisNames{"x", "y", "z"};
-constexpr std::array<std::string_view, 3> scenarioNames{"probe", "object", "both"};
-constexpr std::array<std::string_view, allMotionOtfs.size()> otfNames{"one_otf", "each_view", "mean",
-                                                                      "moving_least_squares", "least_flicker"};
-
-template <typename Choice, std::size_t count>
-std::optional<Choice> choiceNamed(const std::array<std::string_view, count>& names, std::string_view name) {
-    for (std::size_t i = 0; i < count; ++i)
-        if (names[i] == name) return static_cast<Choice>(i);
-    return std::nullopt;
-}
+constexpr ChoiceNames<3> axisNames{"x", "y", "z"};
+constexpr ChoiceNames<3> scenarioNames{"probe", "object", "both"};
+constexpr ChoiceNames<allMotionOtfs.size()> otfNames{"one_otf", "each_view", "mean", "moving_least_squares",
+                                                     "least_flicker"};
 
 }  // namespace
 
-std::string_view nameOf(MotionAxis axis) { return axisNames.at(static_cast<std::size_t>(axis)); }
+std::string_view nameOf(MotionAxis axis) { return nameIn(axisNames, axis); }
 std::optional<MotionAxis> motionAxisFromName(std::string_view name) { return choiceNamed<MotionAxis>(axisNames, name); }
 
-std::string_view nameOf(MotionScenario scenario) { return scenarioNames.at(static_cast<std::size_t>(scenario)); }
+std::string_view nameOf(MotionScenario scenario) { return nameIn(scenarioNames, scenario); }
 std::optional<MotionScenario> motionScenarioFromName(std::string_view name) {
     return choiceNamed<MotionScenario>(scenarioNames, name);
 }
 
-std::string_view nameOf(MotionOtf otf) { return otfNames.at(static_cast<std::size_t>(otf)); }
+std::string_view nameOf(MotionOtf otf) { return nameIn(otfNames, otf); }
 std::optional<MotionOtf> motionOtfFromName(std::string_view name) { return choiceNamed<MotionOtf>(otfNames, name); }
 
 }  // namespace echolucent

@@ -9,8 +9,6 @@
 
 namespace echolucent {
 
-using MotionAxis = SweepAxis;
-
 /// What moves from frame to frame (Petersch 2005, section 5).
 enum class MotionScenario {
     probe,   ///< the view turns, the volume stays
@@ -40,9 +38,5 @@ inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView
 /// "one_otf", "each_view", "mean", "moving_least_squares", "least_flicker".
 [[nodiscard]] std::string_view nameOf(MotionOtf otf);
 [[nodiscard]] std::optional<MotionOtf> motionOtfFromName(std::string_view name);
-
-/// The range of the motion, whole degrees from the view in which it was started.
-inline constexpr int firstMotionAngle = -45;
-inline constexpr int lastMotionAngle = 45;
 
 }  // namespace echolucent

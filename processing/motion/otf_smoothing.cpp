@@ -5,11 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> smoothingNames{"none", "mean", "mls", "least-flicker"};
+constexpr ChoiceNames<4> smoothingNames{"none", "mean", "mls", "least-flicker"};
 constexpr std::size_t framesOfPaper = 5;
 constexpr std::size_t orderOfPaper = 2;
 
@@ -101,12 +103,10 @@ double clampedOpacity(double opacity) { return opacity > 0.0 ? std::min(opacity,
 
 }  // namespace
 
-std::string_view nameOf(OtfSmoothing smoothing) { return smoothingNames[static_cast<std::size_t>(smoothing)]; }
+std::string_view nameOf(OtfSmoothing smoothing) { return nameIn(smoothingNames, smoothing); }
 
 std::optional<OtfSmoothing> otfSmoothingFromName(std::string_view name) {
-    const auto found = std::find(smoothingNames.begin(), smoothingNames.end(), name);
-    if (found == smoothingNames.end()) return std::nullopt;
-    return static_cast<OtfSmoothing>(found - smoothingNames.begin());
+    return choiceNamed<OtfSmoothing>(smoothingNames, name);
 }
 
 std::size_t framesUsed(OtfSmoothing smoothing) {

@@ -1,15 +1,14 @@
 #include "processing/motion/otf_sweep.h"
-#include "processing/adaptive/adaptive_otf.h"
-#include "processing/parallel.h"
 
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
+
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -23,11 +22,11 @@ constexpr double stepRounding = 1e-9;
 struct FrameOtf {
     SampledCurve curve;
     double sumOfD = 0.0;
-    int tubesWithSurface = 0;
+    int tubesWithWeight = 0;
 };
 
 FrameOtf reduced(const AdaptiveOtf& otf) {
-    FrameOtf frame{otf.curve, 0.0, otf.tubesWithSurface};
+    FrameOtf frame{otf.curve, 0.0, otf.tubesWithWeight};
     for (const TubeCore& tube : otf.tubes) frame.sumOfD += tube.d;
     return frame;
 }
@@ -64,8 +63,7 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
                    std::span<FrameOtf> results) {
-    std::atomic<std::size_t> done = 0;
-    const std::thread::id caller = std::this_thread::get_id();
+    ProgressCount count(progress, wanted.size());
     const Progress quiet{{}, progress.cancel};
     parallelFor(tbb::blocked_range<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
@@ -77,9 +75,7 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
                 tbb::this_task_arena::isolate([&] { return adaptOpacity(volume, frame.view, config, quiet); });
             if (!otf) return;
             results[wanted[i]] = reduced(*otf);
-            const std::size_t ready = ++done;
-            if (std::this_thread::get_id() == caller)
-                progress.at(static_cast<double>(ready) / static_cast<double>(wanted.size()));
+            count.oneDone();
         }
     });
     return !progress.cancelled();
@@ -87,12 +83,12 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
 
 }  // namespace
 
-Viewpoint turned(const Viewpoint& start, SweepAxis axis, double degrees) {
+Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees) {
     Viewpoint view = start;
     switch (axis) {
-        case SweepAxis::x: view.elevationDegrees += degrees; break;
-        case SweepAxis::y: view.azimuthDegrees += degrees; break;
-        case SweepAxis::z: view.rollDegrees += degrees; break;
+        case MotionAxis::x: view.elevationDegrees += degrees; break;
+        case MotionAxis::y: view.azimuthDegrees += degrees; break;
+        case MotionAxis::z: view.rollDegrees += degrees; break;
     }
     return view;
 }
@@ -103,7 +99,7 @@ std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
     return frames;
 }
 
-std::vector<SweepFrame> sweepFrames(const Viewpoint& start, SweepAxis axis, double from, double to, double step,
+std::vector<SweepFrame> sweepFrames(const Viewpoint& start, MotionAxis axis, double from, double to, double step,
                                     int phases) {
     if (!std::isfinite(from) || !std::isfinite(to) || !(step > 0.0) || phases < 1)
         throw std::invalid_argument("sweepFrames: needs finite angles, a step above 0 and a phase");
@@ -148,7 +144,7 @@ std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<c
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const FrameOtf& otf = otfs[first[i]];
         swept.push_back(
-            {frames[i], otf.curve, history.add(frames[i].time, otf.curve), otf.sumOfD, otf.tubesWithSurface});
+            {frames[i], otf.curve, history.add(frames[i].time, otf.curve), otf.sumOfD, otf.tubesWithWeight});
     }
     return swept;
 }

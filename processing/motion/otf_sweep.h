@@ -12,10 +12,14 @@
 namespace echolucent {
 
 /// About which axis of the view's frame the view turns: x changes the elevation, y the azimuth, z the roll.
-enum class SweepAxis { x, y, z };
+enum class MotionAxis { x, y, z };
+
+/// The range of the motion, whole degrees from the view in which it was started.
+inline constexpr int firstMotionAngle = -45;
+inline constexpr int lastMotionAngle = 45;
 
 /// The view turned by an angle from the view in which a motion began.
-[[nodiscard]] Viewpoint turned(const Viewpoint& start, SweepAxis axis, double degrees);
+[[nodiscard]] Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees);
 
 /// One frame of a motion.
 struct SweepFrame {
@@ -29,9 +33,9 @@ struct SweepFrame {
 struct SweptOtf {
     SweepFrame frame;
     SampledCurve unsmoothed;
-    SampledCurve shown;        ///< after smoothing
-    double sumOfD = 0.0;       ///< sum of d over the unsmoothed OTF's tube cores
-    int tubesWithSurface = 0;  ///< tube cores of the unsmoothed OTF that have a weight
+    SampledCurve shown;       ///< after smoothing
+    double sumOfD = 0.0;      ///< sum of d over the unsmoothed OTF's tube cores
+    int tubesWithWeight = 0;  ///< tube cores of the unsmoothed OTF that have a weight
 };
 
 /// The frames alone.
@@ -41,15 +45,15 @@ struct SweptOtf {
 /// moves by one phase a frame, over and over. `to` below `from` turns backwards; `to` itself is a frame where the range
 /// is a whole number of steps. Throws std::invalid_argument for angles that are not finite, a step not above 0, no
 /// phase, or more than a million frames.
-[[nodiscard]] std::vector<SweepFrame> sweepFrames(const Viewpoint& start, SweepAxis axis, double from, double to,
+[[nodiscard]] std::vector<SweepFrame> sweepFrames(const Viewpoint& start, MotionAxis axis, double from, double to,
                                                   double step, int phases);
 
 /// What moves, for as many frames as the angles have steps: the three scenarios of Petersch 2005, section 5.
 struct Motion {
-    SweepAxis axis = SweepAxis::y;
-    double from = -45.0, to = 45.0, step = 1.0;  ///< degrees, as for sweepFrames()
-    bool probeMoves = true;                      ///< where false, every frame has the first view at 0 degrees
-    bool objectMoves = false;                    ///< whether phases follow each other; where false, firstPhase stays
+    MotionAxis axis = MotionAxis::y;
+    double from = firstMotionAngle, to = lastMotionAngle, step = 1.0;  ///< degrees, as for sweepFrames()
+    bool probeMoves = true;    ///< where false, every frame has the first view at 0 degrees
+    bool objectMoves = false;  ///< whether phases follow each other; where false, firstPhase stays
     int firstPhase = 0;
 };
 /// The frames of a motion in a study of `phases` phases. Throws std::invalid_argument as sweepFrames() does, and where

@@ -1,8 +1,8 @@
 #include "processing/phantom/phantom.h"
 
 #include <algorithm>
-#include <array>
 
+#include "processing/choice_names.h"
 #include "processing/parallel.h"
 #include "processing/phantom/phantom_scene.h"
 #include "processing/phantom/speckle.h"
@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> sceneNames{"shapes", "fetus", "empty"};
+constexpr ChoiceNames<3> sceneNames{"shapes", "fetus", "empty"};
 
 double whiteLevelOf(int bits) { return bits == 8 ? 255.0 : bits == 12 ? 4095.0 : 65535.0; }
 
@@ -58,12 +58,10 @@ std::optional<Volume> storedVolume(const PhantomConfig& config, const std::vecto
 }  // namespace
 
 std::optional<PhantomScene> phantomSceneFromName(std::string_view name) {
-    const auto* found = std::find(sceneNames.begin(), sceneNames.end(), name);
-    if (found == sceneNames.end()) return std::nullopt;
-    return static_cast<PhantomScene>(found - sceneNames.begin());
+    return choiceNamed<PhantomScene>(sceneNames, name);
 }
 
-std::string_view nameOf(PhantomScene scene) { return sceneNames[static_cast<std::size_t>(scene)]; }
+std::string_view nameOf(PhantomScene scene) { return nameIn(sceneNames, scene); }
 
 std::optional<Volume> makePhantom(const PhantomConfig& config, const Progress& progress) {
     const std::vector<float> painted = paintedVoxels(buildScenery(config), config, progress);

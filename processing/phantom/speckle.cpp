@@ -1,5 +1,6 @@
 #include "processing/phantom/speckle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,7 +25,8 @@ HWY_INLINE FloatVector timesPlus(FloatVector a, FloatVector b, float c) {
     return hn::Add(hn::Mul(a, b), hn::Set(Floats(), c));
 }
 
-/// A 32-bit mixing function with full avalanche (C. Wellons' hash prospector, 2 rounds).
+/// A 32-bit mixing function with full avalanche: shifts and multiplications of two rounds, published by C. Wellons
+/// under the name "hash prospector".
 HWY_INLINE WordVector mixed(WordVector value) {
     const Words d;
     value = hn::Xor(value, hn::ShiftRight<16>(value));
@@ -34,7 +36,8 @@ HWY_INLINE WordVector mixed(WordVector value) {
     return hn::Xor(value, hn::ShiftRight<15>(value));
 }
 
-/// Natural logarithm of positive normal numbers, relative error about 1e-7 (Cephes logf).
+/// Natural logarithm of positive normal numbers, with a relative error of about 1e-7, by the
+/// polynomial of logf in S. Moshier's Cephes library.
 HWY_INLINE FloatVector naturalLog(FloatVector value) {
     const Floats d;
     const hn::RebindToSigned<Floats> integers;
@@ -288,8 +291,9 @@ std::vector<float> speckleTaps(double smoothing) {
         taps.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
         squares += taps.back() * taps.back();
     }
-    std::vector<float> scaled;
-    for (const double tap : taps) scaled.push_back(static_cast<float>(tap / std::sqrt(squares)));
+    std::vector<float> scaled(taps.size());
+    std::transform(taps.begin(), taps.end(), scaled.begin(),
+                   [norm = std::sqrt(squares)](double tap) { return static_cast<float>(tap / norm); });
     return scaled;
 }
 

@@ -1,23 +1,22 @@
 #include "processing/picture/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
-constexpr std::array<std::string_view, 2> projectionNames{"parallel", "perspective"};
+constexpr ChoiceNames<2> projectionNames{"parallel", "perspective"};
 }
 
-std::string_view nameOf(Projection projection) { return projectionNames[static_cast<std::size_t>(projection)]; }
+std::string_view nameOf(Projection projection) { return nameIn(projectionNames, projection); }
 
 std::optional<Projection> projectionFromName(std::string_view name) {
-    const auto* found = std::find(projectionNames.begin(), projectionNames.end(), name);
-    if (found == projectionNames.end()) return std::nullopt;
-    return static_cast<Projection>(found - projectionNames.begin());
+    return choiceNamed<Projection>(projectionNames, name);
 }
 
 Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect) {

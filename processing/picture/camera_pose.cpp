@@ -9,14 +9,8 @@ namespace echolucent {
 namespace {
 
 constexpr double degreesPerHeight = 180.0;
-constexpr double viewAngleDegrees = 30.0;
 
 double halfAngle(double degrees) { return degrees / 2.0 * std::numbers::pi / 180.0; }
-
-double wrapped(double degrees) {
-    const double turn = std::remainder(degrees, 360.0);
-    return turn == -180.0 ? 180.0 : turn;
-}
 
 }  // namespace
 
@@ -30,8 +24,7 @@ Camera cameraFor(const CameraPose& pose) {
     camera.frame = frameOf(pose.view);
     camera.projection = pose.projection;
     camera.heightMm = pose.heightMm;
-    camera.viewAngleDegrees = viewAngleDegrees;
-    camera.distanceMm = pose.heightMm / 2.0 / std::tan(halfAngle(viewAngleDegrees));
+    camera.distanceMm = pose.heightMm / 2.0 / std::tan(halfAngle(camera.viewAngleDegrees));
     return camera;
 }
 
@@ -47,7 +40,7 @@ CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Pro
 CameraPose orbited(CameraPose pose, double right, double down) {
     // The drag as seen in the picture before its roll, whose axes the two angles turn about.
     const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
-    pose.view.azimuthDegrees = wrapped(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
+    pose.view.azimuthDegrees = wrappedDegrees(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
     pose.view.elevationDegrees = std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);
     return pose;
 }
@@ -60,15 +53,6 @@ CameraPose panned(CameraPose pose, double right, double down) {
 
 CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits) {
     pose.heightMm = std::clamp(pose.heightMm / factor, limits.smallestHeightMm, limits.largestHeightMm);
-    return pose;
-}
-
-CameraPose turnedTo(CameraPose pose, const Viewpoint& view, const Vec3& centre) {
-    const ViewFrame before = frameOf(pose.view), after = frameOf(view);
-    const Vec3 offset = pose.focalPoint - centre;
-    pose.focalPoint = centre + after.right * offset.dot(before.right) + after.down * offset.dot(before.down) +
-                      after.forward * offset.dot(before.forward);
-    pose.view = view;
     return pose;
 }
 

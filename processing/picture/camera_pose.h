@@ -30,18 +30,16 @@ struct ZoomLimits {
 [[nodiscard]] CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Projection projection,
                                     double aspect);
 
-/// Turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the hand. The
-/// height of the picture is half a turn. The axes are the picture's vertical of the beam axis's frame and the picture's
-/// horizontal; elevation stops at +-90 degrees; the roll stays.
+/// The pose turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the
+/// hand. The height of the picture is half a turn. The axes are the picture's vertical of the beam axis's frame and the
+/// picture's horizontal; elevation stops at +-90 degrees; the roll stays.
 [[nodiscard]] CameraPose orbited(CameraPose pose, double right, double down);
 
-/// Moved across the picture by a drag in shares of the picture's height: the focal plane follows the hand exactly.
+/// The pose moved across the picture by a drag in shares of the picture's height: the focal plane follows the hand
+/// exactly.
 [[nodiscard]] CameraPose panned(CameraPose pose, double right, double down);
 
-/// Magnified: factor 2 shows everything in the focal plane twice as large. Factor > 0.
+/// The pose magnified: a factor of 2 shows everything in the focal plane twice as large. The factor is above 0.
 [[nodiscard]] CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits);
-
-/// Turned to a view about a centre (grid mm) that keeps its place in the picture.
-[[nodiscard]] CameraPose turnedTo(CameraPose pose, const Viewpoint& view, const Vec3& centre);
 
 }  // namespace echolucent

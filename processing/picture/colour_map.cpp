@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "processing/choice_names.h"
+
 namespace echolucent {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> colourMapNames{"sepia", "grey", "ice"};
+constexpr ChoiceNames<3> colourMapNames{"sepia", "grey", "ice"};
 
 /// Colours at equidistant intensities from 0 to 1, linear between.
 using ColourStops = std::array<Vec3, 5>;
@@ -29,12 +31,10 @@ const ColourStops& stopsOf(ColourMap map) {
 
 }  // namespace
 
-std::string_view nameOf(ColourMap map) { return colourMapNames[static_cast<std::size_t>(map)]; }
+std::string_view nameOf(ColourMap map) { return nameIn(colourMapNames, map); }
 
 std::optional<ColourMap> colourMapFromName(std::string_view name) {
-    const auto* found = std::find(colourMapNames.begin(), colourMapNames.end(), name);
-    if (found == colourMapNames.end()) return std::nullopt;
-    return static_cast<ColourMap>(found - colourMapNames.begin());
+    return choiceNamed<ColourMap>(colourMapNames, name);
 }
 
 Vec3 colourOf(ColourMap map, double intensity) {

@@ -1,18 +1,12 @@
 #include "processing/picture/light_direction.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace echolucent {
 
 namespace {
 
 constexpr double degreesPerHeight = 180.0;
-
-double wrapped(double degrees) {
-    const double turn = std::remainder(degrees, 360.0);
-    return turn == -180.0 ? 180.0 : turn;
-}
 
 }  // namespace
 
@@ -21,7 +15,7 @@ Vec3 towardsLight(const LightDirection& light) {
 }
 
 LightDirection moved(const LightDirection& light, double right, double down) {
-    return {wrapped(light.azimuthDegrees + degreesPerHeight * right),
+    return {wrappedDegrees(light.azimuthDegrees + degreesPerHeight * right),
             std::clamp(light.elevationDegrees - degreesPerHeight * down, -90.0, 90.0)};
 }
 

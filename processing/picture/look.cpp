@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::string_view page = "docs/rendering.md";
+constexpr std::string_view byLooking = "chosen by looking";
 
 /// Takes a number from a value where it holds one.
 bool setNumber(double& number, const ParameterValue& value) {
@@ -74,7 +74,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Azimuth of the light",
          "How far to the right of the viewer the light stands",
          "degrees",
-         page,
+         byLooking,
          {-180, 180},
          {},
          &getAngle<&LightDirection::azimuthDegrees>,
@@ -83,7 +83,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Elevation of the light",
          "How far above the viewer the light stands",
          "degrees",
-         page,
+         byLooking,
          {-90, 90},
          {},
          &getAngle<&LightDirection::elevationDegrees>,
@@ -101,7 +101,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Colour map",
          "Colours from dark to bright echoes",
          "",
-         page,
+         byLooking,
          {},
          {nameOf(ColourMap::sepia), nameOf(ColourMap::grey), nameOf(ColourMap::ice)},
          &getChoice<&Look::colourMap>,
@@ -110,7 +110,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Projection",
          "Parallel keeps sizes, perspective gives depth",
          "",
-         page,
+         byLooking,
          {},
          {nameOf(Projection::parallel), nameOf(Projection::perspective)},
          &getChoice<&Look::projection>,
@@ -119,7 +119,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Interpolation",
          "How intensities between voxels are taken",
          "",
-         page,
+         "docs/reports/render.html, interpolation",
          {},
          {nameOf(Interpolation::trilinear), nameOf(Interpolation::nearest)},
          &getChoice<&Look::interpolation>,
@@ -128,7 +128,7 @@ const std::array<Parameter<Look>, 9>& rows() {
          "Step",
          "Distance between the samples on a ray; opacities are corrected for it",
          "units",
-         page,
+         "docs/rendering.md, What errs, and by how much",
          {1e-3, 100},
          {},
          [](const Look& look) { return std::optional<ParameterValue>(look.step); },

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace echolucent {
+
+Picture emptyPicture(int width, int height, bool withDepth) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    Picture picture{width, height, std::vector<float>(pixels * 4), {}};
+    if (withDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
+    return picture;
+}
 
 std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background) {
     const std::size_t pixels = picture.rgba.size() / 4;

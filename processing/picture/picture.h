@@ -18,6 +18,9 @@ struct Picture {
     std::vector<float> depthMm{};
 };
 
+/// A picture in which nothing is seen yet; with or without the depths of its pixels, all of them infinite.
+[[nodiscard]] Picture emptyPicture(int width, int height, bool withDepth = false);
+
 /// The picture over an opaque background (eq. 3's c(r,0)) as 8-bit RGB, rows from the top, three bytes a pixel.
 [[nodiscard]] std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background);
 

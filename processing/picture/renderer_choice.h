@@ -1,9 +1,10 @@
 // Who renders the volume.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string_view>
+
+#include "processing/choice_names.h"
 
 namespace echolucent {
 
@@ -13,16 +14,12 @@ enum class RendererChoice {
     graphicsCard,  ///< VTK's GPU mapper, through OpenGL, also where OpenGL is software
 };
 
-inline constexpr std::array<std::string_view, 3> rendererNames{"automatic", "software", "graphicsCard"};
+inline constexpr ChoiceNames<3> rendererNames{"automatic", "software", "graphicsCard"};
 
 /// "automatic", "software", "graphicsCard".
-[[nodiscard]] inline std::string_view nameOf(RendererChoice renderer) {
-    return rendererNames[static_cast<std::size_t>(renderer)];
-}
+[[nodiscard]] inline std::string_view nameOf(RendererChoice renderer) { return nameIn(rendererNames, renderer); }
 [[nodiscard]] inline std::optional<RendererChoice> rendererFromName(std::string_view name) {
-    for (std::size_t i = 0; i < rendererNames.size(); ++i)
-        if (rendererNames[i] == name) return static_cast<RendererChoice>(i);
-    return std::nullopt;
+    return choiceNamed<RendererChoice>(rendererNames, name);
 }
 
 }  // namespace echolucent

@@ -41,7 +41,7 @@ struct RangeOf {
 template <typename Voxel>
 RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
     const VolumeGeometry& geometry = volume.geometry();
-    const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
+    const std::uint8_t* mask = volume.dataMaskOrNull();
     const auto [x, endX] = voxelsOf(brick[0], geometry.size[0]);
     const auto [y, endY] = voxelsOf(brick[1], geometry.size[1]);
     const auto [z, endZ] = voxelsOf(brick[2], geometry.size[2]);

@@ -22,8 +22,8 @@ struct BrickGrid {
     }
 };
 
-/// The smallest and largest intensity around the cubes of each brick, and whether voxels there lack data. One pass over
-/// the volume, once.
+/// The smallest and largest intensity around the cubes of each brick, and whether voxels there lack data. One
+/// pass over the volume finds them.
 class BrickRanges {
 public:
     explicit BrickRanges(const Volume& volume);

@@ -20,7 +20,7 @@ RayCastSettings keyOf(RayCastSettings settings) {
 
 int packetsAcross(int pixels, int packet) { return (pixels + packet - 1) / packet; }
 
-/// What all samples of a view take: from one ray of each packet.
+/// The bytes that all samples of a view take, estimated from one ray of each packet.
 double bytesOfView(const RayCastSettings& settings, const RayGeometry& rays, const PacketShape& shape) {
     double samples = 0.0;
     for (int row = 0; row < settings.height; row += shape.rows)

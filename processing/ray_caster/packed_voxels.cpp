@@ -95,9 +95,8 @@ template <typename Voxel>
 PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
     : m_rowStride(strideOf(volume.geometry().size[0])),
       m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCubes)) {
-    const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(),
-                               volume.dataMask().empty() ? nullptr : volume.dataMask().data(), volume.geometry().size,
-                               TransferTable::intervals / volume.whiteLevel()};
+    const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(), volume.dataMaskOrNull(),
+                               volume.geometry().size, TransferTable::intervals / volume.whiteLevel()};
     if (!anyMissing(source, volume.geometry().voxelCount())) {
         m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
         return;

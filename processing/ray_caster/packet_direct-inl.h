@@ -117,7 +117,7 @@ private:
         add(blend);
         return done(run, block, stored);
     }
-    /// Of samples 0 ... behind - 1, or all of the run.
+    /// Ends the run behind sample `behind` - 1, or at its own end; returns how many samples of it were used.
     std::int64_t done(const Run<Voxel>& run, std::int64_t behind, bool stored) {
         const std::int64_t samples = std::min(behind, run.count);
         if (m_rays->kept != nullptr && !stored)
@@ -130,7 +130,8 @@ private:
         return atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + sample) > 0;
     }
 
-    /// The cut steps of all rays, front and back: computed side by side, each waits for the other's voxels.
+    /// The cut steps of all rays, front and back. They are computed side by side: while one waits for its voxels, the
+    /// other goes on.
     struct PlainCuts {
         Blend head, tail;
     };
@@ -141,7 +142,7 @@ private:
         if (!head.near || !tail.near) return std::nullopt;
         return PlainCuts{plainCut(head, packet.rays().head), plainCut(tail, packet.rays().tail)};
     }
-    /// Nothing of rays that have ended.
+    /// The blend without the rays that have ended.
     Blend ofAlive(const Blend& blend) const {
         const auto share = inFloats([&](Doubles, int i) {
             const auto left = load(m_rays->gathered.transmittance + i), zero = setDouble(0.0);

@@ -102,7 +102,7 @@ struct BlockLanes {
     }
 };
 
-/// The value of sample i, which lies at `at` but for rounding.
+/// The place at which sample i is read; the sample lies at `at` but for rounding.
 template <typename Voxel>
 HWY_INLINE Position placeOf(const PlainRun<Voxel>& from, std::int64_t i, const Position& at) {
     return from.nearest ? nearestVoxel(from.run.at(set(static_cast<float>(i)))) : at;
@@ -199,7 +199,7 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
 /// sooner.
 constexpr int wholeGroup = 8, cutGroup = 4;
 
-/// Samples block ... last - 1.
+/// Composites the samples from `block` to `last` - 1.
 template <Keeping keeping, bool masked, typename Voxel>
 HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std::int64_t last, LaneMask alive,
                            PlainSums& sums) {

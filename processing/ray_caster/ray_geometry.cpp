@@ -34,19 +34,16 @@ void requireSensible(const RayCastSettings& settings) {
     for (const ClippingPlane& plane : settings.clippingPlanes)
         if (!isFinite(plane.point) || !isFinite(plane.normal) || length(plane.normal) == 0.0)
             throw std::invalid_argument("castRays: a clipping plane needs a finite point and a normal");
+    if (std::isnan(settings.terminationTransmittance))
+        throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
+    if (settings.shading && !(settings.shading->gradientReach > 0.0))
+        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
     if (settings.opaqueDepth) {
         const DepthMap& map = *settings.opaqueDepth;
         if (map.width < 1 || map.height < 1 ||
             map.depthMm.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
             throw std::invalid_argument("castRays: the depth map's size is not that of its values");
     }
-}
-
-double foremostDepth(const VolumeGeometry& geometry, const Vec3& forward) {
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-    double depth = 0.0;
-    for (int axis = 0; axis < 3; ++axis) depth += std::min(forward[axis] * low[axis], forward[axis] * high[axis]);
-    return depth;
 }
 
 }  // namespace
@@ -68,7 +65,7 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
         m_step[axis] = m_forward[axis] * m_inverseSpacing[axis] * m_stepMm;
         m_perStep[axis] = 1.0 / m_step[axis];
     }
-    m_farDepth = -foremostDepth(geometry, -m_forward);
+    const double foremostDepth = geometry.depthsAlong(m_forward).nearest;
     m_eye = camera.focalPoint - m_forward * camera.distanceMm;
     const auto acrossPicture = [&](double pixel) {
         m_perColumn = camera.frame.right * pixel;
@@ -76,7 +73,7 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
         return m_perColumn * (0.5 - m_width * 0.5) + m_perRow * (0.5 - m_height * 0.5);
     };
     if (m_parallel) {
-        m_startDepth = std::max(foremostDepth(geometry, m_forward), m_nearDepth);
+        m_startDepth = std::max(foremostDepth, m_nearDepth);
         const Vec3 point = camera.focalPoint + acrossPicture(camera.heightMm / m_height);
         m_first = point + m_forward * (m_startDepth - m_forward.dot(point));
     } else {
@@ -84,7 +81,7 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
             m_forward + acrossPicture(2.0 * std::tan(camera.viewAngleDegrees * std::numbers::pi / 360.0) / m_height);
         m_eyeDepth = m_forward.dot(m_eye);
         m_nearDepth -= m_eyeDepth;
-        m_startDepth = std::max({foremostDepth(geometry, m_forward) - m_eyeDepth, m_nearDepth, 0.0});
+        m_startDepth = std::max({foremostDepth - m_eyeDepth, m_nearDepth, 0.0});
     }
     limit(geometry, settings);
 }

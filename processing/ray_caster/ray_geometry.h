@@ -93,10 +93,6 @@ public:
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
-    /// The depths between which something is rendered: the farther of near plane and foremost corner, and the hindmost
-    /// corner.
-    [[nodiscard]] double nearDepthMm() const { return m_startDepth + m_eyeDepth; }
-    [[nodiscard]] double farDepthMm() const { return m_farDepth; }
 
 private:
     /// Something is rendered where offset + normal . (voxel position) >= 0.
@@ -127,7 +123,6 @@ private:
     double m_eyeDepth = 0.0;  ///< in perspective the depth of the eye from the grid origin
     double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin, in perspective from the eye
     double m_nearDepth;       ///< the near plane's depth, counted from the same place
-    double m_farDepth;
     Vec3 m_first, m_perColumn,
         m_perRow;           ///< grid mm: where parallel rays start; in perspective a direction of any length
     Vec3 m_eye, m_forward;  ///< grid mm
@@ -143,7 +138,8 @@ template <int lanes>
 inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const {
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < lanes; ++i) {
-            const double x = column + i % columns, y = row + i / columns;
+            const int across = i % columns, down = i / columns;
+            const double x = column + across, y = row + down;
             bundle.origin[axis][i] =
                 (m_first[axis] + m_perColumn[axis] * x + m_perRow[axis] * y) * m_inverseSpacing[axis];
             bundle.step[axis][i] = m_step[axis];
@@ -158,7 +154,8 @@ inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int r
 template <int lanes>
 inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, int row, int columns) const {
     for (int i = 0; i < lanes; ++i) {
-        const double x = column + i % columns, y = row + i / columns;
+        const int across = i % columns, down = i / columns;
+        const double x = column + across, y = row + down;
         const double start[3] = {m_first[0] + m_perColumn[0] * x + m_perRow[0] * y,
                                  m_first[1] + m_perColumn[1] * x + m_perRow[1] * y,
                                  m_first[2] + m_perColumn[2] * x + m_perRow[2] * y};

@@ -8,8 +8,8 @@ namespace echolucent {
 
 namespace {
 
-/// Finds where the tube's data begin and end and makes room for its cells. countOf(slab): its samples with data. False:
-/// there is no cell.
+/// Finds where the tube's data begin and end and makes room for its cells. countOf(slab) gives its samples with data.
+/// Returns whether there is any cell.
 template <typename CountOf>
 bool beginCells(std::size_t slabs, int cellSize, const CountOf& countOf, CellStatistics& cells) {
     const int half = (cellSize * cellSize + 1) / 2;
@@ -77,7 +77,7 @@ void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStati
     if (!beginCells(
             slabs.sums.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
         return;
-    // 32^3 samples of 65535 stay below 2^31.
+    // largestCellSize keeps the sums in 32 bits.
     std::array<std::int32_t, batch> counts, sums;
     std::array<std::uint64_t, batch> squares;
     inBatches(cells, [&](std::size_t first, std::size_t count) {

@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// The largest cell edge for which n * sum(x^2) of 16-bit voxels stays below 2^64 (n = 32^3).
+/// The largest cell edge, units: the sums of 32^3 voxels of 16 bits stay below 2^31.
 inline constexpr int largestCellSize = 32;
 
 /// The cells of one tube, index i = samples i ... i + cellSize - 1 along the tube.

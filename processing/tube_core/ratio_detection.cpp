@@ -160,8 +160,23 @@ TubeContrasts::TubeContrasts(const TubeProfiles& profiles, const SpeckleScale& s
                 });
 }
 
-RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule) {
+namespace {
+
+/// Whether the boundaries at these levels may be those of fluid.
+bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule) {
+    const double fluid = scale.intensityAt(thresholds.fluid), tissue = scale.intensityAt(thresholds.tissue);
+    if (fluid <= 0.0 || tissue >= rule.leastRatio * fluid) return true;
+    // Compressed: over a quarter of the range of brightness the spread grows clearly less than the mean.
+    constexpr double darker = 0.25, inProportion = 0.75;
+    const double bright = scale.brightMean();
+    return scale.spreadAt(bright) * darker < inProportion * scale.spreadAt(darker * bright);
+}
+
+}  // namespace
+
+RatioThresholds ratioThresholds(const TubeContrasts& tubes, const SpeckleScale& scale, const RatioRule& rule) {
     RatioThresholds thresholds;
+    thresholds.step = rule.leastStep * scale.brightMean();
     std::vector<Strongest> strongest(tubes.tubes());
     ContrastCounts counts;
     std::size_t tubesWithProfile = 0;
@@ -174,7 +189,7 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rul
         strongest[t] = strongestAt(scaled, static_cast<int>(most) + rule.leastFluid, contrasts[most], rule);
     }
     const auto inSpreads = [&, spread = counts.spread()](double times) {
-        return std::clamp(times * spread, rule.contrastFloor, std::max(rule.contrastFloor, rule.contrastCeiling));
+        return std::clamp(times * spread, rule.contrastFloor, rule.contrastCeiling);
     };
     thresholds.contrast = inSpreads(rule.falseAlarm);
     const auto certain =
@@ -185,18 +200,9 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rul
     if (certain < 1 || static_cast<double>(certain) < rule.certainShare * static_cast<double>(tubesWithProfile))
         return thresholds;
 
-    thresholds.anyBoundary = true;
     readLevels(strongest, thresholds);
+    thresholds.mayHoldSurfaces = mayBeFluid(thresholds, scale, rule);
     return thresholds;
-}
-
-bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule) {
-    const double fluid = scale.intensityAt(thresholds.fluid), tissue = scale.intensityAt(thresholds.tissue);
-    if (fluid <= 0.0 || tissue >= rule.leastRatio * fluid) return true;
-    // Compressed: over a quarter of the range of brightness the spread grows clearly less than the mean.
-    constexpr double darker = 0.25, inProportion = 0.75;
-    const double bright = scale.brightMean();
-    return scale.spreadAt(bright) * darker < inProportion * scale.spreadAt(darker * bright);
 }
 
 namespace {
@@ -242,7 +248,7 @@ int surfaceCellAt(std::span<const float> means, int boundary, const RatioRule& r
 std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means, std::span<const float> scaled,
                                                std::span<const float> contrasts, const RatioThresholds& thresholds,
                                                const RatioRule& rule, int cellSize) {
-    if (!thresholds.anyBoundary || static_cast<int>(means.size()) < cellSize) return std::nullopt;
+    if (!thresholds.mayHoldSurfaces || static_cast<int>(means.size()) < cellSize) return std::nullopt;
     const auto boundaryOf = [&](std::size_t i) { return static_cast<int>(i) + rule.leastFluid; };
     const auto counts = [&](std::size_t i) {
         if (contrasts[i] <= thresholds.contrast) return false;

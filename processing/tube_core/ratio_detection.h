@@ -23,7 +23,7 @@ struct RatioThresholds {
     double fluidLevel = 0.0;           ///< means below it are fluid, above it tissue: value of the scale
     double fluid = 0.0, tissue = 0.0;  ///< typical levels before and behind the strongest boundaries, on the scale
     double step = 0.0;                 ///< a surface rises by at least this, normalised intensity
-    bool anyBoundary = false;          ///< whether any tube holds a contrast that counts
+    bool mayHoldSurfaces = false;      ///< whether enough tubes hold a boundary that is certain and may be fluid's
 };
 
 /// The contrast at every boundary of a profile on the scale: mean of the slabs behind less mean of those before.
@@ -48,22 +48,23 @@ private:
 };
 
 /// Looks at all tubes. The contrast's spread without boundaries is read off its lower quartile, which boundaries, being
-/// few, hardly move. The fluid level is the median middle of the tubes' strongest boundaries.
-[[nodiscard]] RatioThresholds ratioThresholds(const TubeContrasts& tubes, const RatioRule& rule);
+/// few, hardly move. The fluid level is the median middle of the tubes' strongest boundaries. A boundary is certain
+/// from `certainty` spreads on; like every contrast that counts, that is kept within the rule's floor and ceiling.
+/// Boundaries may be those of fluid where the intensities behind and before them differ by the least ratio, and always
+/// where echo is compressed (the spread of speckle grows less than the mean, and the ratio of intensities says
+/// nothing).
+[[nodiscard]] RatioThresholds ratioThresholds(const TubeContrasts& tubes, const SpeckleScale& scale,
+                                              const RatioRule& rule);
 
-/// Whether the view's boundaries may be those of fluid: always where echo is compressed (the spread of speckle grows
-/// less than the mean, and the ratio of intensities says nothing).
-[[nodiscard]] bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule);
-
-/// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
-/// contrast counts; where several do in a row, the one of highest contrast. `means` is its
-/// profile, `scaled` the profile on the scale, and `contrasts` are its contrasts. Returns the slab (counted from the
-/// profile's first) that begins the surface cell, so that the cell's mean is halfway between fluid and tissue, with the
-/// contrast there, or nothing where there is no surface.
+/// A surface on a profile.
 struct RatioSurface {
-    int cell = 0;
+    int cell = 0;  ///< the slab, counted from the profile's first, that begins the surface cell
     double contrast = 0.0;
 };
+/// The first surface of one tube: the boundary in front of which lies fluid, behind which lies tissue, and whose
+/// contrast counts; where several do in a row, the one of highest contrast. `means` is the tube's profile, `scaled` the
+/// profile on the scale, and `contrasts` are its contrasts. The surface cell's mean is halfway between fluid and
+/// tissue. Nothing is returned where there is no surface.
 [[nodiscard]] std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means,
                                                              std::span<const float> scaled,
                                                              std::span<const float> contrasts,

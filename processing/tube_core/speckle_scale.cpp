@@ -15,13 +15,15 @@ constexpr int spreadBins = 128;
 /// Spreads are counted in bins that grow by the same factor, from the least to the largest a slab can have (0.5).
 constexpr double leastSpread = 0.001;
 constexpr double largestSpread = 0.5;
-/// A bin of means speaks from this share of the slabs of the fullest bin near it on. The rarer means are those of slabs
-/// with a boundary in them, of tube cores that graze a wall above all, whose spread is not that of speckle.
+/// A bin of means speaks where it holds at least this share of the slabs of the fullest bin near it. The rarer means
+/// are those of slabs with a boundary in them, of tube cores that graze a wall above all, whose spread is not that of
+/// speckle.
 constexpr double leastShare = 0.25;
 constexpr int nearBins = 8;
 constexpr std::uint32_t leastSlabs = 16;
 
-/// Less than this share of the mean is not speckle but the lack of it: without any noise, too, a difference is a ratio.
+/// A spread below this share of the mean is not speckle but the lack of it. It is kept above 0, so that a difference
+/// is a ratio also where there is no noise at all.
 constexpr double leastShareOfMean = 0.05;
 
 struct Knot {

@@ -12,9 +12,9 @@
 
 namespace echolucent {
 
-/// Reads exact sums where tubes lie on voxels of integers; else in single precision, many slabs at a time; in double,
-/// sample by sample, where Precision::double64 asks for it or the volume is beyond what meanSlabs() takes. Keeps the
-/// last row; one reader per thread.
+/// Reads exact sums where tubes lie on voxels of integers. Elsewhere it reads in single precision, many slabs at a
+/// time; or in double, sample by sample, where Precision::double64 asks for it or the volume is beyond what meanSlabs()
+/// takes. It keeps the row that it read last, so that each thread needs a reader of its own.
 class TubeReader {
 public:
     /// The volume must outlive the reader.

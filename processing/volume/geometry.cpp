@@ -31,6 +31,11 @@ Vec3 normalized(const Vec3& vector) {
     return vector * (1.0 / size);
 }
 
+double wrappedDegrees(double degrees) {
+    const double turn = std::remainder(degrees, 360.0);
+    return turn == -180.0 ? 180.0 : turn;
+}
+
 Mat3 rotationX(double degrees) {
     const auto [s, c] = sineCosine(degrees);
     return {1, 0, 0, 0, c, -s, 0, s, c};

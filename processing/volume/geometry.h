@@ -14,6 +14,8 @@ using Mat3 = cv::Matx33d;
 [[nodiscard]] double length(const Vec3& vector);
 /// The vector divided by its length; a zero vector is a broken contract (std::invalid_argument).
 [[nodiscard]] Vec3 normalized(const Vec3& vector);
+/// The same angle in (-180, 180] degrees.
+[[nodiscard]] double wrappedDegrees(double degrees);
 /// Right-handed rotations about the grid axes; the angle is in degrees. At multiples of 90 degrees the elements are
 /// exactly 0, 1 and -1.
 [[nodiscard]] Mat3 rotationX(double degrees);

@@ -9,7 +9,7 @@ IntensityHistogram intensityHistogram(const Volume& volume) {
     const double white = volume.whiteLevel();
     std::visit(
         [&](const auto& voxels) {
-            const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
+            const std::uint8_t* mask = volume.dataMaskOrNull();
             for (std::size_t i = 0; i < voxels.size(); ++i) {
                 if (mask != nullptr && mask[i] == 0) continue;
                 const double intensity = static_cast<double>(voxels[i]) / white;

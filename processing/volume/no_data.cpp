@@ -52,7 +52,7 @@ std::uint64_t zeroBytes(const std::uint8_t* voxels) {
 BitGrid blankVoxels(const Volume& volume) {
     const VolumeGeometry& geometry = volume.geometry();
     BitGrid blank(geometry.size);
-    const std::uint8_t* mask = volume.dataMask().empty() ? nullptr : volume.dataMask().data();
+    const std::uint8_t* mask = volume.dataMaskOrNull();
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
             parallelFor(
@@ -118,13 +118,15 @@ std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
     const BitGrid blank = blankVoxels(volume);
     const BitGrid outside = blank.connectedToBorder();
     const auto outsideCount = static_cast<double>(outside.count());
-    if (outsideCount < smallestShare * voxels || outsideCount == voxels || !holdsCorner(outside)) return {};
+    if (outsideCount < smallestShare * voxels || outsideCount == voxels || !holdsCorner(outside))
+        return volume.dataMask();
     const BitGrid solid = solidPart(outside);
     const auto solidCount = static_cast<double>(solid.count());
-    if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid)) return {};
+    if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid))
+        return volume.dataMask();
     // Lone echoes in the outside (compression noise, graphics painted over) and frayed edges belong to it.
     const BitGrid closed = solid.dilated().eroded();
-    if (static_cast<double>(closed.count()) == voxels) return {};
+    if (static_cast<double>(closed.count()) == voxels) return volume.dataMask();
     return maskWithout(closed, volume);
 }
 

@@ -1,5 +1,6 @@
 // Reading a volume between its voxel centres, in double precision: the one plain sampler. What must be fast (the ray
-// caster's kernel, the tube cores' slabs) has readers of its own, which tests compare with this one.
+// caster's kernel, the tube cores' slabs) has readers of its own, which tests compare with this one; beside no data
+// tube cores take the nearest voxel.
 #pragma once
 
 #include <optional>

@@ -22,6 +22,17 @@ Vec3 VolumeGeometry::boxMaxMm() const {
 
 Vec3 VolumeGeometry::centreMm() const { return (boxMinMm() + boxMaxMm()) * 0.5; }
 
+VolumeGeometry::DepthRange VolumeGeometry::depthsAlong(const Vec3& forward) const {
+    const Vec3 low = boxMinMm(), high = boxMaxMm();
+    DepthRange depths{0.0, 0.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double atLow = forward[axis] * low[axis], atHigh = forward[axis] * high[axis];
+        depths.nearest += std::min(atLow, atHigh);
+        depths.farthest += std::max(atLow, atHigh);
+    }
+    return depths;
+}
+
 namespace {
 
 void requireValid(const VolumeGeometry& geometry, std::size_t voxels) {

@@ -41,6 +41,11 @@ struct VolumeGeometry {
     [[nodiscard]] Vec3 boxMinMm() const { return spacing * -0.5; }
     [[nodiscard]] Vec3 boxMaxMm() const;
     [[nodiscard]] Vec3 centreMm() const;
+    /// The depths along a direction, mm from the grid origin, of the box's foremost and hindmost corner.
+    struct DepthRange {
+        double nearest, farthest;
+    };
+    [[nodiscard]] DepthRange depthsAlong(const Vec3& forward) const;
 };
 
 /// One volume (one phase of a 4D study).
@@ -60,6 +65,10 @@ public:
     /// One byte a voxel: 1 is data, 0 is no data (outside the scanned sector, or not finite). It is empty where all
     /// voxels are data.
     [[nodiscard]] const std::vector<std::uint8_t>& dataMask() const { return *m_dataMask; }
+    /// The data mask's first byte, or null where all voxels are data.
+    [[nodiscard]] const std::uint8_t* dataMaskOrNull() const {
+        return m_dataMask->empty() ? nullptr : m_dataMask->data();
+    }
     [[nodiscard]] bool hasData(std::int64_t offset) const {
         return m_dataMask->empty() || (*m_dataMask)[static_cast<std::size_t>(offset)] != 0;
     }
@@ -79,10 +88,11 @@ private:
 };
 
 /// Guesses which voxels lie outside the scanned sector. They are exactly 0 and connected over faces through such voxels
-/// to a corner of the grid, which a sector always leaves free and a pool of fluid at the probe does not. Together they
-/// are at least 2 % of the grid, and thick (the zeros of speckle are not). Single noisy voxels in the midst of them
-/// belong to them. Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such
-/// region, the volume's own mask.
+/// to the border of the grid. Together they hold a corner of the grid, which a sector always leaves free, are at least
+/// 2 % of the grid, and thick (the zeros of speckle are not). Single noisy voxels in the midst of them belong to them.
+/// A pool of fluid that is 0 throughout and touches the border is taken for outside too, where corners are free.
+/// Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such region, the volume's
+/// own mask.
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
 
 }  // namespace echolucent

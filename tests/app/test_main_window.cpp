@@ -82,7 +82,7 @@ private slots:
         Session& session = m_window->session();
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
         const auto expected = adaptOpacity(*session.volume(), Viewpoint{}, session.otf()->config);
-        QVERIFY(expected->tubesWithSurface > 20);
+        QVERIFY(expected->tubesWithWeight > 20);
         QVERIFY(session.otf()->curve == expected->curve);
         QVERIFY(m_window->otfEditor().state().adaptive == expected->curve);
         QVERIFY(m_window->otfEditor().activeCurve() == OpacityCurve(expected->curve));

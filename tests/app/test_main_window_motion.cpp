@@ -68,7 +68,7 @@ private slots:
             QCOMPARE(frames[i].angle, i + 1.0);
             if (wanted.smoothing) QCOMPARE(frames[i].view.azimuthDegrees, frames[i].angle);
             const SampledCurve own =
-                adaptOpacity(*volume, turned(Viewpoint{}, SweepAxis::y, frames[i].angle), {})->curve;
+                adaptOpacity(*volume, turned(Viewpoint{}, MotionAxis::y, frames[i].angle), {})->curve;
             const SampledCurve smoothed = history.add(frames[i].angle, own);
             QVERIFY2(frames[i].curve == (wanted.smoothing ? smoothed : first), qPrintable(QString::number(i)));
         }
@@ -102,7 +102,7 @@ private slots:
             const double time = i + 1.0;
             QCOMPARE(frames[i].phase, static_cast<int>((i + 1) % 4));
             QCOMPARE(frames[i].angle, degreesPerFrame * time);
-            const Viewpoint view = turned(Viewpoint{}, SweepAxis::y, frames[i].angle);
+            const Viewpoint view = turned(Viewpoint{}, MotionAxis::y, frames[i].angle);
             const auto own = adaptOpacity(*phases[static_cast<std::size_t>(frames[i].phase)], view, {})->curve;
             QVERIFY2(frames[i].curve == history.add(time, own), qPrintable(QString::number(i)));
         }

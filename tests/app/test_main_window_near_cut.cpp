@@ -34,7 +34,7 @@ private slots:
 
     void theSuggestedCutIsMadeSaidAndTakenBack() {
         session().setNearCutSearch(
-            found({.nearCutMm = 18.04, .tubesWithSurface = 156, .tubesInFluid = 140, .message = {}}));
+            found({.nearCutMm = 18.04, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(),
@@ -53,7 +53,7 @@ private slots:
 
     void theWayBackTurnsNoTubeCores() {
         session().setNearCutSearch(
-            found({.nearCutMm = 18, .tubesWithSurface = 156, .tubesInFluid = 140, .message = {}}));
+            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
@@ -76,7 +76,7 @@ private slots:
                 config = with;
                 thread = QThread::currentThread();
                 return std::optional(
-                    NearCutSuggestion{.nearCutMm = 5, .tubesWithSurface = 2, .tubesInFluid = 1, .message = {}});
+                    NearCutSuggestion{.nearCutMm = 5, .tubesWithWeight = 2, .tubesInFluid = 1, .message = {}});
             });
         Viewpoint turned;
         turned.azimuthDegrees = 20;
@@ -105,7 +105,7 @@ private slots:
     }
 
     void nothingInFrontNeedsNoCut() {
-        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithSurface = 90, .tubesInFluid = 90, .message = {}}));
+        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithWeight = 90, .tubesInFluid = 90, .message = {}}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
     }

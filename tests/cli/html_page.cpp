@@ -21,8 +21,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Empty where every element that is opened is closed, in order; else what is wrong. The page is written as XML, but
-/// for its first line.
+/// The text is empty where every element that is opened is closed, in order; else it says what is wrong. The page is
+/// written as XML, but for its first line.
 std::string problemOf(const std::string& markup) {
     static const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)((?:\s+[a-zA-Z:-]+="[^"<]*")*)\s*(/?)>)");
     std::vector<std::string> open;
@@ -96,7 +96,7 @@ TEST(Plot, NothingToShowIsAnEmptyFrame) {
 
 TEST(Plot, ALogarithmicAxisLeavesOutWhatIsNotAboveZero) {
     const PlotSeries series = markersOf({1, 10, 100, 1000}, {0, -1, 2, 3});
-    // One marker in the legend beside those in the plot.
+    // There is one marker in the legend beside those in the plot.
     EXPECT_EQ(countOf(svgOf(plotOf({series})), "class=\"marker"), 5U);
     Plot plot = plotOf({series});
     plot.logY = true;
@@ -211,7 +211,7 @@ TEST(HtmlPage, HoldsEverythingAndIsWellFormed) {
     EXPECT_NE(text.find("<td>a&lt;b</td><td class=\"number\">1.5×</td>"), std::string::npos) << text;
     EXPECT_EQ(countOf(text, "data:image/png;base64,"), 3U) << "a picture, and two images of a map";
     EXPECT_NE(text.find("not a medical device"), std::string::npos);
-    // Self-contained: the only addresses are the name of SVG's vocabulary.
+    // The page is self-contained: the only addresses are the name of SVG's vocabulary.
     EXPECT_EQ(countOf(text, "http"), countOf(text, "http://www.w3.org/2000/svg"));
     EXPECT_EQ(text.find("<script"), std::string::npos);
 }

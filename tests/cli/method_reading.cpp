@@ -33,7 +33,7 @@ TEST(OtfReading, SetsEverythingAndIsNamedInTheReport) {
 
 TEST(OtfReading, IsOverriddenOnlyByWhatStandsOnTheCommandLine) {
     const json published = parametersOf("--reading published");
-    // Whatever their order, also with the value that is the default's.
+    // An option on the command line counts in either order, also where its value is the default's.
     for (const std::string options :
          {"--reading published --significance 0.4", "--significance 0.4 --reading published"}) {
         json expected = published;

@@ -30,7 +30,7 @@ TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
     EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
     EXPECT_NEAR(said, nearMm, 0.005 + 1e-9);
     EXPECT_GT(inFluid, 0.9 * withSurface);
-    // The same as asking for that cut.
+    // The result is the same as asking for that cut.
     const json asked = otfOf(walledFile(), "--near " + json(nearMm).dump());
     EXPECT_EQ(asked["otf"], otf["otf"]);
     for (const json& tube : otf["tubes"])
@@ -48,7 +48,7 @@ TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
     const Outcome none = runProgram("otf \"" + empty + "\" --near auto --json -");
     ASSERT_EQ(none.status, 0) << none.errors;
     EXPECT_EQ(none.errors,
-              "No surface behind fluid was found, so no near cut can be suggested.\n"
+              "No surface behind fluid was found that counts, so no near cut can be suggested.\n"
               "No surface found: the initial function is used.\n");
     EXPECT_EQ(json::parse(none.output)["view"]["near_mm"], 0.0);
 }

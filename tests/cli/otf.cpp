@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// ln initial(x) + sum ln(1+d) g(x), by eqs. 5 to 7 as they stand (with (x - c) in eq. 5), in extended precision.
+/// The value is ln initial(x) + sum ln(1+d) g(x), by eqs. 5 to 7 as they stand (with (x - c) in eq. 5), in extended
+/// precision.
 struct Reference {
     long double value = 0, size = 0;
 };

@@ -8,7 +8,7 @@ TEST(Parameters, ThePageHoldsWhatTheProgramPrints) {
     const Outcome outcome = runProgram("parameters");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find("| `--cell-size` |"), std::string::npos);
-    const std::string page = contentsOf(std::string(ECHOLUCENT_DOCS) + "/cli-otf.md");
+    const std::string page = contentsOf(std::string(ECHOLUCENT_SOURCE_DIR) + "/docs/cli-otf.md");
     EXPECT_NE(page.find("-->\n" + outcome.output + "<!-- End of the table. -->"), std::string::npos)
         << "put what `echolucent-cli parameters` prints into docs/cli-otf.md";
 }

@@ -101,7 +101,7 @@ TEST_F(PhantomCommand, DefaultsFollowTheScene) {
 }
 
 TEST_F(PhantomCommand, TruthGivesEachTubeItsDepth) {
-    // Along +z with cubic voxels: the depth is the surface's z beyond the entry.
+    // The view is along +z with cubic voxels, so that the depth is the surface's z beyond the entry.
     const json truth = truthOf("--scene shapes --size 128 --tube-grid 9x7 --tube-spacing 13");
     EXPECT_EQ(truth.at("tubes").size(), 63U);
     EXPECT_EQ(truth.at("tube_grid").at("spacing_units"), (json{13.0, 13.0}));

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/io/temporary_folder.h"
+
 namespace echolucent {
 
 struct Outcome {
@@ -21,20 +23,10 @@ struct Outcome {
     std::string errors;
 };
 
-/// A folder of its own for one test, removed with it.
-class Folder {
+/// A folder of its own for one test, removed with it; a slash and a name give the path of a file in it.
+class Folder : public TemporaryFolder {
 public:
-    Folder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "echolucent-cli-XXXXXX").string();
-        m_path = mkdtemp(pattern.data());
-    }
-    ~Folder() { std::filesystem::remove_all(m_path); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (m_path / name).string(); }
-
-private:
-    std::filesystem::path m_path;
+    [[nodiscard]] std::string operator/(const std::string& name) const { return file(name); }
 };
 
 inline std::string contentsOf(const std::string& path) {

@@ -1,4 +1,4 @@
-// Extremes through the real program: files that hold them, and the study that lists them.
+// The tests take extremes through the real program: files that hold them, and the study that lists them.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,7 +31,7 @@ std::vector<Stored> fluidAndTissue(int edge) {
     return voxels;
 }
 
-/// Everything finite, and a curve or a sentence.
+/// Everything must be finite, and there must be a curve or a sentence.
 void expectSound(const json& otf) {
     ASSERT_EQ(otf["otf"]["opacity"].size(), 256u);
     for (const json& opacity : otf["otf"]["opacity"]) {

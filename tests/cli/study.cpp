@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-/// Good for tables without quotes.
+/// This serves tables without quotes.
 std::vector<Row> rowsOf(const std::string& csv) {
     const auto cells = [](const std::string& line) {
         std::vector<std::string> all;
@@ -70,7 +70,7 @@ TEST(StudyOtf, OnPhantomsWritesPageTablesAndPlots) {
     EXPECT_GE(onFront, 2);
 
     const auto readings = rowsOf(contentsOf(folder / "deep/er/otf-readings.csv"));
-    // 12 conditions, two views, three readings.
+    // There are 12 conditions, two views and three readings.
     EXPECT_EQ(readings.size(), 72U);
     int contrasts = 0;
     for (const Row& row : readings) contrasts += !row.at("cnr_s").empty();

@@ -28,7 +28,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
     return cells;
 }
 
-/// By route, parameter and value, as "kernel step 0.5".
+/// The key is made of route, parameter and value, as "kernel step 0.5".
 std::map<std::string, Row> rowsOf(const std::string& csv) {
     std::istringstream stream(csv);
     std::string line;
@@ -166,7 +166,7 @@ TEST(StudyRender, NoSettingStandsTwice) {
     }
 }
 
-/// Linear in place: pixel (x, y) of a picture that stands for [0,1]^2.
+/// The picture is linear in place: pixel (x, y) of a picture that stands for [0,1]^2.
 Picture plane(int width, int height) {
     Picture picture{width, height, {}, {}};
     for (int y = 0; y < height; ++y)
@@ -186,7 +186,7 @@ TEST(StudyRender, EnlargingKeepsPlaces) {
         ASSERT_EQ(large.rgba.size(), whole.rgba.size());
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                // Within the outermost centres of the small picture.
+                // The place lies within the outermost centres of the small picture.
                 const double u = (x + 0.5) / width * columns, v = (y + 0.5) / height * rows;
                 if (u < 0.5 || u > columns - 0.5 || v < 0.5 || v > rows - 0.5) continue;
                 const auto at = static_cast<std::size_t>(y * width + x) * 4;

@@ -36,7 +36,8 @@ std::vector<std::vector<std::string>> sweptRows(const std::string& arguments) {
     return rowsOf(outcome.output);
 }
 
-/// In quotes for the shell; appended piece by piece, since GCC 12 sees an overlap in "\"" + path that is not there.
+/// The path stands in quotes for the shell; it is appended piece by piece, since GCC 12 sees an overlap in "\"" + path
+/// that is not there.
 std::string quoted(const std::string& path) {
     std::string text(1, '"');
     text += path;

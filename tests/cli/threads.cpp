@@ -66,7 +66,7 @@ TEST(Threads, AreTakenByEveryCommandBeforeItsNameAndBehindIt) {
     for (const char* known : {"info", "otf", "render", "phantom", "study otf", "study stability"})
         EXPECT_TRUE(commands.contains(known)) << known;
     for (const std::string& command : commands) {
-        // Refused before anything is read, and by its name: the option is known there.
+        // It is refused before anything is read, and by its name: the option is known there.
         for (const std::string& line :
              {"--threads 0 " + command, command + " --threads 0", command + " --threads two"}) {
             const Outcome refused = runProgram(line);
@@ -84,7 +84,7 @@ TEST(Threads, EveryCommandRunsWithTheOptionInEachPlace) {
             << command << " has no run here: add one";
     for (const auto& [command, arguments] : runs) {
         if (!commands.contains(command)) continue;
-        // The slow studies once; the others in every place.
+        // The slow studies are run once, the others with the option in every place.
         const bool slow = command.starts_with("study") || command.starts_with("bench");
         std::vector<std::string> lines{command + " --threads 2 " + arguments};
         if (!slow)

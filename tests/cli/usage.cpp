@@ -33,8 +33,8 @@ TEST_P(ExitStatus, AndOneSentenceForAPerson) {
 
 INSTANTIATE_TEST_SUITE_P(
     Otf, ExitStatus,
-    testing::Values(Row{"", 2, ""}, Row{"nonsense", 2, ""}, Row{"otf", 2, "VOLUME"},
-                    Row{"otf VOLUME --nonsense", 2, "nonsense"}, Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
+    testing::Values(Row{"", 2, ""}, Row{"otf", 2, "VOLUME"}, Row{"otf VOLUME --nonsense", 2, "nonsense"},
+                    Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
                     Row{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
                     Row{"otf VOLUME --cell-size 99", 2, "--cell-size must be 2 to 32"},
                     Row{"otf VOLUME --cell-size five", 2, "cell-size"},
@@ -68,6 +68,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"phantom FOLDER/p.mha --seed 18446744073709551616", 2, "--seed"},
                     Row{"otf VOLUME --raw-spacing 1x1x1", 2, "--raw-size"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    ShortForms, ExitStatus,
+    testing::Values(Row{"otf VOLUME --tube-grid 3x3 --tube-rows 5", 2, "--tube-grid"},
+                    Row{"otf VOLUME --tube-columns 5 --tube-grid 3x3", 2, "--tube-columns"},
+                    Row{"otf VOLUME --sigma 1 --sigma-per-kernel-size 1", 2, "--sigma"},
+                    Row{"otf VOLUME --interface-function variance --sigma 9", 2, "--sigma must be 0.01 to 4"},
+                    Row{"otf VOLUME --interface-function variance --sigma-per-kernel-size 9", 2,
+                        "--sigma-per-kernel-size must be 0.01 to 4"},
+                    Row{"render VOLUME --light 40,-20 --light-azimuth 5 -o FOLDER/x.png", 2, "--light-azimuth"},
+                    Row{"render VOLUME --light-elevation 5 --light 40,-20 -o FOLDER/x.png", 2, "--light-elevation"},
+                    Row{"render VOLUME --projection parallel --perspective -o FOLDER/x.png", 2, "--perspective"},
+                    Row{"render VOLUME --light 200,0 -o FOLDER/x.png", 2,
+                        "--light must be an azimuth from -180 to 180 and an elevation from -90 to 90 degrees"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, ExitStatus,
+    testing::Values(Row{"phantom FOLDER/p.mha --size abc", 2, "--size must be like 199x197x199, not \"abc\""},
+                    Row{"phantom FOLDER/p.mha --contrast 1,2", 2, "--contrast must be like 14,85,170"},
+                    Row{"render VOLUME --background 1 -o FOLDER/x.png", 2, "--background must be like 14,85,170"},
+                    Row{"render VOLUME --light 40 -o FOLDER/x.png", 2, "--light must be like 40,-20"}));
+
 TEST(Usage, ASpacingThatNoScannerMakesIsRefusedBeforeAnythingIsComputed) {
     const Folder folder;
     for (const std::string spacing : {"1e-9 1 1", "1e-3 1 1.1", "1 1 1e5"}) {
@@ -83,8 +104,10 @@ TEST(Usage, ASpacingThatNoScannerMakesIsRefusedBeforeAnythingIsComputed) {
 TEST(Usage, EveryCommandHasHelpWithAnExample) {
     const Outcome program = runProgram("--help");
     EXPECT_EQ(program.status, 0);
-    for (const std::string command : {"info", "otf", "render", "phantom", "study", "sweep", "bench"}) {
+    const std::string unknown = runProgram("nonsense").errors;
+    for (const std::string command : {"info", "otf", "render", "phantom", "study", "sweep", "bench", "parameters"}) {
         EXPECT_NE(program.output.find(command), std::string::npos);
+        EXPECT_NE(unknown.find(command), std::string::npos) << unknown;
         const Outcome help = runProgram(command + " --help");
         EXPECT_EQ(help.status, 0);
         EXPECT_NE(help.output.find("Example"), std::string::npos) << command;

@@ -115,9 +115,9 @@ TEST(VolumeOptions, WrongRawOptionsAreWrongUsage) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", "abcd");
     const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
-        {{"--raw-size", "2x2"}, "--raw-size must be 3 numbers"},
-        {{"--raw-size", "2x2xtwo"}, "--raw-size must be 3 numbers"},
-        {{"--raw-size", "2xx2x1"}, "--raw-size must be 3 numbers"},
+        {{"--raw-size", "2x2"}, "--raw-size must be like 256x256x128"},
+        {{"--raw-size", "2x2xtwo"}, "--raw-size must be like 256x256x128"},
+        {{"--raw-size", "2xx2x1"}, "--raw-size must be like 256x256x128"},
         {{"--raw-size", "2x2x0"}, "--raw-size must be three whole numbers"},
         {{"--raw-size", "2x2x1.5"}, "--raw-size must be three whole numbers"},
         {{"--raw-size", "2x2x1", "--raw-spacing", "1x0x1"}, "--raw-spacing must be three numbers above 0"},
@@ -137,11 +137,12 @@ TEST(VolumeOptions, WrongRawOptionsAreWrongUsage) {
 }
 
 TEST(ParseNumbers, TakesXAndCommas) {
-    EXPECT_EQ(cli::parseNumbers("15x15", 2, "--a").value(), (std::vector<double>{15, 15}));
-    EXPECT_EQ(cli::parseNumbers("1.5,2,1e3", 3, "--a").value(), (std::vector<double>{1.5, 2, 1000}));
+    EXPECT_EQ(cli::parseNumbers("15x15", 2, "--a", "1x2").value(), (std::vector<double>{15, 15}));
+    EXPECT_EQ(cli::parseNumbers("1.5,2,1e3", 3, "--a", "1,2,3").value(), (std::vector<double>{1.5, 2, 1000}));
     for (const char* text : {"", "x", "1", "1x", "x1", "1x2x3", "1 2", "0x1x2"})
-        EXPECT_FALSE(cli::parseNumbers(text, 2, "--a")) << text;
-    EXPECT_THAT(cli::parseNumbers("1", 2, "--grid").error().sentence(), HasSubstr("--grid must be 2 numbers"));
+        EXPECT_FALSE(cli::parseNumbers(text, 2, "--a", "1x2")) << text;
+    EXPECT_THAT(cli::parseNumbers("1", 2, "--grid", "15x15").error().sentence(),
+                HasSubstr("--grid must be like 15x15, not \"1\""));
 }
 
 }  // namespace

@@ -30,7 +30,9 @@ TEST(Look, EveryRowReadsWhatItWrote) {
         EXPECT_EQ(*row.get(changed), other) << row.name;
     }
     EXPECT_TRUE(problemIn(lookParameters(), changed).empty());
-    // No member is without a row.
+    // No member is without a row: a new one does not compile here until it stands in these names and in a line below.
+    [[maybe_unused]] const auto& [mode, shaded, light, depthColoured, map, projection, interpolation, step] = changed;
+    [[maybe_unused]] const auto& [azimuth, elevation] = light;
     EXPECT_NE(changed.mode, Look{}.mode);
     EXPECT_NE(changed.shaded, Look{}.shaded);
     EXPECT_NE(changed.light.azimuthDegrees, Look{}.light.azimuthDegrees);

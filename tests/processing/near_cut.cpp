@@ -24,7 +24,7 @@ PhantomConfig phantomOf(PhantomScene scene, std::uint64_t seed, bool frontWall) 
     return config;
 }
 
-/// Of the tube cores that see an interface: how many are in the fluid before it at the cut.
+/// Counts, of the tube cores that see an interface, those that are in the fluid before it at the cut.
 struct CutTruth {
     int tubes = 0, inFluid = 0, behindTheCut = 0;
 };
@@ -76,7 +76,7 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
                 "%s, azimuth %.0f: cut at %.2f mm; of %d tubes with an interface %d have it behind, %d are in fluid "
                 "(says: %d of %d)\n",
                 std::string(nameOf(scene)).c_str(), view.azimuthDegrees, cut.nearCutMm, truth.tubes, truth.behindTheCut,
-                truth.inFluid, cut.tubesInFluid, cut.tubesWithSurface);
+                truth.inFluid, cut.tubesInFluid, cut.tubesWithWeight);
             EXPECT_EQ(cut.message, "");
             EXPECT_GT(cut.nearCutMm, 0.0);
             ASSERT_GT(truth.tubes, 50);
@@ -90,7 +90,7 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
             } else {
                 EXPECT_GE(truth.inFluid, 0.85 * best);
             }
-            // Uncut, hardly any of them begins in fluid: what was suggested is what brought it.
+            // Uncut, hardly any of them begins in fluid: the suggested cut is what brought it.
             EXPECT_LE(tubes.at(0.0).inFluid, 0.3 * truth.tubes);
         }
     }
@@ -107,8 +107,8 @@ TEST(NearCut, IsNoneWhereNothingStandsInFront) {
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
         const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
         EXPECT_EQ(cut.nearCutMm, 0.0);
-        EXPECT_EQ(cut.message, "Nothing stands in front of the fluid: no near cut is needed.");
-        EXPECT_GT(cut.tubesWithSurface, 50);
+        EXPECT_EQ(cut.message, "");
+        EXPECT_GT(cut.tubesWithWeight, 50);
     }
 }
 
@@ -116,9 +116,9 @@ TEST(NearCut, IsNoneWithoutASurface) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::empty, 26, false));
     const NearCutSuggestion cut = *suggestNearCut(volume, {}, {});
     EXPECT_EQ(cut.nearCutMm, 0.0);
-    EXPECT_EQ(cut.tubesWithSurface, 0);
+    EXPECT_EQ(cut.tubesWithWeight, 0);
     EXPECT_EQ(cut.tubesInFluid, 0);
-    EXPECT_EQ(cut.message, "No surface behind fluid was found, so no near cut can be suggested.");
+    EXPECT_EQ(cut.message, "No surface behind fluid was found that counts, so no near cut can be suggested.");
 }
 
 TEST(NearCut, OfACancelledRunIsNone) {

@@ -92,7 +92,7 @@ TEST(OpacityCurve, StepCorrectionKeepsTransmittance) {
             const double part = opacityForStep(opacity, 1.0 / parts);
             EXPECT_NEAR(-std::expm1(parts * std::log1p(-part)), opacity, 1e-12 * std::max(opacity, 1e-6));
         }
-    // Where pow in float errs by 19 %: first order is exact to 1e-6 there.
+    // Where pow in float errs by 19 %, first order is exact to 1e-6.
     EXPECT_NEAR(opacityForStep(1e-6, 0.1) / 1e-7, 1.0, 1e-6);
     EXPECT_DOUBLE_EQ(opacityForStep(0.75, 0.5), 0.5);
     EXPECT_DOUBLE_EQ(opacityForStep(0.5, 2.0), 0.75);

@@ -32,7 +32,7 @@ TEST(Viewpoint, TheBeamAxisIsTheDefaultDirectionExactly) {
     EXPECT_EQ(frame.down, Vec3(0, 1, 0));
 }
 
-// R_y(azimuth) R_x(elevation) (0,0,1), multiplied out by hand.
+// The product R_y(azimuth) R_x(elevation) (0,0,1) is multiplied out by hand.
 TEST(Viewpoint, AnglesTurnTheDirectionAsDefined) {
     for (double azimuth = -170; azimuth <= 180; azimuth += 35)
         for (double elevation = -85; elevation <= 85; elevation += 17) {
@@ -103,7 +103,7 @@ TEST(Viewpoint, ViewAlongGivesBackTheAngles) {
     EXPECT_NEAR(found.rollDegrees, view.rollDegrees, 1e-9);
 }
 
-// Straight up, asin is badly conditioned: half the digits are all there is unless it is done with care.
+// Straight up, asin is badly conditioned: half the digits are all there is unless it is taken with care.
 TEST(Viewpoint, ViewAlongThePolesKeepsItsDigits) {
     for (const double elevation : {90.0, -90.0, 89.9999999, 89.99})
         for (const double azimuth : {0.0, 40.0, -120.0}) {

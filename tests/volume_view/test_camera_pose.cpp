@@ -133,16 +133,6 @@ private slots:
         QCOMPARE(pose.heightMm, 10.0 * std::hypot(40, 30, 40));
     }
 
-    void turningKeepsTheCentreInItsPlace() {
-        const Vec3 centre{1, 2, 3};
-        const CameraPose pose = panned(poseOf(tilted), 0.3, 0.1);
-        const Viewpoint view{BeamAxis::minusX, -70, 10, 0, 2};
-        const CameraPose turned = turnedTo(pose, view, centre);
-        QVERIFY(cv::norm(projected(cameraFor(turned), centre) - projected(cameraFor(pose), centre)) < 1e-12);
-        QCOMPARE(turned.view, view);
-        QCOMPARE(turned.heightMm, pose.heightMm);
-    }
-
     void fittedPoseShowsTheWholeVolume_data() { panFollowsTheHandExactly_data(); }
     void fittedPoseShowsTheWholeVolume() {
         QFETCH(Projection, projection);

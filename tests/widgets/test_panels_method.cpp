@@ -323,14 +323,14 @@ private slots:
         auto* message = child<QLabel>(panel, "adaptive.message");
         AdaptiveOtf result;
         result.tubesMeetingVolume = 225;
-        result.tubesWithSurface = 2;
+        result.tubesWithWeight = 2;
         result.tubes = {tubeWith(1, 0.10, 0.30), tubeWith(3, 0.22, 0.50), tubeWith(0, 0.90, 1.0), TubeCore{}};
         panel.showResult(result);
         // (1 x 0.10 + 3 x 0.22) / 4 = 0.19 and (1 x 0.30 + 3 x 0.50) / 4 = 0.45; d = 0 counts for nothing
         QCOMPARE(summary->text(), "2 of 225 tube cores · I_L 0.19 · I_H 0.45");
         QVERIFY(!message->isVisible());
 
-        result.tubesWithSurface = 0;
+        result.tubesWithWeight = 0;
         result.message = "No surface found: the initial function is used.";
         panel.showResult(result);
         QCOMPARE(summary->text(), "0 of 225 tube cores");

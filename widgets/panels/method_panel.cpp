@@ -310,8 +310,8 @@ void MethodPanel::resetToDefaults() {
 }
 
 void MethodPanel::showResult(const AdaptiveOtf& result) {
-    QString summary = tr("%1 of %2 tube cores").arg(result.tubesWithSurface).arg(result.tubesMeetingVolume);
-    if (result.tubesWithSurface > 0) {
+    QString summary = tr("%1 of %2 tube cores").arg(result.tubesWithWeight).arg(result.tubesMeetingVolume);
+    if (result.tubesWithWeight > 0) {
         const QLocale locale;
         summary += QStringLiteral(" · I_L %1 · I_H %2")
                        .arg(locale.toString(weightedMean(result, &TubeCore::lowIntensity), 'f', 2),

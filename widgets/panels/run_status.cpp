@@ -76,10 +76,10 @@ void RunStatus::setRenderer(const QString& name, std::optional<double> milliseco
     showText(m_renderer, milliseconds ? name + QStringLiteral(" · ") + millisecondsText(*milliseconds) : name);
 }
 
-void RunStatus::setOtf(double milliseconds, int tubesWithSurface, int tubesMeetingVolume) {
+void RunStatus::setOtf(double milliseconds, int tubesWithWeight, int tubesMeetingVolume) {
     showText(
         m_otf,
-        tr("OTF %1, %2 of %3 tubes").arg(millisecondsText(milliseconds)).arg(tubesWithSurface).arg(tubesMeetingVolume));
+        tr("OTF %1, %2 of %3 tubes").arg(millisecondsText(milliseconds)).arg(tubesWithWeight).arg(tubesMeetingVolume));
 }
 
 void RunStatus::clearOtf() { showText(m_otf, {}); }

@@ -24,7 +24,7 @@ public:
     void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt,
                      const QString& toolTip = {});
     /// "OTF 1.6 ms, 176 of 225 tubes".
-    void setOtf(double milliseconds, int tubesWithSurface, int tubesMeetingVolume);
+    void setOtf(double milliseconds, int tubesWithWeight, int tubesMeetingVolume);
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);

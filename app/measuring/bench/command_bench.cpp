@@ -35,7 +35,7 @@ struct BenchOptions {
 
 /// The oblique view where nobody asks for another, degrees.
 constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
-/// Before any run counts, caches and page tables are filled.
+/// Before any run counts, one run fills caches and page tables.
 constexpr int warmUps = 3;
 
 double millisecondsOf(const std::function<void()>& work) {
@@ -59,7 +59,7 @@ public:
         : m_volume(volume), m_view(view), m_config(config), m_touch(volume, view, config) {}
 
     void run(bool counts) {
-        // Each is run once before it is timed: what came between has filled the caches with something else.
+        // Each is run once before it is timed, because what came between has filled the caches with something else.
         auto otf = adaptOpacity(m_volume, m_view, m_config);
         const double total = millisecondsOf([&] { otf = adaptOpacity(m_volume, m_view, m_config); });
         m_sink = m_sink + m_touch.run();
@@ -100,7 +100,7 @@ constexpr double sweepFrom = -45.0, sweepTo = 45.0;
 /// Seconds for the OTFs of a probe that turns about y.
 double sweepSeconds(const std::shared_ptr<const Volume>& volume, const Viewpoint& start,
                     const AdaptiveOtfConfig& config) {
-    const auto frames = sweepFrames(start, SweepAxis::y, sweepFrom, sweepTo, 1.0, 1);
+    const auto frames = sweepFrames(start, MotionAxis::y, sweepFrom, sweepTo, 1.0, 1);
     return millisecondsOf([&] { (void)sweepOtfs(std::span(&volume, 1), frames, config, OtfSmoothing::none); }) / 1000.0;
 }
 

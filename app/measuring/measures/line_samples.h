@@ -1,5 +1,5 @@
-// Intensities along straight lines through the volume, in double. The measures of a picture are made from them; they
-// are slower and plainer than the ray caster.
+// These are intensities along straight lines through the volume, in double. The measures of a picture are made from
+// them; they are slower and plainer than the ray caster.
 #pragma once
 
 #include <optional>

@@ -70,7 +70,8 @@ PictureDifference differenceOf(const Picture& picture, const Picture& reference)
         squares += difference * difference;
         result.largest = std::max(result.largest, std::abs(difference));
     }
-    result.rms = std::sqrt(squares / static_cast<double>(picture.rgba.size() / 4 * 3));
+    const std::size_t values = picture.rgba.size() / 4 * 3;
+    result.rms = std::sqrt(squares / static_cast<double>(values));
     return result;
 }
 

@@ -1,4 +1,4 @@
-// How far a picture is from a reference: for reports of error against run time.
+// This measures how far a picture is from a reference, for reports of error against run time.
 #pragma once
 
 #include "processing/picture/picture.h"

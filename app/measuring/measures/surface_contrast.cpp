@@ -13,7 +13,7 @@ namespace {
 
 constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // what counts as the true surface's light
 constexpr double levels = 255.0;
-/// A hundred millionth of white can still come through: less than any figure shows.
+/// A hundred millionth of white can still come through, which is less than any figure shows.
 constexpr double leastTransmittance = 1e-8;
 
 /// Light of one ray, levels of 255.
@@ -54,7 +54,8 @@ private:
 /// The depth of the surface where the ray's first interface leads into object.
 std::optional<double> objectDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward, double nearPlane,
                                   double unit) {
-    // Far enough behind the boundary to be beyond the doubt about where it is, near enough to be in what it bounds.
+    // The place is far enough behind the boundary to be beyond the doubt about where it is, and near enough to be in
+    // what it bounds.
     constexpr double justBehind = 1e-3;  // units
     const auto surface = truth.firstInterfacePoint(pointMm, forward, nearPlane);
     if (!surface) return std::nullopt;

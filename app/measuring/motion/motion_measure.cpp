@@ -85,14 +85,14 @@ std::string nameOfFrame(const MotionFigures& figures, std::size_t index) {
     return figures.motionCase.motion.probeMoves ? fmt::format("{:g}°", frame.degrees) : fmt::format("frame {}", index);
 }
 
-/// First, middle and last frame (-45, 0 and +45 degrees): the paper's Fig. 10.
+/// The frames are the first, the middle and the last (-45, 0 and +45 degrees), as in the paper's Fig. 10.
 void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
     const std::size_t last = figures.frames.size() - 1, middle = last / 2;
     const SweepFrame& view = figures.frames[middle].frame;
     const auto with = [&](std::size_t index) { return *render(view, figures.frames[index].unsmoothed); };
     figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
     figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
-    // Frames of a still probe may show the same phase: there is nothing to compare.
+    // Frames of a still probe may show the same phase: then there is nothing to compare.
     if (!figures.motionCase.motion.probeMoves) return;
     for (const auto& [left, right] :
          {std::pair(std::size_t{0}, middle), std::pair(middle, last), std::pair(std::size_t{0}, last)}) {

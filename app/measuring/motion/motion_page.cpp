@@ -146,8 +146,8 @@ Spread spreadOf(const std::vector<SampledCurve>& course) {
     return spread;
 }
 
-/// Intensity 1 on top, frames to the right; valueOf(opacity, sample) in [0,1]. A row is the mean over eight
-/// intensities: finer rows cannot be told apart on the page.
+/// Intensity 1 is on top and frames go to the right; valueOf(opacity, sample) lies in [0,1]. A row is the mean over
+/// eight intensities, because finer rows cannot be told apart on the page.
 template <typename ValueOf>
 HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& course, const std::string& title,
               const ValueOf& valueOf) {

@@ -75,7 +75,7 @@ std::vector<std::string> namesOfFiles() {
 
 Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const AdaptiveOtfConfig& config,
                                           const std::vector<std::string>& outputs) {
-    const Motion motion{.axis = SweepAxis::y, .from = options.from, .to = options.to, .step = options.step};
+    const Motion motion{.axis = MotionAxis::y, .from = options.from, .to = options.to, .step = options.step};
     std::vector<MotionCase> cases;
     if (options.phantoms || options.volume.path.empty()) {
         addCases(cases, {"shapes", "Simulated shapes", phantomPhases(PhantomScene::shapes, options), {}, motion});

@@ -26,7 +26,7 @@ std::string line(const std::string& name, const Values& values) {
     return text + '\n';
 }
 
-/// Of every column the mean of the rows.
+/// This takes the mean of the rows of every column.
 Values columnMeans(const std::vector<Values>& rows) {
     Values means;
     for (std::size_t c = 0; c < rows.front().size(); ++c) {
@@ -42,7 +42,7 @@ Result<void> measureContrast(const ContrastOptions& options) {
     if (!bases) return tl::unexpected<Failure>(bases.error());
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
-    const std::vector<std::string> names{"x²", "eq. 1", "published", "settled", "default"};
+    const std::vector<std::string> names = contrastCurveNames();
     std::string text = fmt::format("CNR_S, mean of {} seed(s)\n{:<22}", bases->size(), "condition");
     for (const std::string& name : names) text += fmt::format("{:>{}}", name, 11);
     text += '\n';

@@ -22,7 +22,7 @@ struct OtfStudyOptions {
     int repeats = 9;
 };
 
-/// Away from every grid axis, so that the tubes' samples must be interpolated.
+/// The view lies away from every grid axis, so that the tubes' samples must be interpolated.
 const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 struct GroupedPhantom {
@@ -142,7 +142,7 @@ Result<void> writeStudy(const StudyFolder& folder, const OtfStudy& study) {
 Result<void> studyOtf(const OtfStudyOptions& options) {
     if (options.onPhantoms == !options.volume.path.empty())
         return fail(FailureKind::wrongUsage, "", "", "either a VOLUME or --phantoms is needed");
-    // Before the long work, so that a folder that cannot be is said at once.
+    // This comes before the long work, so that a folder that cannot be is said at once.
     const auto folder = StudyFolder::at(options.folder, namesOfFiles());
     if (!folder) return tl::unexpected<Failure>(folder.error());
     auto study = options.onPhantoms ? studyPhantoms(options) : studyVolume(options, folder->paths());

@@ -72,15 +72,13 @@ struct ReadingResult {
     DetectionQuality detection;
     std::optional<double> contrast;  ///< CNR_S, where it is one of the six conditions along the beam
     double sumOfWeights = 0.0;       ///< sum of d
-    int tubesWithSurface = 0;
+    int tubesWithWeight = 0;
     SurfaceLight light;          ///< light with the reading's own curve
     SurfaceLight parabolaLight;  ///< light with x^2 along the same tube cores
     SurfaceLight linearLight;    ///< light with eq. 1, L_L = 20/255, a = 0.5
     std::string message;
     SampledCurve curve;
 };
-inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
-                                                          MethodReading::standard};
 [[nodiscard]] ReadingResult measureReading(const OtfCase& one, MethodReading reading);
 
 /// CNR_S of the curves that no tube core shapes, on the six conditions.

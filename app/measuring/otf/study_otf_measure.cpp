@@ -49,6 +49,7 @@ std::vector<double> medianTimes(const OtfCase& one, const std::vector<OtfVariant
             times[v].push_back(adaptOpacity(*one.volume, one.view, config)->times.total);
         }
     std::vector<double> medians;
+    medians.reserve(times.size());
     for (auto& own : times) medians.push_back(medianOf(std::move(own)));
     return medians;
 }
@@ -121,7 +122,7 @@ ReadingResult measureReading(const OtfCase& one, MethodReading reading) {
     result.view = one.view;
     result.reading = reading;
     for (const TubeCore& tube : otf.tubes) result.sumOfWeights += tube.d;
-    result.tubesWithSurface = otf.tubesWithSurface;
+    result.tubesWithWeight = otf.tubesWithWeight;
     result.message = otf.message;
     result.curve = otf.curve;
     result.light = surfaceLight(*one.volume, otf, otf.curve);

@@ -27,7 +27,7 @@ PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std:
     return series;
 }
 
-/// Where nothing that is faster is nearer: the steps below and left of which there is nothing.
+/// This line marks where nothing that is faster is nearer: there is nothing below and left of its steps.
 PlotSeries frontSeries(std::vector<const VariantResult*> results, bool ofDetection) {
     std::sort(results.begin(), results.end(),
               [](const auto* a, const auto* b) { return a->timeRatio() < b->timeRatio(); });

@@ -14,7 +14,7 @@ std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share);
 
 std::string value(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "—"; }
 
-/// In the order in which they first occur.
+/// The names come in the order in which they first occur.
 template <typename Items, typename NameOf>
 std::vector<std::string> namesIn(const Items& items, NameOf nameOfItem) {
     std::vector<std::string> names;
@@ -25,7 +25,7 @@ std::vector<std::string> namesIn(const Items& items, NameOf nameOfItem) {
     return names;
 }
 
-/// Pooled over the results of a reading that `belongs` picks.
+/// The figures are pooled over the results of a reading that `belongs` picks.
 template <typename Belongs>
 DetectionQuality pooled(const OtfStudy& study, MethodReading reading, Belongs belongs) {
     DetectionQuality quality;
@@ -132,7 +132,7 @@ TextTable volumeTable(const OtfStudy& study) {
                      "mean light"},
                     {}};
     for (const ReadingResult& result : study.readings)
-        table.rows.push_back({std::string(nameOf(result.reading)), std::to_string(result.tubesWithSurface),
+        table.rows.push_back({std::string(nameOf(result.reading)), std::to_string(result.tubesWithWeight),
                               fmt::format("{:.3f}", result.sumOfWeights), percent(result.light.meanShare),
                               percent(result.parabolaLight.meanShare), percent(result.linearLight.meanShare),
                               fmt::format("{:.3f}", result.light.meanIntensity)});
@@ -186,7 +186,7 @@ std::string readingsCsv(const OtfStudy& study) {
                  static_cast<std::int64_t>(result.seed), result.view.azimuthDegrees, result.view.elevationDegrees,
                  known(result.detection.rightShare()), known(result.detection.emptyShare()),
                  known(result.detection.foundShare()), known(result.detection.meanDistanceUnits()), result.sumOfWeights,
-                 std::int64_t{result.tubesWithSurface}, result.contrast.value_or(NAN), result.light.meanShare,
+                 std::int64_t{result.tubesWithWeight}, result.contrast.value_or(NAN), result.light.meanShare,
                  result.parabolaLight.meanShare, result.linearLight.meanShare, result.message});
     }
     return csv.text();

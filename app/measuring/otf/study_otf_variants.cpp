@@ -78,7 +78,7 @@ void VariantList::addCells() {
 }
 
 void VariantList::addSmoothing() {
-    // The ratio knows no scale space.
+    // The ratio rule knows no scale space.
     const auto* base = std::get_if<VarianceRule>(&m_base.detection);
     if (base == nullptr) return;
     const auto varyRule = [&](const std::string& parameter, const std::string& name, const VarianceRule& rule) {
@@ -98,7 +98,7 @@ void VariantList::addSmoothing() {
 }
 
 void VariantList::addArithmetic() {
-    vary("sampling", "nearest", [](AdaptiveOtfConfig& config) { config.cells.sampling = TubeSampling::nearest; });
+    vary("sampling", "nearest", [](AdaptiveOtfConfig& config) { config.cells.sampling = Interpolation::nearest; });
     vary("precision", "double", [](AdaptiveOtfConfig& config) { config.cells.precision = Precision::double64; });
 }
 

@@ -21,7 +21,7 @@ Result<std::vector<PhantomConfig>> PhantomChoice::bases() const {
     PhantomConfig base = defaultPhantom(PhantomScene::shapes);
     if (!size.empty()) {
         const bool one = size.find_first_of("x,") == std::string::npos;
-        const auto counts = parseNumbers(size, one ? 1 : 3, "--size");
+        const auto counts = parseNumbers(size, one ? 1 : 3, "--size", "199x197x199");
         if (!counts) return tl::unexpected<Failure>(counts.error());
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double count = (*counts)[one ? 0 : axis];
@@ -57,20 +57,24 @@ OpacityCurve parabolaCurve() { return PowerCurve{2, 1.0}; }
 
 OpacityCurve linearCurve() { return LinearCurve{20.0 / 255.0, 0.5, 1.0}; }
 
-ContrastCurves contrastCurvesOf(const Volume& volume, const Viewpoint& view) {
-    ContrastCurves all{{"x²", "eq. 1"}, {parabolaCurve(), linearCurve()}};
-    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
-        all.names.emplace_back(nameOf(reading));
-        all.curves.emplace_back(adaptOpacity(volume, view, configOf(reading))->curve);
-    }
-    return all;
+std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view) {
+    std::vector<OpacityCurve> curves{parabolaCurve(), linearCurve()};
+    for (const MethodReading reading : allReadings)
+        curves.emplace_back(adaptOpacity(volume, view, configOf(reading))->curve);
+    return curves;
+}
+
+std::vector<std::string> contrastCurveNames() {
+    std::vector<std::string> names{"x²", "eq. 1"};
+    for (const MethodReading reading : allReadings) names.emplace_back(nameOf(reading));
+    return names;
 }
 
 std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view) {
     const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
     std::vector<std::optional<double>> values;
     for (const SurfaceContrast& contrast :
-         surfaceContrasts(phantom.volume, rays, view, contrastCurvesOf(phantom.volume, view).curves))
+         surfaceContrasts(phantom.volume, rays, view, contrastCurvesOf(phantom.volume, view)))
         values.push_back(contrast.contrastToNoise());
     return values;
 }

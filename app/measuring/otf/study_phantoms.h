@@ -1,6 +1,7 @@
 // The simulated scans of the studies, with what is true of them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/measuring/measures/detection_quality.h"
 #include "app/measuring/measures/surface_contrast.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
@@ -37,13 +39,12 @@ struct StudyPhantom {
 [[nodiscard]] OpacityCurve parabolaCurve();
 [[nodiscard]] OpacityCurve linearCurve();
 
-/// The curves whose contrast is measured: the fixed curves and the readings' curves, in this order everywhere.
-struct ContrastCurves {
-    std::vector<std::string> names;
-    std::vector<OpacityCurve> curves;
-};
-/// parabolaCurve(), linearCurve(), and the adaptive curves of the published, settled and default readings.
-[[nodiscard]] ContrastCurves contrastCurvesOf(const Volume& volume, const Viewpoint& view);
+inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
+                                                          MethodReading::standard};
+/// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings.
+[[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view);
+/// Their names, in the same order.
+[[nodiscard]] std::vector<std::string> contrastCurveNames();
 
 /// CNR_S of each of these curves.
 [[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view);

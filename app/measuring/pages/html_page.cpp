@@ -123,7 +123,7 @@ std::string svgOf(const HeatMap& map, int coarseness) {
     body += stretchedImage(barLeft, top, barWide, high, pngDataUri(1, 64, coloured(scale)));
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
         const double share = i / steps;
-        // First and last name the outermost cells' centres, half a cell inside the picture.
+        // The first and the last value name the outermost cells' centres, half a cell inside the picture.
         const double x = left + wide * (0.5 + share * (columns - 1)) / columns;
         const double y = top + high * (0.5 + share * (rows - 1)) / rows;
         body += inkText(x, top + high + 18, "middle", shortNumber(map.xFirst + share * (map.xLast - map.xFirst)));

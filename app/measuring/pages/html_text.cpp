@@ -10,7 +10,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// RFC 4648, section 4.
+/// The encoding is that of RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -29,7 +29,7 @@ struct Indexed {
     std::vector<std::uint8_t> indices, palette;
 };
 
-/// Nothing where the picture has more than 256 colours.
+/// There is none where the picture has more than 256 colours.
 std::optional<Indexed> indexed(std::span<const std::uint8_t> rgb) {
     constexpr std::size_t mostColours = 256;
     Indexed picture;

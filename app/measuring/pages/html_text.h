@@ -8,7 +8,7 @@
 
 namespace echolucent::cli {
 
-/// &, <, > and both quotes as entities; control characters, which XML does not allow, as spaces.
+/// Writes &, <, > and both quotes as entities, and control characters, which XML does not allow, as spaces.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 /// 8-bit RGB, rows from the top, as an address "data:image/png;base64," with the PNG behind it. rgb holds

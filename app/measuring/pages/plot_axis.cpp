@@ -32,7 +32,8 @@ std::vector<PlotTick> linearTicks(double low, double high) {
     return ticks;
 }
 
-/// Decades, and within them 2 and 5 where there is room for their labels; ends are decimal logarithms.
+/// The ticks are decades, and within them 2 and 5 where there is room for their labels; the ends are decimal
+/// logarithms.
 std::vector<PlotTick> logarithmicTicks(double low, double high) {
     const double decades = high - low;
     const int every = std::max(1, static_cast<int>(std::ceil(decades / 10)));

@@ -24,7 +24,7 @@ struct Box {
     }
 };
 
-/// Characters, not bytes: UTF-8's continuation bytes add no width.
+/// The width counts characters and not bytes: UTF-8's continuation bytes add none.
 double textWidth(const std::string& text) {
     return characterWidth *
            static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

@@ -28,7 +28,7 @@ struct RenderStudyOptions {
 constexpr int usualRepeats = 9, quickRepeats = 3;
 constexpr int leastEdge = 16, largestEdge = 2048;  // pixels
 
-/// Away from every grid axis, so that samples lie between voxel centres.
+/// The view lies away from every grid axis, so that samples lie between voxel centres.
 const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 Result<RayCastSettings> referenceSettings(const RenderStudyOptions& options) {

@@ -25,14 +25,14 @@ struct RenderVariant {
     [[nodiscard]] std::string name() const { return axis + " " + value; }
 };
 
-/// First the reference setting, `reference` itself: step 1, trilinear, float, ends at 1/512, whole size. Then one
-/// parameter at a time, then combinations; no setting twice.
+/// The reference setting comes first, `reference` itself: step 1, trilinear, float, ends at 1/512, whole size. Then
+/// comes one parameter at a time, then come combinations; no setting comes twice.
 [[nodiscard]] std::vector<RenderVariant> renderVariants(const RayCastSettings& reference);
 
 /// The plain route by the rules that castRays() documents.
 [[nodiscard]] PlainCasting asTheKernel(double step, CompositingPrecision precision = CompositingPrecision::twofold);
 
-/// Width and height divided and rounded, one pixel at least.
+/// Width and height are divided and rounded, to one pixel at least.
 [[nodiscard]] RayCastSettings reduced(RayCastSettings settings, double reduction);
 
 /// What is rendered.
@@ -47,7 +47,7 @@ struct RenderResult {
     RenderVariant variant;
     std::string letter;  ///< A, B, ... Z, AA, ...: its name in plots
     PictureError error;  ///< from the converged reference
-    /// Of plain settings: from the plain route in double with the same samples.
+    /// The error of a plain setting is from the plain route in double with the same samples.
     std::optional<PictureError> precisionError;
     double milliseconds = 0.0;  ///< median
     double timeRatio = 1.0;     ///< to the reference setting; plain ones: to the plain route in double, step 1
@@ -76,17 +76,17 @@ void markFront(std::vector<RenderResult>& results);
 
 /// What a quality may err by, in 8-bit levels: RMSE and largest difference from the converged reference.
 struct QualityBound {
-    std::string name;  ///< as the program names its level (widgets/volume_view/qualities.h)
+    std::string name;  ///< as the program names its quality (widgets/volume_view/qualities.h)
     double rmse, largest = std::numeric_limits<double>::infinity();
 };
-/// From fine to coarse.
+/// The bounds go from fine to coarse.
 [[nodiscard]] std::vector<QualityBound> qualityBounds();
-/// The fastest setting of the kernel within a bound; null: there is none.
+/// The fastest setting of the kernel within a bound; it is null where there is none.
 [[nodiscard]] const RenderResult* fastestWithin(const QualityBound& bound, const std::vector<RenderResult>& results);
 
 /// The picture of a setting in the size of the whole one.
 [[nodiscard]] Picture pictureOf(const RenderVariant& variant, const RenderCase& one, RayCaster& caster);
-/// Bilinear, as a texture stretched over the screen: pixel centres at halves, edges clamped.
+/// Enlarges bilinearly, as a texture is stretched over the screen: pixel centres lie at halves, and edges are clamped.
 [[nodiscard]] Picture enlarged(const Picture& picture, int width, int height);
 /// The middle of a picture, as much of it as there is.
 [[nodiscard]] Picture middleOf(const Picture& picture, int width, int height);

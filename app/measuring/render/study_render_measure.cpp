@@ -14,7 +14,7 @@ namespace echolucent::cli {
 namespace {
 
 constexpr double convergedStep = 0.1;
-/// Between timed runs, so that no kept sample of an unchanged view is timed.
+/// The camera turns between timed runs, so that no kept sample of an unchanged view is timed.
 constexpr double hairDegrees = 0.01;
 /// The plain route is slow, and its run times vary little beside its differences from the kernel's.
 constexpr int mostPlainRepeats = 3;
@@ -104,7 +104,7 @@ void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) 
     }
 }
 
-/// Equal settings by both routes, rays to their ends.
+/// Both routes render with equal settings, and rays go to their ends.
 void checkSameRays(const RenderCase& one, RayCaster& caster, RenderStudy& study) {
     const auto check = [&](const std::string& name, double offsetPixels, auto change) {
         RayCastSettings settings = one.reference;

@@ -71,7 +71,7 @@ Plot stepPlot(const RenderStudy& study) {
     return plot;
 }
 
-/// The reference setting, the fastest within each bound, and what older hardware did.
+/// These are the reference setting, the fastest within each bound, and what older hardware did.
 std::vector<std::pair<std::string, const RenderResult*>> shownResults(const RenderStudy& study) {
     std::vector<std::pair<std::string, const RenderResult*>> shown{{"reference setting", &study.results.front()}};
     const auto add = [&](const std::string& name, const RenderResult* result) {

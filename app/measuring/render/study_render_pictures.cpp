@@ -27,11 +27,6 @@ const float* pixelOf(const Picture& picture, std::size_t column, std::size_t row
     return &picture.rgba[(row * static_cast<std::size_t>(picture.width) + column) * 4];
 }
 
-Picture emptyPicture(int width, int height) {
-    return {
-        width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4), {}};
-}
-
 }  // namespace
 
 Picture enlarged(const Picture& picture, int width, int height) {

@@ -93,7 +93,7 @@ TextTable frontTable(const RenderStudy& study) {
 }
 
 TextTable boundsTable(const RenderStudy& study) {
-    TextTable table{{"level", "RMSE at most", "maximum at most", "fastest setting", "time, ms", "frames/s", "RMSE",
+    TextTable table{{"quality", "RMSE at most", "maximum at most", "fastest setting", "time, ms", "frames/s", "RMSE",
                      "maximum", "SSIM"},
                     {}};
     for (const QualityBound& bound : qualityBounds()) {

@@ -62,7 +62,7 @@ void addPrecisions(VariantList& list) {
             });
 }
 
-/// What it would cost to count whole steps only.
+/// These say what it would cost to count whole steps only.
 void addEnds(VariantList& list) {
     for (const double step : {2.0, 1.0, 0.25})
         list.add("ends", fmt::format("double, step {:g}, whole steps only", step), [&](RenderVariant& v) {
@@ -72,7 +72,8 @@ void addEnds(VariantList& list) {
         });
 }
 
-/// What a controller may choose from a frame budget: rays end at 1/128, fewer of them, longer steps.
+/// These are what a controller may choose from a frame budget: rays end at 1/128, there are fewer of them, and steps
+/// are longer.
 void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})

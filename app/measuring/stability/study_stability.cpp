@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/measuring/otf/study_phantoms.h"
 #include "app/measuring/pages/html_page.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
@@ -110,8 +111,7 @@ Result<void> studyStability(const std::string& path) {
     const std::vector<NumericCheck> checks = numericChecks();
     std::vector<ExtremeResult> results;
     for (const ExtremeCase& extreme : extremeCases())
-        for (const MethodReading reading :
-             {MethodReading::asPublished, MethodReading::settled, MethodReading::standard})
+        for (const MethodReading reading : allReadings)
             results.push_back(resultOf(extreme, std::string(nameOf(reading)), configOf(reading)));
 
     HtmlPage page("Stability of the adaptive opacity transfer function");

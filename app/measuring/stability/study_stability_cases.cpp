@@ -12,7 +12,7 @@ namespace echolucent::cli {
 
 namespace {
 
-VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
+VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, const Vec3& spacing = {1, 1, 1}) {
     VolumeGeometry geometry;
     geometry.size = size;
     geometry.spacing = spacing;
@@ -131,7 +131,7 @@ ExtremeResult resultOf(const ExtremeCase& extreme, const std::string& reading, c
     // Only the product has a d_max.
     if (extreme.dMax) config.curve = ProductRule{*extreme.dMax * config.grid.columns * config.grid.rows};
     const AdaptiveOtf otf = *adaptOpacity(extreme.volume, extreme.view, config);
-    ExtremeResult result{extreme.name, reading, otf.message, otf.tubesMeetingVolume, otf.tubesWithSurface};
+    ExtremeResult result{extreme.name, reading, otf.message, otf.tubesMeetingVolume, otf.tubesWithWeight};
     const auto initial = sampledOpacities(config.initial, AdaptiveOtf::sampleCount);
     const auto [least, most] = std::minmax_element(otf.curve.opacities.begin(), otf.curve.opacities.end());
     result.leastOpacity = *least;

@@ -31,7 +31,7 @@ public:
     Worst(std::string quantity, std::string condition, std::string way, std::optional<double> allowed) {
         m_check = {std::move(quantity), std::move(condition), std::move(way), 0.0, "", -1.0, allowed, {}};
     }
-    /// scale: the error is counted in these.
+    /// The error is counted in `scale`.
     void add(double value, long double exact, const std::string& digits, long double scale = 1.0L) {
         const long double error = std::abs(static_cast<long double>(value) - exact) / scale;
         const double counted = std::isfinite(value) ? static_cast<double>(error) : infinity;

@@ -24,7 +24,7 @@ struct LogOpacityReference {
 };
 extern const std::vector<LogOpacityReference> logOpacityReferences;
 
-/// 1 - (1 - opacity)^ratio.
+/// The value is 1 - (1 - opacity)^ratio.
 struct StepReference {
     double opacity, ratio;
     std::string digits;

@@ -1,11 +1,8 @@
 #include "processing/ray_caster/plain/plain_caster.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <thread>
 
 #include "processing/parallel.h"
 
@@ -34,24 +31,6 @@ double stored(double value, CompositingPrecision precision) {
     return value;
 }
 
-/// The least and the largest depth of the volume's box.
-struct DepthRange {
-    double nearest = nowhere, farthest = -nowhere;
-};
-
-DepthRange depthsOf(const VolumeGeometry& geometry, const Vec3& forward) {
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-    DepthRange range;
-    for (int corner = 0; corner < 8; ++corner) {
-        const double depth =
-            forward.dot(Vec3((corner & 1) != 0 ? high[0] : low[0], (corner & 2) != 0 ? high[1] : low[1],
-                             (corner & 4) != 0 ? high[2] : low[2]));
-        range.nearest = std::min(range.nearest, depth);
-        range.farthest = std::max(range.farthest, depth);
-    }
-    return range;
-}
-
 }  // namespace
 
 /// What one step of a ray shows.
@@ -77,12 +56,10 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
       m_casting(casting),
       m_rays(volume.geometry(), settings),
       m_sampler(volume, settings.interpolation) {
-    const DepthRange depths = depthsOf(volume.geometry(), settings.camera.frame.forward);
-    m_nearestMm = std::max(depths.nearest, settings.nearPlaneDepthMm);
-    m_farthestMm = depths.farthest;
+    const auto box = volume.geometry().depthsAlong(settings.camera.frame.forward);
+    m_nearestMm = std::max(box.nearest, settings.nearPlaneDepthMm);
+    m_farthestMm = box.farthest;
     if (!settings.shading) return;
-    if (!(settings.shading->gradientReach > 0.0))
-        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
     const Vec3& light = settings.shading->towardsLight;
     const ViewFrame& frame = settings.camera.frame;
     m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
@@ -233,17 +210,12 @@ std::string_view nameOf(CompositingPrecision precision) {
 std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
                                        const PlainCasting& casting, const Progress& progress) {
     const PlainCaster caster(volume, curve, settings, casting);
-    Picture picture{settings.width, settings.height, {}, {}};
-    const std::size_t pixels = static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    picture.rgba.assign(pixels * 4, 0.0f);
-    if (settings.findDepth) picture.depthMm.assign(pixels, std::numeric_limits<float>::infinity());
-    std::atomic<int> rowsDone = 0;
-    const auto callingThread = std::this_thread::get_id();
+    Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
+    ProgressCount rows(progress, static_cast<std::size_t>(settings.height));
     parallelFor(0, settings.height, [&](int row) {
         if (progress.cancelled()) return;
         castRow(caster, row, picture);
-        const int done = rowsDone.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() == callingThread) progress.at(static_cast<double>(done) / settings.height);
+        rows.oneDone();
     });
     if (progress.cancelled()) return std::nullopt;
     return picture;

@@ -87,13 +87,13 @@ private:
     Vec3 m_towardsLight{0, 0, 0};
 };
 
-/// The picture that castRays() documents, step by step in double: the same rays and places of samples; opacity and
-/// colour straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early only
-/// where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost half
-/// voxel are read at the outermost voxel centres.
+/// The picture that castRays() documents, step by step in double. Rays and places of samples are the same; opacity and
+/// colour come straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early
+/// only where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost
+/// half voxel are read at the outermost voxel centres. Depth colouring is applied after the light.
 ///
-/// Depth colouring is applied after the light. Empty only where progress.cancel was raised (polled once a row). Uses
-/// the calling thread's oneTBB arena; the same pixels for any number of threads. Throws std::invalid_argument where
+/// The result is empty only where progress.cancel was raised (it is polled once a row). The work is done in the calling
+/// thread's oneTBB arena, and the pixels are the same for any number of threads. Throws std::invalid_argument where
 /// castRays() does.
 [[nodiscard]] std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve,
                                                      const RayCastSettings& settings, const PlainCasting& casting = {},

@@ -1,10 +1,9 @@
 // How the cells of a tube core are read.
 #pragma once
 
-namespace echolucent {
+#include "processing/volume/interpolation.h"
 
-/// How a tube core's samples are taken where they do not lie on voxels.
-enum class TubeSampling { trilinear, nearest };
+namespace echolucent {
 
 /// Arithmetic of samples, moments and interface function. The curve is double always.
 enum class Precision { single32, double64 };
@@ -12,7 +11,7 @@ enum class Precision { single32, double64 };
 /// Lengths are in units: the volume's smallest spacing. The ranges stand in methodParameters().
 struct CellRule {
     int size = 5;  ///< edge of a cell, units; cells slide along the tube core by one unit (Petersch 2005, 4.1)
-    TubeSampling sampling = TubeSampling::trilinear;
+    Interpolation sampling = Interpolation::trilinear;  ///< of samples that do not lie on voxels
     Precision precision = Precision::single32;
     friend bool operator==(const CellRule&, const CellRule&) = default;
 };

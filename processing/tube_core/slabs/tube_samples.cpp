@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "processing/volume/sampler.h"
+
 namespace echolucent {
 
 namespace {
@@ -59,17 +61,18 @@ template <typename Stored>
 class Sampler {
 public:
     Sampler(const Volume& volume, const Stored* voxels)
-        : m_size(volume.geometry().size),
+        : m_geometry(volume.geometry()),
+          m_size(volume.geometry().size),
           m_voxels(voxels),
-          m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()),
+          m_mask(volume.dataMaskOrNull()),
           m_white(volume.whiteLevel()) {}
 
     /// The nearest voxel's intensity; half way between two, the farther one's.
     [[nodiscard]] double nearest(const Vec3& voxel) const {
+        if (!inBox(m_geometry, voxel)) return noData;
         std::int64_t offset = 0, stride = 1;
         for (int axis = 0; axis < 3; ++axis) {
             const double last = static_cast<double>(m_size[axis] - 1);
-            if (!(voxel[axis] >= -0.5 - rounding && voxel[axis] <= last + 0.5 + rounding)) return noData;
             offset += stride * static_cast<std::int64_t>(std::floor(std::clamp(voxel[axis], 0.0, last) + 0.5));
             stride *= m_size[axis];
         }
@@ -78,11 +81,11 @@ public:
 
     /// The intensity between the voxels around.
     [[nodiscard]] double at(const Vec3& voxel) const {
+        if (!inBox(m_geometry, voxel)) return noData;
         std::array<std::int64_t, 3> low{}, high{};
         std::array<double, 3> share{};
         for (int axis = 0; axis < 3; ++axis) {
             const double last = static_cast<double>(m_size[axis] - 1);
-            if (!(voxel[axis] >= -0.5 - rounding && voxel[axis] <= last + 0.5 + rounding)) return noData;
             const double position = std::clamp(voxel[axis], 0.0, last);
             low[axis] = static_cast<std::int64_t>(position);
             share[axis] = position - static_cast<double>(low[axis]);
@@ -115,12 +118,13 @@ private:
         }
         return false;
     }
-    /// NaN never gets here with a mask, and a volume with NaN voxels always has one; a neighbour without share may.
+    /// A neighbour without share may be NaN, and so may a voxel of a volume whose mask was taken away: 0 stands for it.
     [[nodiscard]] double value(std::int64_t offset) const {
         const double intensity = static_cast<double>(m_voxels[offset]) / m_white;
         return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
     }
 
+    const VolumeGeometry& m_geometry;
     std::array<std::int64_t, 3> m_size;
     const Stored* m_voxels;
     const std::uint8_t* m_mask;
@@ -146,7 +150,7 @@ SlabMoments momentsOf(std::span<const double> values) {
 
 }  // namespace
 
-void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+void sampleSlabs(const Volume& volume, Interpolation sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values) {
     slabs.resize(static_cast<std::size_t>(tube.slabs));
     values.resize(static_cast<std::size_t>(tube.cellSize) * static_cast<std::size_t>(tube.cellSize));
@@ -160,7 +164,8 @@ void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples&
                     for (int a = 0; a < tube.cellSize; ++a) {
                         const Vec3 voxel =
                             tube.first + tube.along * k + tube.down * (b - half) + tube.right * (a - half);
-                        values[next++] = sampling == TubeSampling::nearest ? sampler.nearest(voxel) : sampler.at(voxel);
+                        values[next++] =
+                            sampling == Interpolation::nearest ? sampler.nearest(voxel) : sampler.at(voxel);
                     }
                 slabs[static_cast<std::size_t>(k)] = momentsOf(values);
             }

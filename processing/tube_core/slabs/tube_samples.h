@@ -41,7 +41,7 @@ struct SlabMoments {
 /// interpolation (exact voxels where the position is whole) or the nearest voxel. A sample outside the box is left out;
 /// one with a no-data voxel among its neighbours takes the nearest voxel, or is left out with it. `values` is scratch
 /// memory for reuse between calls.
-void sampleSlabs(const Volume& volume, TubeSampling sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
+void sampleSlabs(const Volume& volume, Interpolation sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values);
 
 }  // namespace echolucent

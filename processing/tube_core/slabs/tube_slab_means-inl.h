@@ -102,7 +102,8 @@ HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, c
     } else {
         const auto words =
             hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(first), hn::ShiftLeft<1>(cell.offset));
-        const auto white = hn::Set(floats, piece.white), half = hn::Set(ints, 0xFFFF);
+        const auto white = hn::Set(floats, piece.white);
+        const auto half = hn::Set(ints, 0xFFFF);
         return between(hn::Min(hn::ConvertTo(floats, hn::And(words, half)), white),
                        hn::Min(hn::ConvertTo(floats, hn::And(hn::ShiftRight<16>(words), half)), white), cell.partX);
     }

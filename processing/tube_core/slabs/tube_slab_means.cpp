@@ -93,7 +93,7 @@ class PieceReader {
 public:
     PieceReader(const Volume& volume, const Voxel* voxels, const TubeSamples& any, PieceRoute route)
         : m_voxels(voxels),
-          m_mask(volume.dataMask().empty() ? nullptr : volume.dataMask().data()),
+          m_mask(volume.dataMaskOrNull()),
           m_size(volume.geometry().size),
           m_strides{1, m_size[0], m_size[0] * m_size[1]},
           m_count(volume.geometry().voxelCount()),
@@ -242,7 +242,7 @@ bool canMeanSlabs(const Volume& volume) {
     return !std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) || volume.whiteLevel() >= 255.0;
 }
 
-void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes,
+void meanSlabs(const Volume& volume, Interpolation sampling, std::span<const TubeSamples> tubes,
                std::span<SlabMeans> slabs) {
     for (std::size_t t = 0; t < tubes.size(); ++t) {
         const auto count = static_cast<std::size_t>(tubes[t].slabs);
@@ -251,7 +251,7 @@ void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const Tube
         slabs[t].squaredDeviations.resize(count);
     }
     if (tubes.empty()) return;
-    const PieceRoute route{sampling == TubeSampling::nearest, Surroundings::any};
+    const PieceRoute route{sampling == Interpolation::nearest, Surroundings::any};
     std::visit(
         [&](const auto& voxels) {
             const PieceReader reader(volume, voxels.data(), tubes[0], route);

@@ -327,8 +327,8 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
         longest = std::max(longest, tubes[t].slabs);
     }
     const auto sum = [&]<typename Stored>(const std::vector<Stored>& voxels) {
-        const VoxelGrid<Stored> grid{voxels.data(), volume.dataMask().empty() ? nullptr : volume.dataMask().data(),
-                                     volume.geometry().voxelCount(), static_cast<Stored>(storedLimit)};
+        const VoxelGrid<Stored> grid{voxels.data(), volume.dataMaskOrNull(), volume.geometry().voxelCount(),
+                                     static_cast<Stored>(storedLimit)};
         // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
         for (int begin = 0; begin < longest; begin += slabsPerTurn)
             for (std::size_t t = 0; t < tubes.size(); ++t) {

@@ -53,7 +53,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
 
 /// Moments of tubes side by side in one row of the grid, anywhere between voxels; sampled as sampleSlabs() does, which
 /// is the reference, with positions rounded to 2^-16 voxel and sums in single precision.
-void meanSlabs(const Volume& volume, TubeSampling sampling, std::span<const TubeSamples> tubes,
+void meanSlabs(const Volume& volume, Interpolation sampling, std::span<const TubeSamples> tubes,
                std::span<SlabMeans> slabs);
 
 }  // namespace echolucent

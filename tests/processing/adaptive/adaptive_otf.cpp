@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -86,7 +85,7 @@ TEST(AdaptiveOtf, ScalingTheStoredValuesChangesNothingButTheirScale) {
     for (std::size_t i = 0; i < 256; ++i) EXPECT_NEAR(words.curve.opacities[i], bytes.curve.opacities[i], 1e-9);
     for (std::size_t t = 0; t < bytes.tubes.size(); ++t) {
         EXPECT_EQ(words.tubes[t].surfaceCell, bytes.tubes[t].surfaceCell);
-        // 0.5 rounds half the values: not the same, but the same surfaces.
+        // A scale of 0.5 rounds half the values: they are not the same, but the surfaces are.
         EXPECT_NEAR(floats.tubes[t].surfaceCell, bytes.tubes[t].surfaceCell, 1);
     }
 }
@@ -141,7 +140,7 @@ TEST(AdaptiveOtf, FollowsFromThePublishedTubesByEquations4To11) {
 }
 
 TEST(AdaptiveOtf, PriorCellsEndBeforeTheSurfaceCellBegins) {
-    // I_L and the largest prior mean by counting over the published cell means (which are floats).
+    // I_L and the largest prior mean are found by counting over the published cell means (which are floats).
     PlaneVolume plane;
     plane.noise = 10;
     const AdaptiveOtf result = adapted(plane.make(), {}, productOfVariance());
@@ -163,7 +162,7 @@ TEST(AdaptiveOtf, PriorCellsEndBeforeTheSurfaceCellBegins) {
 }
 
 TEST(AdaptiveOtf, BeginsBehindTheNearCut) {
-    // A wall in front: uncut, it is among the prior cells; cut, only fluid is left before the plane.
+    // A wall stands in front: uncut, it is among the prior cells; cut, only fluid is left before the plane.
     PlaneVolume plane;
     plane.noise = 1;
     auto voxels = plane.voxels<std::uint8_t>();
@@ -223,9 +222,9 @@ TEST(AdaptiveOtf, GivesTheSameBitsOnAnyNumberOfThreads) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
             const AdaptiveOtf result = adapted(volume, view);
             if (!first) first = result;
-            EXPECT_EQ(std::memcmp(result.logOpacity.data(), first->logOpacity.data(), 256 * sizeof(double)), 0);
+            EXPECT_EQ(result.logOpacity, first->logOpacity);
             for (std::size_t t = 0; t < result.tubes.size(); ++t) {
-                EXPECT_EQ(std::memcmp(&result.tubes[t].d, &first->tubes[t].d, sizeof(double)), 0);
+                EXPECT_EQ(result.tubes[t].d, first->tubes[t].d);
                 EXPECT_EQ(result.tubes[t].surfaceCell, first->tubes[t].surfaceCell);
                 EXPECT_EQ(result.tubes[t].cellMeans, first->tubes[t].cellMeans);
             }
@@ -266,7 +265,6 @@ TEST(AdaptiveOtf, ReportsProgressThatRisesToOneAndTimesOfEveryStage) {
             sum += time;
         }
         EXPECT_LE(sum, times.total);
-        EXPECT_GT(sum, 0.9 * times.total) << "hardly any time is spent outside the stages";
     }
 }
 

@@ -50,7 +50,7 @@ void expectSound(const AdaptiveOtf& result) {
     EXPECT_TRUE(result.trust >= 0.0 && result.trust <= 1.0);
     EXPECT_TRUE(std::isfinite(result.dMax));
     for (const TubeCore& tube : result.tubes) expectSoundTube(tube);
-    if (result.tubesWithSurface > 0) return;
+    if (result.tubesWithWeight > 0) return;
     // What cannot be computed is said, and the curve is the one that was asked for to begin with.
     EXPECT_NE(result.message.find("the initial function is used."), std::string::npos) << result.message;
     EXPECT_TRUE(!result.message.empty() && std::isupper(static_cast<unsigned char>(result.message.front())) != 0);
@@ -114,8 +114,8 @@ bool isCircular(const AdaptiveOtfConfig& config) {
 }
 
 void expectNoSurface(const AdaptiveOtf& result, const AdaptiveOtfConfig& config) {
-    EXPECT_EQ(result.tubesWithSurface, 0);
-    // Interpolation rounds: where a plain volume is not met on its voxels, rounding may pose as a surface.
+    EXPECT_EQ(result.tubesWithWeight, 0);
+    // Interpolation rounds, so where a plain volume is not met on its voxels, rounding may pose as a surface.
     if (result.view == Viewpoint{} && !isCircular(config)) {
         EXPECT_EQ(result.message, "No surface found: the initial function is used.");
     }
@@ -246,14 +246,14 @@ TEST(AdaptiveOtfExtremes, StrengthsFromNothingToHuge) {
     forEveryConfig(
         volume,
         [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) {
-            EXPECT_EQ(result.tubesWithSurface, 0);
+            EXPECT_EQ(result.tubesWithWeight, 0);
             EXPECT_EQ(result.message, "The strength is 0: the initial function is used.");
         },
         [](AdaptiveOtfConfig& config) { config.curve = ProductRule{0}; }, {Viewpoint{}});
     forEveryConfig(
         volume, [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) { EXPECT_DOUBLE_EQ(result.dMax, 1e6); },
         [](AdaptiveOtfConfig& config) { config.curve = ProductRule{225e6}; }, {Viewpoint{}});
-    // The largest and smallest that are allowed, and opacities of nothing and of far too much.
+    // These are the largest and smallest parameters that are allowed, and opacities of nothing and of far too much.
     for (const double strength : {5e-324, 1e12})
         for (const double scale : {0.0, 1e-300, 1e6})
             forEveryConfig(volume, {},
@@ -280,7 +280,7 @@ TEST(AdaptiveOtfExtremes, SpacingOfOneToFifty) {
 }
 
 TEST(AdaptiveOtfExtremes, ASurfaceOfOneUlp) {
-    // Float voxels a single ulp apart: variance and rise are next to nothing, but not nothing.
+    // Float voxels lie a single ulp apart: variance and rise are next to nothing, but not nothing.
     PlaneVolume plane;
     std::vector<float> voxels(static_cast<std::size_t>(plane.geometry().voxelCount()), 0.5f);
     std::fill(voxels.begin() + static_cast<std::ptrdiff_t>(voxels.size() / 2), voxels.end(),
@@ -310,7 +310,7 @@ TEST(AdaptiveOtfExtremes, FloatsOfAnyMagnitude) {
                              std::to_string(std::log2(scale)));
                 const AdaptiveOtf result = adapted(scaled(scale), view, named.config);
                 expectSound(result);
-                EXPECT_EQ(result.tubesWithSurface, usual.tubesWithSurface);
+                EXPECT_EQ(result.tubesWithWeight, usual.tubesWithWeight);
                 for (std::size_t i = 0; i < 256; ++i)
                     EXPECT_NEAR(result.curve.opacities[i], usual.curve.opacities[i], 1e-6);
             }

@@ -1,4 +1,4 @@
-// The table of the method's parameters: every field of the config stands in it, and its ranges are what is checked.
+// The table of the method's parameters: every member of the config stands in it, and its ranges are what is checked.
 #include "processing/adaptive/method_parameters.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +39,25 @@ AdaptiveOtfConfig configFor(const Row& row) {
 ParameterValue valueLike(const ParameterValue& known, double number) {
     if (std::holds_alternative<std::int64_t>(known)) return std::int64_t(std::llround(number));
     return number;
+}
+
+TEST(MethodParameters, EveryMemberOfEveryRuleHasARow) {
+    // A new member does not compile here until it stands in these names, and then needs a row to be counted below.
+    [[maybe_unused]] const auto& [grid, cells, detection, surface, weights, curve, initial] = AdaptiveOtfConfig{};
+    [[maybe_unused]] const auto& [columns, rows, spacing] = grid;
+    [[maybe_unused]] const auto& [size, sampling, precision] = cells;
+    [[maybe_unused]] const auto& [coarsest, finest, sigma, kernelCut, kernelEnd, border, smoothing, significance,
+                                  floorQuantile, trackingRange, coarsestMaximum, edgeToNoise] = VarianceRule{};
+    [[maybe_unused]] const auto& [falseAlarm, contrastFloor, contrastCeiling, before, behind, rampSlabs, leastFluid,
+                                  leastDark, leastStep, certainty, certainShare, leastRatio] = RatioRule{};
+    [[maybe_unused]] const auto& [lowReach, highReach, slopeHalfStep, priorCells] = surface;
+    [[maybe_unused]] const auto& [rankBins] = weights;
+    [[maybe_unused]] const auto& [strength] = ProductRule{};
+    [[maybe_unused]] const auto& [begin, clearSpreads, end, opacity, trustedShare] = RampRule{};
+    constexpr std::size_t members = 3 + 3 + 12 + 12 + 4 + 1 + 1 + 5;
+    constexpr std::size_t choicesOfRules = 2;        // detection and curve
+    constexpr std::size_t ofTheInitialFunction = 1;  // its scale
+    EXPECT_EQ(methodParameters().size(), members + choicesOfRules + ofTheInitialFunction);
 }
 
 TEST(MethodParameters, BothEndsOfEveryRangeAreAllowedAndWhatLiesOutsideIsNamed) {
@@ -105,7 +124,7 @@ TEST(MethodParameters, WhatDoesNotApplyCanNeitherBeReadNorSet) {
 }
 
 TEST(MethodParameters, TellEveryReadingFromTheDefault) {
-    // A config is what its rows say: copied row by row, nothing is lost but what belongs to no row.
+    // A config is what its rows say: where it is copied row by row, nothing is lost but what belongs to no row.
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
         const AdaptiveOtfConfig known = configOf(reading);
         AdaptiveOtfConfig copy;

@@ -36,7 +36,7 @@ TEST(MethodReading, PublishedAndSettledHaveADMaxOf3PercentAtThePapers225Tubes) {
         EXPECT_DOUBLE_EQ(strengthOf(configOf(reading).curve) / 225, 0.03);
 }
 
-/// The literal reading of one tube, straight from the paper's words: everything in long double and plain loops.
+/// The literal reading of one tube, straight from the paper's words: everything is in long double and plain loops.
 struct LiteralTube {
     std::vector<long double> means, variances;
     int surface = -1;
@@ -79,7 +79,7 @@ Values onARing(const Values& function, double sigma) {
     return result;
 }
 
-/// The first sample from `from` to `to` that is larger than both its neighbours; -1: none.
+/// The first sample from `from` to `to` that is larger than both its neighbours; it is -1 where there is none.
 int firstMaximum(const Values& function, int from, int to) {
     for (int i = std::max(from, 1); i <= std::min(to, static_cast<int>(function.size()) - 2); ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -113,7 +113,7 @@ void detect(LiteralTube& tube) {
                  (behind - before);
 }
 
-/// Share of the values in bins up to this value's, 256 bins from 0 to the largest.
+/// The share of the values in bins up to this value's, of 256 bins from 0 to the largest.
 long double cumulated(const Values& values, long double value, int total) {
     const long double largest = *std::max_element(values.begin(), values.end());
     const auto bin = [&](long double v) { return std::min(255, static_cast<int>(v / largest * 256)); };

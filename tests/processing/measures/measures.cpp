@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t width = 6, depth = 40;
 constexpr int surfaceSlice = 20;
-/// True surface between slices 19 and 20.
+/// The true surface lies between slices 19 and 20.
 constexpr double surfaceDepth = surfaceSlice - 0.5;
 
 VolumeGeometry smallGeometry() {
@@ -26,14 +26,14 @@ VolumeGeometry smallGeometry() {
     return geometry;
 }
 
-/// `before` up to the surface, `behind` from it on.
+/// The voxels hold `before` up to the surface and `behind` from it on.
 Volume twoLayers(std::uint8_t before, std::uint8_t behind) {
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(width * width * depth), before);
     std::fill(voxels.begin() + width * width * surfaceSlice, voxels.end(), behind);
     return {smallGeometry(), voxels};
 }
 
-/// One ray through each voxel of the front face.
+/// There is one ray through each voxel of the front face.
 std::vector<ObjectRay> allRays() {
     std::vector<ObjectRay> rays;
     for (int y = 0; y < width; ++y)

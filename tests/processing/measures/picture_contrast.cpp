@@ -1,5 +1,5 @@
 // What the default reading makes of the picture: CNR_S under six conditions, beside fixed curves and the other
-// readings. Printed, so that a change of the method shows what it brought.
+// readings. The figures are printed, so that a change of the method shows what it brought.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -41,7 +41,8 @@ TEST(PictureDifference, IsInLevelsAndBelowARoundedByte) {
     EXPECT_NEAR(error.rmse, 25.5 / std::sqrt(24.0), 1e-4) << "one of 8 pixels' 24 values";
 }
 
-// A constant offset leaves contrast and structure: SSIM is its luminance term, (2 a b + c1) / (a^2 + b^2 + c1).
+// A constant offset leaves contrast and structure as they are: SSIM is its luminance term, (2 a b + c1) / (a^2 + b^2 +
+// c1).
 TEST(PictureDifference, SsimOfAnOffsetIsItsLuminanceTerm) {
     const Picture reference{20, 20, std::vector<float>(1600, 0.5f), {}};
     const Picture picture{20, 20, std::vector<float>(1600, 0.25f), {}};
@@ -49,7 +50,7 @@ TEST(PictureDifference, SsimOfAnOffsetIsItsLuminanceTerm) {
     EXPECT_NEAR(pictureError(picture, reference).ssim, (2 * a * b + c1) / (a * a + b * b + c1), 1e-9);
 }
 
-/// Wang et al. 2004, eqs. 14 to 16 and 13, window by window.
+/// SSIM is computed by Wang et al. 2004, eqs. 14 to 16 and 13, window by window.
 double ssimWrittenOut(const Picture& x, const Picture& y) {
     const auto luminance = [](const Picture& picture, int column, int row) {
         const float* pixel = &picture.rgba[static_cast<std::size_t>(row * picture.width + column) * 4];

@@ -78,10 +78,10 @@ TEST(OtfSmoothing, LagIsTheMeanAgeOfTheWeights) {
         EXPECT_NEAR(lagOf(smoothing).ramp, gainsOf(smoothing).delay, 1e-10) << nameOf(smoothing);
     EXPECT_EQ(lagOf(OtfSmoothing::none).stepToNineTenths, 0);
     EXPECT_EQ(lagOf(OtfSmoothing::mean).stepToNineTenths, 4);
-    // 63 + 114 + 124 + 96 = 397 of 462 is 0.86; with 51 more 0.97.
+    // The sum 63 + 114 + 124 + 96 = 397 of 462 is 0.86; with 51 more it is 0.97.
     EXPECT_EQ(lagOf(OtfSmoothing::leastFlicker).stepToNineTenths, 4);
     EXPECT_NEAR(lagOf(OtfSmoothing::leastFlicker).overshoot, 0.0, 1e-15);
-    // 31 + 9 of 35.
+    // Behind a step the newest two weights add up to 31 + 9 of 35.
     EXPECT_NEAR(lagOf(OtfSmoothing::movingLeastSquares).overshoot, 5.0 / 35, 1e-12);
 }
 
@@ -97,12 +97,12 @@ TEST(MovingLeastSquares, FewFramesLowerTheOrder) {
     expectWeights(weights({3}), {1});
     expectWeights(weights({3, 9}), {0, 1});         // order 1 through two
     expectWeights(weights({3, 9, 10}), {0, 0, 1});  // order 2 through three
-    // Four equal steps, order 2: the newest row of the projection, [19 3 -3 1]/20.
+    // With four equal steps and order 2 this is the newest row of the projection, [19 3 -3 1]/20.
     expectWeights(weights({0, 1, 2, 3}), {1 / 20., -3 / 20., 3 / 20., 19 / 20.});
 }
 
 TEST(MovingLeastSquares, TimesThatCannotBeToldApartLowerTheOrder) {
-    // Two clusters: no parabola can be told from a line. The newest cluster's mean is what a line gives.
+    // There are two clusters, so no parabola can be told from a line. The newest cluster's mean is what a line gives.
     const double close = 1e-14;
     const auto weights =
         smoothingWeights(OtfSmoothing::movingLeastSquares, std::vector<double>{0, close, 2 * close, 1, 1 + 4 * close});
@@ -125,7 +125,7 @@ TEST(MovingLeastSquares, UnevenTimesReproduceEveryParabola) {
     }
 }
 
-/// Half the gradient of the squared second differences of w, w padded with zeros.
+/// Half the gradient of the squared second differences of w, where w is padded with zeros.
 std::vector<double> flickerGradient(const std::vector<double>& w) {
     const auto count = static_cast<std::ptrdiff_t>(w.size());
     const auto at = [&](std::ptrdiff_t i) { return i >= 0 && i < count ? w[static_cast<std::size_t>(i)] : 0.0; };
@@ -177,7 +177,7 @@ TEST(LeastFlicker, AFrameAfterALongPauseStandsForItself) {
 }
 
 TEST(OtfSmoothing, TheTimesOriginAndUnitDoNotMatter) {
-    // Epoch milliseconds; frames 33 ms apart, jittered by whole milliseconds.
+    // The times are epoch milliseconds; frames lie 33 ms apart, jittered by whole milliseconds.
     const std::vector<double> jitter{0, 1, -2, 0, 3, -1};
     for (const OtfSmoothing smoothing : allSmoothings) {
         std::vector<double> plain, epoch, tiny, huge;

@@ -37,17 +37,17 @@ TEST(Sweep, TurnsAboutTheViewsAxesLikeTheWindow) {
         .beamAxis = BeamAxis::plusY, .azimuthDegrees = 5, .elevationDegrees = -3, .rollDegrees = 2, .nearCutMm = 7};
     Viewpoint expected = start;
     expected.elevationDegrees = 7;
-    EXPECT_EQ(turned(start, SweepAxis::x, 10), expected);
+    EXPECT_EQ(turned(start, MotionAxis::x, 10), expected);
     expected = start;
     expected.azimuthDegrees = 15;
-    EXPECT_EQ(turned(start, SweepAxis::y, 10), expected);
+    EXPECT_EQ(turned(start, MotionAxis::y, 10), expected);
     expected = start;
     expected.rollDegrees = -8;
-    EXPECT_EQ(turned(start, SweepAxis::z, -10), expected);
+    EXPECT_EQ(turned(start, MotionAxis::z, -10), expected);
 }
 
 TEST(Sweep, FramesAreThePapersNinetyOne) {
-    const auto frames = sweepFrames({}, SweepAxis::y, -45, 45, 1, 1);
+    const auto frames = sweepFrames({}, MotionAxis::y, -45, 45, 1, 1);
     ASSERT_EQ(frames.size(), 91u);
     for (std::size_t i = 0; i < 91; ++i) {
         EXPECT_EQ(frames[i].time, static_cast<double>(i));
@@ -58,24 +58,24 @@ TEST(Sweep, FramesAreThePapersNinetyOne) {
 }
 
 TEST(Sweep, FramesEndWhereTheRangeDoes) {
-    const auto fine = sweepFrames({}, SweepAxis::x, 0, 1, 0.1, 1);
+    const auto fine = sweepFrames({}, MotionAxis::x, 0, 1, 0.1, 1);
     ASSERT_EQ(fine.size(), 11u);
     EXPECT_DOUBLE_EQ(fine.back().degrees, 1.0);
-    EXPECT_EQ(sweepFrames({}, SweepAxis::x, 0, 10, 4, 1).back().degrees, 8);
-    const auto backwards = sweepFrames({}, SweepAxis::x, 3, -3, 2, 3);
+    EXPECT_EQ(sweepFrames({}, MotionAxis::x, 0, 10, 4, 1).back().degrees, 8);
+    const auto backwards = sweepFrames({}, MotionAxis::x, 3, -3, 2, 3);
     ASSERT_EQ(backwards.size(), 4u);
     EXPECT_EQ(backwards.back().degrees, -3);
     EXPECT_EQ(backwards[2].phase, 2);
     EXPECT_EQ(backwards[3].phase, 0) << "over and over";
-    EXPECT_EQ(sweepFrames({}, SweepAxis::x, 4, 4, 1, 1).size(), 1u);
-    EXPECT_THROW((void)sweepFrames({}, SweepAxis::x, 0, 1, 0, 1), std::invalid_argument);
-    EXPECT_THROW((void)sweepFrames({}, SweepAxis::x, 0, 1, 1, 0), std::invalid_argument);
-    EXPECT_THROW((void)sweepFrames({}, SweepAxis::x, 0, INFINITY, 1, 1), std::invalid_argument);
-    EXPECT_THROW((void)sweepFrames({}, SweepAxis::x, 0, 1e9, 1, 1), std::invalid_argument);
+    EXPECT_EQ(sweepFrames({}, MotionAxis::x, 4, 4, 1, 1).size(), 1u);
+    EXPECT_THROW((void)sweepFrames({}, MotionAxis::x, 0, 1, 0, 1), std::invalid_argument);
+    EXPECT_THROW((void)sweepFrames({}, MotionAxis::x, 0, 1, 1, 0), std::invalid_argument);
+    EXPECT_THROW((void)sweepFrames({}, MotionAxis::x, 0, INFINITY, 1, 1), std::invalid_argument);
+    EXPECT_THROW((void)sweepFrames({}, MotionAxis::x, 0, 1e9, 1, 1), std::invalid_argument);
 }
 
 TEST(Sweep, ThePapersThreeScenarios) {
-    Motion motion{.axis = SweepAxis::x, .from = -2, .to = 2, .step = 1, .firstPhase = 2};
+    Motion motion{.axis = MotionAxis::x, .from = -2, .to = 2, .step = 1, .firstPhase = 2};
     const Viewpoint start{.elevationDegrees = 10};
     const auto probe = motionFrames(start, motion, 3);
     motion.objectMoves = true;
@@ -97,7 +97,7 @@ TEST(Sweep, ThePapersThreeScenarios) {
 
 TEST(Sweep, EveryFrameHasTheOtfOfItsViewAndPhase) {
     const Phases phases = phantomPhases(2);
-    const auto frames = sweepFrames({}, SweepAxis::y, -20, 20, 5, 2);
+    const auto frames = sweepFrames({}, MotionAxis::y, -20, 20, 5, 2);
     const auto swept = sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::mean);
     ASSERT_TRUE(swept);
     ASSERT_EQ(swept->size(), frames.size());
@@ -109,7 +109,7 @@ TEST(Sweep, EveryFrameHasTheOtfOfItsViewAndPhase) {
         for (const TubeCore& tube : alone->tubes) sumOfD += tube.d;
         EXPECT_EQ(got.unsmoothed, alone->curve);
         EXPECT_EQ(got.sumOfD, sumOfD);
-        EXPECT_EQ(got.tubesWithSurface, alone->tubesWithSurface);
+        EXPECT_EQ(got.tubesWithWeight, alone->tubesWithWeight);
         EXPECT_EQ(got.frame.degrees, frames[i].degrees);
         EXPECT_EQ(got.shown, history.add(static_cast<double>(i), alone->curve));
     }
@@ -117,7 +117,7 @@ TEST(Sweep, EveryFrameHasTheOtfOfItsViewAndPhase) {
 
 TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {
     const Phases phases = phantomPhases(3);
-    const auto frames = sweepFrames({}, SweepAxis::x, -45, 45, 3, 3);
+    const auto frames = sweepFrames({}, MotionAxis::x, -45, 45, 3, 3);
     std::vector<SweptOtf> expected;
     for (const std::size_t threads : {1, 2, 7}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -133,7 +133,7 @@ TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(Sweep, AStillProbeComputesEachPhaseOnce) {
     const Phases phases = phantomPhases(2);
-    std::vector<SweepFrame> frames = sweepFrames({}, SweepAxis::y, 0, 99, 1, 2);
+    std::vector<SweepFrame> frames = sweepFrames({}, MotionAxis::y, 0, 99, 1, 2);
     for (SweepFrame& frame : frames) frame.view = Viewpoint{};
     // Reports come from the calling thread, one a computed frame at most.
     int reports = 0;
@@ -147,7 +147,7 @@ TEST(Sweep, AStillProbeComputesEachPhaseOnce) {
 TEST(Sweep, EndsWhereItIsCancelled) {
     const Phases phases = phantomPhases(1);
     std::atomic<bool> cancel = false;
-    const auto frames = sweepFrames({}, SweepAxis::y, -45, 45, 1, 1);
+    const auto frames = sweepFrames({}, MotionAxis::y, -45, 45, 1, 1);
     const Progress afterSome{[&](double share) { cancel = share > 0; }, &cancel};
     EXPECT_FALSE(sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::none, afterSome));
     EXPECT_FALSE(sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::none, {{}, &cancel}));
@@ -155,7 +155,7 @@ TEST(Sweep, EndsWhereItIsCancelled) {
 
 TEST(Sweep, RefusesWhatMakesNoSense) {
     const Phases phases = phantomPhases(1);
-    const auto frames = sweepFrames({}, SweepAxis::y, 0, 3, 1, 2);
+    const auto frames = sweepFrames({}, MotionAxis::y, 0, 3, 1, 2);
     EXPECT_THROW((void)sweepOtfs(phases, frames, fewTubes(), OtfSmoothing::none), std::invalid_argument);
     AdaptiveOtfConfig wrong = fewTubes();
     wrong.cells.size = 0;
@@ -166,7 +166,7 @@ TEST(Sweep, RefusesWhatMakesNoSense) {
 SampledCurve flat(double opacity) { return SampledCurve{std::vector<double>(256, opacity)}; }
 
 TEST(Flicker, OfOtfsIsTheSecondDifference) {
-    // A steady change counts for nothing, an alternation four times its amplitude.
+    // A steady change counts for nothing, an alternation counts four times its amplitude.
     EXPECT_NEAR(otfFlicker(std::vector{flat(0.1), flat(0.2), flat(0.3), flat(0.4)}), 0.0, 1e-15);
     EXPECT_NEAR(otfFlicker(std::vector{flat(0.5), flat(0.6), flat(0.5), flat(0.6)}), 0.2, 1e-14);
     EXPECT_EQ(otfFlicker(std::vector{flat(0.5), flat(0.6)}), 0.0);
@@ -178,7 +178,7 @@ TEST(Flicker, OfOtfsIsTheSecondDifference) {
 
 TEST(Flicker, OfPicturesLeavesTheRotationsOwnChangeOut) {
     const Phases phases = phantomPhases(1);
-    const auto frames = sweepFrames({}, SweepAxis::y, 0, 40, 10, 1);
+    const auto frames = sweepFrames({}, MotionAxis::y, 0, 40, 10, 1);
     RayCastSettings settings;
     settings.width = settings.height = 24;
     const FrameRenderer render = frameRenderer(phases, frames, settings);
@@ -200,7 +200,7 @@ TEST(Flicker, EveryFrameIsRenderedAtOneScale) {
     const Phases phases{std::make_shared<const Volume>(geometry, voxels)};
     RayCastSettings settings;
     settings.width = settings.height = 120;
-    const auto frames = sweepFrames({}, SweepAxis::y, 0, 90, 90, 1);
+    const auto frames = sweepFrames({}, MotionAxis::y, 0, 90, 90, 1);
     const FrameRenderer render = frameRenderer(phases, frames, settings);
     const auto lit = [&](const SweepFrame& frame) {
         const Picture picture = *render(frame, SampledCurve{{0.0, 0.0, 1.0, 1.0}});
@@ -218,7 +218,7 @@ TEST(Flicker, OfPicturesComparesEachViewWithTheOtfBefore) {
         const auto level = static_cast<float>(otf.opacities[0] * (1 + frame.degrees));
         return Picture{1, 1, {level, level, level, 1.0f}};
     };
-    const auto frames = sweepFrames({}, SweepAxis::y, 0, 3, 1, 1);
+    const auto frames = sweepFrames({}, MotionAxis::y, 0, 3, 1, 1);
     const auto flicker = pictureFlicker(frames, std::vector{flat(0.1), flat(0.2), flat(0.2), flat(0.1)}, render);
     ASSERT_TRUE(flicker);
     // 2 x 0.1, 3 x 0, 4 x -0.1; then 3 x -0.1, 4 x -0.1.

@@ -55,7 +55,7 @@ TEST(Speckle, UncorrelatedFieldIsRayleighOfUnitMean) {
     const Moments moments = momentsOf(field);
     EXPECT_NEAR(moments.mean, 1.0, 0.003);
     EXPECT_NEAR(moments.deviation, std::sqrt(4 / std::numbers::pi - 1), 0.003);
-    // Share above r: exp(-pi r^2 / 4), also far in the tail.
+    // The share above r is exp(-pi r^2 / 4), also far in the tail.
     for (const double r : {0.1, 0.5, 1.0, 2.0, 3.0}) {
         double above = 0;
         for (const float value : field) above += value > r;

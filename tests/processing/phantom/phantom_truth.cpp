@@ -58,8 +58,9 @@ Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, cons
     for (int row = 0; row < grid; ++row)
         for (int column = 0; column < grid; ++column) {
             const double pitch = 88.0 / grid;
-            const Vec3 origin = geometry.centreMm() + frame.right * ((column - grid / 2 + 0.13) * pitch) +
-                                frame.down * ((row - grid / 2 + 0.07) * pitch);
+            const int across = column - grid / 2, down = row - grid / 2;
+            const Vec3 origin =
+                geometry.centreMm() + frame.right * ((across + 0.13) * pitch) + frame.down * ((down + 0.07) * pitch);
             const auto closed = truth.firstInterface(origin, frame.forward);
             const auto brute = marched(geometry, origin, frame.forward, isFluid);
             ++counts.rays;
@@ -124,7 +125,8 @@ TEST(PhantomTruth, ShapesShowFluidFirstInTheWindowAndTissueBesideIt) {
     const PhantomTruth truth(config);
     EXPECT_GT(shareOfRays(config, [](const Vec3&, const auto& depth) { return depth.has_value(); }), 0.5);
     EXPECT_GT(shareOfRays(config, [](const Vec3&, const auto& depth) { return !depth.has_value(); }), 0.2);
-    // Through the middle of "sphere 1": fluid from the probe's face to the sphere, 0.315 of 92.8 mm.
+    // The ray goes through the middle of "sphere 1": fluid reaches from the probe's face to the sphere, 0.315 of 92.8
+    // mm.
     const double scale = 92.8;
     const Vec3 origin(0.66 * scale + 1.6 - 0.4, 0.27 * scale - 0.4, 0);
     EXPECT_NEAR(truth.firstInterface(origin, {0, 0, 1}).value(), (0.40 - 0.085) * scale / 0.8, 1e-3);
@@ -176,7 +178,7 @@ TEST(PhantomTruth, TheNearCutMovesTheEntry) {
     const Vec3 origin(0.66 * 92.8 + 1.2, 0.27 * 92.8 - 0.4, 0);
     const double whole = truth.firstInterface(origin, {0, 0, 1}).value();
     EXPECT_NEAR(truth.firstInterface(origin, {0, 0, 1}, -0.4 + 8).value(), whole - 10, 1e-6);
-    // Cut so near the sphere that less than 8 units of fluid remain: the next interface counts.
+    // The cut is so near the sphere that less than 8 units of fluid remain: the next interface counts.
     const auto next = truth.firstInterface(origin, {0, 0, 1}, -0.4 + (whole - 7) * 0.8);
     EXPECT_TRUE(!next || *next > 20);
     const Vec3 surface = truth.firstInterfacePoint(origin, {0, 0, 5}, -0.4 + 8).value();

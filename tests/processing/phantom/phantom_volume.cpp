@@ -87,7 +87,8 @@ TEST(Phantom, RampsHaveTheirWidth) {
         PhantomConfig config = bare(PhantomScene::shapes, 201, ramp);
         config.bits = 16;
         const Volume volume = *makePhantom(config);
-        // Along the beam through the middle of "sphere 1" (in fluid), whose front is met at a right angle.
+        // The line runs along the beam through the middle of "sphere 1" (in fluid), whose front is met at a right
+        // angle.
         const auto x = static_cast<std::int64_t>(0.66 * 201 - 0.5), y = static_cast<std::int64_t>(0.27 * 201 - 0.5);
         const auto echo = [&](std::int64_t z) {
             return volume.storedValue(volume.geometry().offset(x, y, z)) * 255 / 65535;
@@ -144,7 +145,7 @@ TEST_P(PhantomScenes, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST_P(PhantomScenes, SpacingDoesNotChangeTheAnatomy) {
-    // The same box of 120 mm with other spacings; the unit stays 1 mm so that ramps stay as wide.
+    // The same box of 120 mm has other spacings; the unit stays 1 mm so that ramps stay as wide.
     PhantomConfig cubic = bare(GetParam(), 120, 4), flat = cubic;
     cubic.spacing = {1, 1, 1};
     flat.size = {120, 80, 48};
@@ -170,7 +171,8 @@ TEST_P(PhantomScenes, FinerVoxelsShowTheSameScene) {
     const PhantomTruth coarse(bare(GetParam(), 60)), fine(bare(GetParam(), 180));
     int different = 0;
     for (int i = 0; i < 4000; ++i) {
-        const Vec3 share((i % 20 + 0.387) / 20, (i / 20 % 20 + 0.631) / 20, (i / 400 + 0.517) / 10);
+        const int column = i % 20, row = i / 20 % 20, slice = i / 400;
+        const Vec3 share((column + 0.387) / 20, (row + 0.631) / 20, (slice + 0.517) / 10);
         different +=
             coarse.echoAt(share * 30 - Vec3(0.25, 0.25, 0.25)) != fine.echoAt(share * 90 - Vec3(0.25, 0.25, 0.25));
     }
@@ -195,7 +197,7 @@ TEST(Phantom, ObjectsCastShadowsOfTheirThickness) {
     const Volume plain = *makePhantom(config);
     config.shadow = 0.02;
     const Volume shadowed = *makePhantom(config);
-    // Behind the middle of "sphere 6", which lies in tissue: two radii of object.
+    // The place lies behind the middle of "sphere 6", which lies in tissue: it has two radii of object.
     const auto x = static_cast<std::int64_t>(0.91 * 200 - 0.5), y = static_cast<std::int64_t>(0.72 * 200 - 0.5);
     const auto ratio = [&](std::int64_t z) {
         const auto offset = plain.geometry().offset(x, y, z);

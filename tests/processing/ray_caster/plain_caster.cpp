@@ -179,7 +179,7 @@ TEST(PlainCaster, ModesShowWhatTheyAreNamedFor) {
 TEST(PlainCaster, DepthIsWhereHalfTheOpacityIsReached) {
     const Volume volume = slab(30, 100);
     RayCastSettings settings = greySettings(volume);
-    // 0.9^6 = 0.53, 0.9^7 = 0.48: the seventh sample, at depth 6.
+    // As 0.9^6 = 0.53 and 0.9^7 = 0.48, it is the seventh sample, at depth 6.
     EXPECT_EQ(centreDepth(cast(volume, everywhere(0.1), settings)), 6);
     EXPECT_EQ(centreDepth(cast(volume, everywhere(0.01), settings)), INFINITY);
     settings.findDepth = false;
@@ -239,7 +239,7 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
                               }),
                     12.75, 1e-5);
     }
-    // Obliquely: the length of every ray within the box, by its own arithmetic.
+    // Obliquely, the length of every ray within the box is found by its own arithmetic.
     RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
     settings.step = 3.3;
     const Picture picture = cast(volume, everywhere(0.1), settings);
@@ -315,7 +315,7 @@ TEST(PlainCaster, EndsARayWhereItIsAsked) {
     EXPECT_NEAR(centreOf(cast(volume, everywhere(0.5), settings))[3], 0.75, floatError);
 }
 
-TEST(PlainCaster, SamePixelsForAnyNumberOfThreadsAndCancubeed) {
+TEST(PlainCaster, SamePixelsForAnyNumberOfThreadsAndCancelled) {
     const Volume volume = randomVolume<std::uint8_t>({19, 17, 13}, {1, 0.8, 1.2}, 5);
     const RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusX, 20, 10, 0, 0}, 60, 50);
     const OpacityCurve curve = PowerCurve{2, 0.5};

@@ -21,8 +21,6 @@ Volume layered(const std::vector<Voxel>& layers, double white = 255.0) {
 
 inline Volume slab(std::size_t depth, std::uint8_t value) { return layered(std::vector<std::uint8_t>(depth, value)); }
 
-inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
-
 /// A curve of opacity p from intensity a up to b, and of 0 elsewhere.
 inline OpacityCurve between(double a, double b, double p) { return ManualCurve{{{a, 0}, {a, p}, {b, p}, {b, 0}}}; }
 

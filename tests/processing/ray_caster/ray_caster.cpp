@@ -155,7 +155,7 @@ TEST(RayCaster, EarlyTerminationErrsByLessThanItsShareOfWhite) {
     EXPECT_GT(largest, 1.0 / 640) << "and rays do end early";
 }
 
-TEST(RayCaster, StopsWhenCancubeedAndReportsTheShareDone) {
+TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
     const Volume volume = slab(20, 90);
     const RayCastSettings settings = settingsFor(volume, Viewpoint{}, 200, 200);
     std::atomic<bool> cancel = true;

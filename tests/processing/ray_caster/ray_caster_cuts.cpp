@@ -99,7 +99,7 @@ TEST(RayCasterCuts, PlanesThatLeaveNothingShowNothingAndPlanesBesideChangeNothin
             RayCastSettings settings = settingsFor(volume, view, 40, 40);
             settings.camera.projection = projection;
             const auto whole = castRays(volume, haze, settings);
-            // Facing each other; across the rays, along them, askew.
+            // The planes face each other, lie across the rays, along them, and askew.
             for (const Vec3& normal : {settings.camera.frame.forward, settings.camera.frame.right, Vec3(1, 2, -3)}) {
                 settings.clippingPlanes = {{Vec3(11, 11, 11), normal}, {Vec3(10, 10, 10), normal * -1.0}};
                 const bool apartOnes = normal.dot(Vec3(1, 1, 1)) > 0.0;
@@ -183,7 +183,7 @@ Line lineThrough(const RayCastSettings& settings, int column, int row) {
     return {camera.focalPoint - camera.frame.forward * camera.distanceMm, normalized(camera.frame.forward + across)};
 }
 
-/// Where a line is in a sphere, or in a box: distances along it; empty where it is not.
+/// Where a line is in a sphere, or in a box, as distances along it; it is empty where the line is in neither.
 std::pair<double, double> inSphere(const Line& line, const Vec3& centre, double radius) {
     const Vec3 from = line.from - centre;
     const double b = from.dot(line.direction), c = from.dot(from) - radius * radius;
@@ -201,7 +201,8 @@ std::pair<double, double> inBox(const Line& line, const Vec3& low, const Vec3& h
     return {first, last};
 }
 
-// Half of it stands out of one face. From each side every pixel shows as much of the volume as is before the sphere.
+// Half of the sphere stands out of one face. From each side every pixel shows as much of the volume as is before the
+// sphere.
 TEST(RayCasterCuts, AnOpaqueSphereHalfInsideTheVolumeIsRightFromSixSides) {
     const Volume volume = constantVolume<std::uint8_t>({50, 44, 40}, 0.6, {1, 1.1, 0.9});
     const Vec3 low = volume.geometry().boxMinMm(), high = volume.geometry().boxMaxMm();

@@ -66,7 +66,8 @@ TEST(RayCasterEmptySpace, ASmallChangeComputesFewBricksAnew) {
     // Each of a few bricks far apart has an intensity of its own.
     const Volume volume = volumeOf<std::uint8_t>({240, 64, 240}, {1, 1, 1}, [](auto x, auto y, auto z) {
         const bool dot = x % 80 == 44 && y == 36 && z % 80 == 44;
-        return dot ? static_cast<double>(100 + 10 * (x / 80 + 3 * (z / 80))) / 255 : 0.0;
+        const auto block = x / 80 + 3 * (z / 80);
+        return dot ? static_cast<double>(100 + 10 * block) / 255 : 0.0;
     });
     const BrickRanges ranges(volume);
     EmptySpace followed(ranges.grid());
@@ -115,7 +116,7 @@ std::vector<bool> visibleBricks(const Volume& volume, const OpacityCurve& curve,
     return visible;
 }
 
-/// By the definition: how far away, in bricks on the axis where that is most, the next brick is that shows something.
+/// By the definition: how far away the next brick is that shows something, in bricks on the axis where that is most.
 int distanceByDefinition(const BrickGrid& grid, const std::vector<bool>& visible, std::int64_t x, std::int64_t y,
                          std::int64_t z) {
     for (int distance = 0; distance < EmptySpace::farthest; ++distance)
@@ -210,7 +211,7 @@ TEST(RayCasterEmptySpace, SkippingLeavesThePictureOfWords) { expectSamePictureWi
 TEST(RayCasterEmptySpace, SkippingLeavesThePictureOfFloats) { expectSamePictureWithoutSkipping<float>(); }
 
 TEST(RayCasterEmptySpace, RaysDoJump) {
-    // Opacities that count as none: whoever samples them adds them up, whoever jumps does not.
+    // Opacities that count as none: whoever samples them adds them up, and whoever jumps does not.
     const Volume volume = constantVolume<std::uint8_t>({40, 40, 300}, 0.5);
     const OpacityCurve faint = everywhere(0.9 * TransferTable::negligible);
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 12, 30, 0, 0}})
@@ -226,11 +227,11 @@ TEST(RayCasterEmptySpace, RaysDoJump) {
         }
 }
 
-/// levels: between the pictures. Where runs of samples begin depends on the jumps, and so does the last bit of a
-/// position: of words a thousandth of a level, of bytes a step in their shares of 7 bits.
+/// The bound is in levels, between the pictures. Where runs of samples begin depends on the jumps, and so does the last
+/// bit of a position: of words that is a thousandth of a level, of bytes a step in their shares of 7 bits.
 template <typename Voxel>
 void expectJumpsToStop(double levels) {
-    // Wherever it is: in brick corners, at borders, alone in the dark.
+    // The bright voxel is found wherever it is: in brick corners, at borders, alone in the dark.
     std::mt19937 dice(5);
     for (int i = 0; i < 60; ++i) {
         const std::int64_t at[3] = {static_cast<std::int64_t>(dice() % 90), static_cast<std::int64_t>(dice() % 70),

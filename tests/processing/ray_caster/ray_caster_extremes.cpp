@@ -12,7 +12,7 @@ namespace {
 
 const Viewpoint oblique{BeamAxis::plusZ, 27, -16, 5, 0};
 
-/// As the slow reference has it, bytes of noise but for their shares' 7 bits; and sound.
+/// The picture is as the slow reference has it, bytes of noise but for their shares' 7 bits; and it is sound.
 void expectReference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
                      const RayCastSettings& settings, const std::string& what) {
     expectSound(picture, what);
@@ -49,7 +49,7 @@ TEST(RayCasterExtremes, SmallAndThinVolumesOfBytes) { expectSmallAndThinVolumes<
 TEST(RayCasterExtremes, SmallAndThinVolumesOfWords) { expectSmallAndThinVolumes<std::uint16_t>(); }
 TEST(RayCasterExtremes, SmallAndThinVolumesOfFloats) { expectSmallAndThinVolumes<float>(); }
 
-/// 32768 voxels in a row, bright and dark in pieces of 100.
+/// There are 32768 voxels in a row, bright and dark in pieces of 100.
 template <typename Voxel>
 Volume rod(int axis, double spacingAlong = 1.0) {
     std::array<std::int64_t, 3> size{1, 1, 1};
@@ -115,7 +115,7 @@ TEST(RayCasterExtremes, RaysOfOnePacketFarApart) {
             }
 }
 
-// Slices so large that a packet's rays are too far apart for offsets of 32 bits: each ray goes its own way.
+// The slices are so large that a packet's rays are too far apart for offsets of 32 bits: each ray goes its own way.
 TEST(RayCasterExtremes, RaysAloneJumpOverWhatIsEmptyAndNoFarther) {
     constexpr std::int64_t length = 84000;
     std::mt19937 dice(8);
@@ -135,7 +135,8 @@ TEST(RayCasterExtremes, RaysAloneJumpOverWhatIsEmptyAndNoFarther) {
     }
 }
 
-// Steps as long as what the kernel's 32 bits hold of such slices: runs of a sample or two, some wholly before the box.
+// The steps are as long as what the kernel's 32 bits hold of such slices: runs are of a sample or two, and some lie
+// wholly before the box.
 TEST(RayCasterExtremes, LargeSlicesAndLargeSteps) {
     const auto volume = std::make_shared<const Volume>(volumeOf<std::uint8_t>(
         {3000, 2900, 1}, {1, 1, 1}, [](auto x, auto y, auto) { return static_cast<double>((x + 2 * y) % 512) / 512; }));
@@ -199,7 +200,7 @@ TEST(RayCasterExtremes, NotFiniteHugeAndTinyFloats) {
             }
 }
 
-// Pressure in some other unit: the kernel's numbers must not leave what a float can hold.
+// The values are a pressure in some other unit: the kernel's numbers must not leave what a float can hold.
 TEST(RayCasterExtremes, WhiteLevelsOfAnyMagnitude) {
     for (const double white : {1e-42, 1e-36, 1e-20, 1e20, 3e38}) {
         const Volume unit = randomVolume<float>({12, 13, 11}, {1, 1, 1}, 7);
@@ -220,7 +221,7 @@ TEST(RayCasterExtremes, CameraInsideOnTheFaceAndAlongAnAxis) {
                 settings.camera.projection = Projection::perspective;
                 settings.camera.viewAngleDegrees = angle;
                 settings.camera.distanceMm = distance;
-                // The eye in the midst, on the nearest face, at a voxel, or far away.
+                // The eye is in the midst, on the nearest face, at a voxel, or far away.
                 if (distance == 1e-9) settings.camera.focalPoint = volume.geometry().boxMinMm();
                 if (distance == 5.0)
                     settings.camera.focalPoint = settings.camera.frame.forward * 5.0 + Vec3(3, 3 * 0.8, 3 * 1.3);

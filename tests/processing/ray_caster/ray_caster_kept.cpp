@@ -39,8 +39,10 @@ void expectEditsFollowed(const Volume& volume, const RayCastSettings& settings, 
     RayCaster caster(held(volume));
     for (int round = 0; round < 2; ++round)
         for (const auto& [name, curve] : edits) {
-            expectSameAsAlone(caster, curve, settings, what + ", " + name);
-            EXPECT_TRUE(round == 0 || caster.keptSampleBytes() > 0) << what << ", " << name;
+            std::string edit = what;
+            edit.append(", ").append(name);
+            expectSameAsAlone(caster, curve, settings, edit);
+            EXPECT_TRUE(round == 0 || caster.keptSampleBytes() > 0) << edit;
         }
 }
 
@@ -192,7 +194,7 @@ TEST(RayCasterKept, SeveralSizesAndStepsInTurn) {
         }
 }
 
-TEST(RayCasterKept, ACancubeedPictureLeavesTheSamplesSound) {
+TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
     const Volume volume = sectorOf(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 11));
     const RayCastSettings settings = obliqueSettings(volume, 150, 170);
     RayCaster caster(held(volume));

@@ -130,7 +130,7 @@ void compareMasked() {
         const Volume whole = randomVolume<Voxel>({27, 19, 23}, {1, 0.7, 1.2}, seed);
         std::vector<std::uint8_t> mask(static_cast<std::size_t>(whole.geometry().voxelCount()), 1);
         std::mt19937 dice(seed);
-        // A sector's outside, and holes.
+        // The mask holds a sector's outside, and holes.
         for (std::int64_t z = 0; z < 23; ++z)
             for (std::int64_t y = 0; y < 19; ++y)
                 for (std::int64_t x = 0; x < 27; ++x)

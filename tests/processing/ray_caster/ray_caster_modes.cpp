@@ -16,7 +16,7 @@ TEST(RayCasterModes, NamesAreRoundTrips) {
     EXPECT_FALSE(renderModeFromName("Mean").has_value());
 }
 
-/// Layers along z, each one step thick; more than one run of the kernel deep.
+/// The layers lie along z, each one step thick; they are more than one run of the kernel deep.
 template <typename Voxel>
 Volume layers() {
     return volumeOf<Voxel>({12, 12, 200}, {1, 1, 1}, [](auto, auto, auto z) {
@@ -50,7 +50,7 @@ void expectLayersInClosedForm() {
                     for (int channel = 0; channel < 3; ++channel)
                         ASSERT_NEAR(pixelAt(*picture, column, row)[channel], colour[channel], 2e-5) << nameOf(mode);
                     ASSERT_EQ(pixelAt(*picture, column, row)[3], 1.0f);
-                    // Steps of one voxel from the box's face on: samples are voxel centres.
+                    // Steps are of one voxel from the box's face on, so samples are voxel centres.
                     const double depth = mode == RenderMode::maximum ? 133.0 : mode == RenderMode::minimum ? 90.0 : 0.0;
                     ASSERT_NEAR(picture->depthMm[static_cast<std::size_t>(row * 9 + column)], depth, 1e-4)
                         << nameOf(mode);
@@ -61,7 +61,8 @@ TEST(RayCasterModes, LayersOfBytesInClosedForm) { expectLayersInClosedForm<std::
 TEST(RayCasterModes, LayersOfWordsInClosedForm) { expectLayersInClosedForm<std::uint16_t>(); }
 TEST(RayCasterModes, LayersOfFloatsInClosedForm) { expectLayersInClosedForm<float>(); }
 
-/// Largest, smallest or mean of all samples of the slow reference; in a mean a cut step counts with its length.
+/// The largest, the smallest or the mean of all samples of the slow reference; in a mean a cut step counts with its
+/// length.
 double bruteForce(const std::vector<ReferenceCaster::Sample>& samples, RenderMode mode) {
     double value = mode == RenderMode::minimum ? 2.0 : 0.0, steps = 0.0;
     for (const auto& sample : samples) {
@@ -126,7 +127,7 @@ TEST(RayCasterModes, WhereThereIsNoDataNothingIsShown) {
     }
 }
 
-// Depth.
+// Next comes the depth.
 
 TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
     // All that is behind a plane across the view is opaque.
@@ -206,7 +207,7 @@ TEST(RayCasterModes, DepthOfExtremesIsThatOfTheSampleShown) {
         }
 }
 
-// Colouring by depth.
+// Last comes the colouring by depth.
 
 TEST(RayCasterModes, TintsAreThoseOfFrontAndBackAndLinearBetween) {
     const Volume volume = volumeOf<std::uint8_t>({30, 30, 60}, {1, 1, 1.5}, [](auto, auto, auto) { return 1.0; });
@@ -231,6 +232,27 @@ TEST(RayCasterModes, TintsAreThoseOfFrontAndBackAndLinearBetween) {
                             colouring.nearTint[channel] * (1 - share) + colouring.farTint[channel] * share, 1e-4)
                     << opaqueFrom;
         }
+}
+
+TEST(RayCasterModes, TintsDoNotMoveWithAnEyeInsideTheBox) {
+    const Volume volume = volumeOf<std::uint8_t>({30, 30, 60}, {1, 1, 1.5}, [](auto, auto, auto) { return 1.0; });
+    const DepthColouring colouring{{0.9, 0.7, 0.5}, {0.2, 0.4, 1.0}};
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 9, 9);
+    settings.camera.projection = Projection::perspective;
+    settings.colourMap = ColourMap::grey;
+    settings.depthColouring = colouring;
+    settings.step = 0.1;
+    const double front = -0.75, back = 59 * 1.5 + 0.75, middle = (front + back) / 2;
+    for (const double distance : {40.0, 20.0, 5.0}) {
+        settings.camera.distanceMm = distance;
+        const auto picture = castRays(volume, everywhere(1.0), settings);
+        // The eye looks at the middle of the box, and the first step begins at the eye.
+        const double share = (middle - distance + 0.05 - front) / (back - front);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(pixelAt(*picture, 4, 4)[channel],
+                        colouring.nearTint[channel] * (1 - share) + colouring.farTint[channel] * share, 1e-3)
+                << distance;
+    }
 }
 
 TEST(RayCasterModes, ATintedSlabIsTheSumOfItsSteps) {

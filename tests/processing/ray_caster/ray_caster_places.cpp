@@ -41,8 +41,8 @@ Where opaquePixels(const Picture& picture) {
     return where;
 }
 
-// What lies at high x, low y, low z. Right and down of the picture along grid axes, by hand from the definition
-// R_y(azimuth) R_x(elevation) and the turn that brings +z onto the beam axis.
+// This tells what lies at high x, low y and low z. Right and down of the picture along grid axes are found by hand from
+// the definition R_y(azimuth) R_x(elevation) and the turn that brings +z onto the beam axis.
 TEST(RayCasterPlaces, EachBeamAxisShowsTheBlockWhereItIs) {
     const Volume volume = block({24, 4, 5}, {26, 6, 7});
     const Vec3 centre = volume.geometry().centreMm(), place{25, 5, 6};
@@ -143,7 +143,7 @@ TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
             }
 }
 
-/// Every pixel a number in [0,1], and as the reference has it.
+/// Every pixel is a number in [0,1], and as the reference has it.
 void expectSound(const Volume& volume, const RayCastSettings& settings, const std::string& what) {
     for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.7}}, OpacityCurve{LinearCurve{0.3, 1.0, 1.0}}}) {
         const auto picture = castRays(volume, curve, settings);

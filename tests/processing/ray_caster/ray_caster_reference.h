@@ -32,6 +32,13 @@ inline double noiseTolerance(const Volume& volume, bool shaded) {
     return shaded ? 3e-3 : 2e-4;
 }
 
+/// The depth of the map's pixel that lies behind the middle of this pixel of the picture, mm.
+inline float depthBehind(const DepthMap& map, const RayCastSettings& settings, int column, int row) {
+    const auto mapColumn = static_cast<std::size_t>((2 * column + 1) * map.width / (2 * settings.width));
+    const auto mapRow = static_cast<std::size_t>((2 * row + 1) * map.height / (2 * settings.height));
+    return map.depthMm[mapRow * static_cast<std::size_t>(map.width) + mapColumn];
+}
+
 class ReferenceCaster {
 public:
     ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
@@ -63,9 +70,7 @@ public:
         m_closestToHalf = 1.0;
         m_opaqueDepth = std::numeric_limits<double>::infinity();
         if (const DepthMap* map = m_settings.opaqueDepth.get())
-            m_opaqueDepth = static_cast<double>(map->depthMm[static_cast<std::size_t>(
-                (2 * row + 1) * map->height / (2 * m_settings.height) * map->width +
-                (2 * column + 1) * map->width / (2 * m_settings.width))]);
+            m_opaqueDepth = static_cast<double>(depthBehind(*map, m_settings, column, row));
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -280,6 +285,9 @@ Volume randomVolume(const std::array<std::int64_t, 3>& size, const Vec3& spacing
     for (Voxel& voxel : voxels) voxel = static_cast<Voxel>(share(random) < 0.3 ? 0.0 : share(random) * top);
     return Volume(geometry, std::move(voxels), top);
 }
+
+/// A curve of one opacity at every intensity.
+inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
 
 inline RayCastSettings settingsFor(const Volume& volume, const Viewpoint& view, int width, int height) {
     RayCastSettings settings;

@@ -8,7 +8,7 @@ namespace {
 
 std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
 
-/// With depth asked for, and without.
+/// The pictures are made with depth asked for, and without.
 void expectSameOnBothRoutes(const Volume& volume, const OpacityCurve& curve, RayCastSettings settings, double levels,
                             const std::string& what) {
     settings.findDepth = false;
@@ -41,8 +41,8 @@ TEST(RayCasterRoutes, WordsAreShownAlikeOnBoth) { expectRoutesAgree<std::uint16_
 TEST(RayCasterRoutes, FloatsAreShownAlikeOnBoth) { expectRoutesAgree<float>(); }
 
 TEST(RayCasterRoutes, ARayThatHasEndedGetsNothingOfTheBackFace) {
-    // On the left opaque early on. On the right, for some rays of the same packet, nothing but the outermost half
-    // voxel, which all rays leave through.
+    // On the left the volume is opaque early on. On the right there is, for some rays of the same packet, nothing but
+    // the outermost half voxel, which all rays leave through.
     const Volume volume = volumeOf<std::uint8_t>({16, 16, 40}, {1, 1, 1}, [](auto x, auto, auto z) {
         return z == 39 ? 1.0 : x < 6 && z > 5 && z < 9 ? 0.5 : 0.0;
     });
@@ -55,7 +55,7 @@ TEST(RayCasterRoutes, ARayThatHasEndedGetsNothingOfTheBackFace) {
     for (int row = 0; row < 16; ++row)
         for (int column = 0; column < 16; ++column) {
             const float alpha = pixelAt(*picture, column, row)[3];
-            // Three samples of the block; one of the last voxel, and the cut step.
+            // There are three samples of the block, one of the last voxel, and the cut step.
             EXPECT_NEAR(alpha, 1.0 - (column < 6 ? std::pow(0.55, 3 * 0.9) : std::pow(0.4, 0.9 + 0.4)), 1e-3) << column;
         }
 }
@@ -92,8 +92,8 @@ TEST(RayCasterRoutes, CutStepsOfOnePacketMayLieFarApart) {
             settings.step = 0.7;
             settings.mode = mode;
             settings.findDepth = withDepth;
-            std::vector<float> depths;
-            for (int i = 0; i < 36; ++i) depths.push_back(i % 2 == 0 ? 5.1f : INFINITY);
+            std::vector<float> depths(36, INFINITY);
+            for (std::size_t i = 0; i < depths.size(); i += 2) depths[i] = 5.1f;
             settings.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{6, 6, depths});
             const auto picture = castRays(volume, everywhere(1e-5), settings);
             for (int i = 0; i < 36; ++i) {

@@ -15,8 +15,6 @@
 
 namespace echolucent {
 
-inline OpacityCurve everywhere(double opacity) { return ManualCurve{{{0.0, opacity}, {1.0, opacity}}}; }
-
 /// A curve that is transparent but for a range of intensities, as adaptive curves are.
 inline OpacityCurve onlyBetween(double lowest, double highest, double opacity) {
     const double middle = 0.5 * (lowest + highest);
@@ -51,7 +49,7 @@ Volume constantVolume(const std::array<std::int64_t, 3>& size, double intensity,
     return volumeOf<Voxel>(size, spacing, [&](auto...) { return intensity; });
 }
 
-/// Dark outside, a bright shell with a dim core in the midst, speckle on all of it.
+/// It is dark outside, with a bright shell and a dim core in the midst, and speckle on all of it.
 template <typename Voxel>
 Volume speckledShell(const std::array<std::int64_t, 3>& size, const Vec3& spacing, unsigned seed) {
     std::mt19937 random(seed);

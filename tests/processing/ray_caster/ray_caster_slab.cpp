@@ -60,7 +60,7 @@ TEST(RayCasterSlab, TheClosedFormHoldsForEveryVoxelTypeAndProjection) {
 }
 
 TEST(RayCasterSlab, HalvingTheStepLeavesTheTransmittanceOfASpeckledVolume) {
-    // Opacities that follow intensity: the sum over a ray converges, and each halving with its correction stays near.
+    // The opacities follow intensity: the sum over a ray converges, and each halving with its correction stays near.
     const Volume volume = speckledShell<std::uint8_t>({40, 40, 40}, {1, 1, 1}, 5);
     RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 32, 32);
     settings.step = 0.02;

@@ -62,8 +62,8 @@ TEST(RayCasterTables, NothingThatIsVisibleLiesBelowTheFirstVisible) {
 }
 
 TEST(RayCasterTables, BytesOfASmoothVolumeAreShownToATenthOfALevel) {
-    // At most 12 levels from voxel to voxel, as between the structures of a scan: shares of 7 bits are a tenth of a
-    // level.
+    // There are at most 12 levels from voxel to voxel, as between the structures of a scan: shares of 7 bits are a
+    // tenth of a level.
     const Volume volume = volumeOf<std::uint8_t>({48, 45, 50}, {1, 0.9, 1.1}, [](auto x, auto y, auto z) {
         return 0.5 + 0.24 * std::sin(0.17 * static_cast<double>(x) + 0.4) * std::cos(0.19 * static_cast<double>(y)) +
                0.24 * std::sin(0.13 * static_cast<double>(z) - 0.08 * static_cast<double>(y));

@@ -1,4 +1,6 @@
 // The same picture on every instruction set, run after run, and for any number of threads.
+#include "processing/ray_caster/packet_targets.h"
+
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 #include <tbb/global_control.h>
@@ -73,7 +75,8 @@ Picture pictureOf(const Case& c, const Volume& volume) {
     const auto held = std::make_shared<const Volume>(c.masked ? sectorOf(volume) : volume);
     if (!c.kept) return *castRays(*held, c.curve, c.settings);
     RayCaster caster(held);
-    // Kept by the second, used by the third; of a curve under which rays end elsewhere.
+    // The samples are kept by the second picture and used by the third; they are of a curve under which rays end
+    // elsewhere.
     (void)caster.cast(PowerCurve{1, 0.9}, c.settings);
     (void)caster.cast(PowerCurve{1, 0.9}, c.settings);
     EXPECT_GT(caster.keptSampleBytes(), 0u);
@@ -85,13 +88,10 @@ void expectOnePictureOnEveryTarget() {
     const Volume volume = speckledShell<Voxel>({48, 44, 52}, {1, 1.1, 0.9}, 31);
     const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
     if (targets.size() < 2) GTEST_SKIP() << "compiled for one instruction set only";
-#ifdef ECHOLUCENT_SANITIZED
-    GTEST_SKIP() << "under a sanitizer the kernel is compiled for few instruction sets, whose packets are alike";
-#endif
     const std::vector<Case> cases = casesFor(volume, 110, 97);
     std::map<std::string, Picture> expected;
     std::vector<int> lanes;
-    // From the scalar route, the last, to the widest.
+    // The loop goes from the scalar route, the last, to the widest.
     for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
         hwy::SetSupportedTargetsForTest(*target);
         const ray_casting::PacketShape shape = ray_casting::packetShape();
@@ -131,7 +131,7 @@ TEST(RayCasterTargets, TheScalarRouteAgreesWithTheSlowReference) {
 TEST(RayCasterTargets, SamePixelsRunAfterRunAndForAnyNumberOfThreads) {
     const Volume volume = speckledShell<std::uint8_t>({48, 44, 52}, {1, 1.1, 0.9}, 33);
     std::vector<Case> cases = casesFor(volume, 203, 141);
-    // More threads than this machine may have cores.
+    // There are more threads than this machine may have cores.
     const tbb::global_control threadsAllowed(tbb::global_control::max_allowed_parallelism, 8);
     for (Case& c : cases) {
         c.settings.findDepth = true;
@@ -147,7 +147,7 @@ TEST(RayCasterTargets, SamePixelsRunAfterRunAndForAnyNumberOfThreads) {
 }
 
 TEST(RayCasterTargets, WhatARayShowsDoesNotDependOnThePicturesSize) {
-    // The same rays in other packets: one column and one row on.
+    // The same rays lie in other packets: one column and one row on.
     const Volume volume = speckledShell<std::uint8_t>({48, 44, 52}, {1, 1.1, 0.9}, 34);
     for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.5}}, onlyBetween(0.45, 0.95, 0.4)}) {
         RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4, 0}, 81, 81);

@@ -42,7 +42,7 @@ TEST(BasisFunction, StaysFiniteForAGapOfOneUlp) {
     EXPECT_EQ(basisFunction(5e-324, 5e-324, 1e-323), -1.0);
     EXPECT_EQ(basisFunction(1e-323, 5e-324, 1e-323), 1.0);
     for (const double gap : {1.0, 2.0, 3.0, 5.0, 7.0, 1000.0}) {
-        // A few ulps apart; in between and beside: u of small odd numbers over the gap.
+        // I_L and I_H are a few ulps apart; in between and beside them, u is of small odd numbers over the gap.
         const double end = low + gap * 0x1p-53 * 2;
         for (int i = -3; i <= 2000; i += i < 12 ? 1 : 331) {
             const long double u = (2.0L * i - gap) / gap;

@@ -40,7 +40,7 @@ SlabSums slabsOf(const std::vector<Slab>& values) {
     return slabs;
 }
 
-/// n sum (x - mean)^2 * n = sum over pairs (x_i - x_j)^2, in integers by the definition.
+/// By the definition, n sum (x - mean)^2 * n = sum over pairs (x_i - x_j)^2, in integers.
 std::uint64_t scaledVarianceByPairs(const std::vector<std::uint16_t>& values) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -81,7 +81,7 @@ TEST(CellStatistics, VarianceOf16BitVoxelsOfMean65000IsExact) {
 TEST(CellStatistics, TheLargestCellOfTheLargestVoxelsDoesNotOverflow) {
     const std::uint64_t samples = std::uint64_t{largestCellSize} * largestCellSize * largestCellSize;
     const std::uint64_t half = samples / 2, high = 65535;
-    // Half at 0, half at 65535: variance (65535 / 2)^2.
+    // Half of the samples are 0 and half are 65535, so the variance is (65535 / 2)^2.
     EXPECT_EQ(scaledVariance(samples, half * high, half * high * high), half * half * high * high);
     EXPECT_EQ(scaledVariance(samples, samples * high, samples * high * high), 0u);
 }

@@ -31,7 +31,7 @@ struct Shares {
     }
     [[nodiscard]] double meanRight() const { return rightSum / count; }
     [[nodiscard]] double meanEmpty() const { return emptySum / count; }
-    /// Of all volumes' weight together, and the mean of the volumes' shares: the worse of the two.
+    /// The share of all volumes' weight together, and the mean of the volumes' shares: the worse of the two counts.
     [[nodiscard]] double right() const { return std::min(pooled.rightShare(), meanRight()); }
     [[nodiscard]] double empty() const { return std::max(pooled.emptyShare(), meanEmpty()); }
 };
@@ -94,7 +94,7 @@ SharesOfReadings measureSeeds(std::vector<NamedPhantom> (*conditions)(const Phan
 
 TEST(Detection, OrdinaryConditions) {
     const auto [published, settled, standard] = measureSeeds(ordinaryConditions, "ordinary");
-    // As the notes of the method have it for other seeds: see docs/cli-otf.md.
+    // These are the figures of docs/experiments.md, "Three readings", within what other seeds scatter.
     EXPECT_NEAR(published.pooled.rightShare(), 0.93, 0.04);
     EXPECT_NEAR(settled.pooled.rightShare(), 0.98, 0.02);
     EXPECT_GT(settled.pooled.foundShare(), published.pooled.foundShare());
@@ -106,7 +106,7 @@ TEST(Detection, OrdinaryConditions) {
 
 TEST(Detection, HardConditions) {
     const auto [published, settled, standard] = measureSeeds(hardConditions, "hard");
-    // As the notes of the method have it for other seeds: see docs/cli-otf.md.
+    // These are the figures of docs/experiments.md, "Three readings", within what other seeds scatter.
     EXPECT_NEAR(published.pooled.rightShare(), 0.57, 0.06);
     EXPECT_NEAR(settled.pooled.rightShare(), 0.88, 0.04);
     EXPECT_GT(settled.pooled.foundShare(), published.pooled.foundShare());
@@ -118,7 +118,6 @@ TEST(Detection, HardConditions) {
 
 TEST(Detection, FrontWall) {
     const auto [published, settled, standard] = measureSeeds(frontWallConditions, "front wall");
-    // The notes' phantoms put more in the way: 0.59 / 0.26 and 0.90 / 0.08 there.
     EXPECT_GE(settled.pooled.rightShare(), 0.90);
     EXPECT_GE(published.pooled.rightShare(), 0.55);
     EXPECT_LE(published.pooled.rightShare(), 0.90);

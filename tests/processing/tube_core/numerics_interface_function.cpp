@@ -23,14 +23,14 @@ Signal ramp(std::size_t length, double first, double last) {
     return signal;
 }
 
-/// `before` up to `at`, `behind` from there on.
+/// The function is `before` up to `at`, and `behind` from there on.
 Signal step(std::size_t length, std::size_t at, double before, double behind) {
     Signal signal(length, before);
     std::fill(signal.begin() + static_cast<std::ptrdiff_t>(at), signal.end(), behind);
     return signal;
 }
 
-/// Two plateaus above the ground before them, the second the higher: up, and up again.
+/// There are two plateaus above the ground before them, of which the second is the higher.
 Signal twoPlateaus(std::size_t length, std::size_t first, std::size_t second, double low, double middle, double high) {
     Signal signal = step(length, first, low, middle);
     std::fill(signal.begin() + static_cast<std::ptrdiff_t>(second), signal.end(), high);

@@ -24,7 +24,7 @@ public:
     explicit Bits(const AdaptiveOtf& otf) {
         add(otf.tubeSpacingUnits);
         add(otf.directionVoxel);
-        add(otf.tubeLengthUnit, otf.tubesMeetingVolume, otf.tubesWithSurface, otf.dMax, otf.trust);
+        add(otf.tubeLengthUnit, otf.tubesMeetingVolume, otf.tubesWithWeight, otf.dMax, otf.trust);
         add(otf.leastContrast, otf.fluidIntensity);
         addAll(otf.logOpacity);
         addAll(otf.curve.opacities);
@@ -73,7 +73,7 @@ struct Named {
     AdaptiveOtfConfig config;
 };
 
-/// Both interface functions with both forms, and the readings.
+/// The configs are those of the readings, and both interface functions with both forms.
 std::vector<Named> allConfigs() {
     std::vector<Named> configs;
     for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled})
@@ -146,7 +146,7 @@ TEST(SameBits, WhateverTheOrderOfTheTubes) {
 }
 
 TEST(SameBits, AnIntensitysValueDoesNotDependOnThoseBesideIt) {
-    // Few samples fill vectors otherwise than many do; i / 15 = 17 i / 255.
+    // Few samples fill vectors otherwise than many do; i / 15 = 17 i / 255, so both curves have these intensities.
     const auto tubes = tubesWithTies(225);
     const auto few = adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 16);
     const auto many = adaptedLogOpacity(PowerCurve{2, 0.7}, tubes, 256);

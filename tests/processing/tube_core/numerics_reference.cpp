@@ -39,7 +39,7 @@ std::vector<std::vector<std::string>> fixture(const std::string& name) {
     return rows;
 }
 
-/// Of 25 digits, as many as this machine's longest number takes: at least three more than a double.
+/// Reads as many of the 25 digits as this machine's longest number takes: at least three more than a double does.
 long double reference(const std::string& digits) { return std::strtold(digits.c_str(), nullptr); }
 
 double errorOf(double value, const std::string& digits) {
@@ -140,7 +140,7 @@ TEST(Reference, CellVarianceOf16BitVoxelsOfMean65000IsExactInIntegers) {
         }
         EXPECT_EQ(sum, exactSum);
         EXPECT_EQ(scaledVariance(125, sum, squares), exact);
-        // What is left is one rounding a division: multiplied back, the integer is met again.
+        // What is left is one rounding a division: where it is multiplied back, the integer is met again.
         EXPECT_EQ(static_cast<std::uint64_t>(std::llround(cells.variances[cell] * 125.0 * 125.0)), exact);
         EXPECT_FLOAT_EQ(otf.tubes[0].interfaceFunction[cell],
                         static_cast<float>(static_cast<double>(exact) / (125.0 * 65535.0) / (125.0 * 65535.0)));
@@ -158,7 +158,7 @@ void expectFraction(double weight, const Fraction& exact, const char* what) {
 }
 
 TEST(Reference, WeightsAreExactFractionsAlsoWithTies) {
-    // Few values, so that most are tied; 11 more tubes meet the volume without a surface.
+    // There are few values, so that most are tied; 11 more tubes meet the volume without a surface.
     constexpr int surfaces = 250, meeting = 261;
     std::vector<TubeCore> tubes(meeting);
     for (std::size_t t = 0; t < surfaces; ++t) {

@@ -23,7 +23,7 @@ void onEveryTarget(const Check& check) {
 }
 
 TEST(ProfileKernels, MomentsFollowFromExactSums) {
-    // Up to the largest sums there are: 1024 values of 65535, where the variance must vanish exactly.
+    // The test goes up to the largest sums there are: 1024 values of 65535, where the variance must vanish exactly.
     std::vector<std::int32_t> counts{25, 25, 1, 0, 1024, 1024, 2, 9, 25, 25, 25};
     std::vector<std::int32_t> sums{250, 251, 65535, 0, 1024 * 65535, 512 * 65535, 65535, 81, 25 * 65000, 1, 0};
     std::vector<std::uint64_t> squares{2500,
@@ -44,7 +44,7 @@ TEST(ProfileKernels, MomentsFollowFromExactSums) {
             const long double n = std::max(counts[k], 1), sum = sums[k];
             const long double variance = (n * static_cast<long double>(squares[k]) - sum * sum) / (n * n);
             EXPECT_EQ(means[k], static_cast<float>(static_cast<double>(sum) / (static_cast<double>(n) * 65535.0)));
-            // Three roundings of single precision.
+            // The bound is three roundings of single precision.
             EXPECT_NEAR(spreads[k], static_cast<double>(std::sqrt(variance)) / 65535.0, 3 * 0x1p-24 * 0.5);
             if (variance == 0) {
                 EXPECT_EQ(spreads[k], 0.0f);

@@ -23,14 +23,15 @@ TubeCore tubeOf(double low, double high, double fluidSpread, double d) {
     return tube;
 }
 
-/// Begins at 0.4, ends at 1.6 of the way, clear up to 2.5 spreads of the fluid, whatever the program's own settings.
+/// The rule begins at 0.4, ends at 1.6 of the way and is clear up to 2.5 spreads of the fluid, whatever the program's
+/// own settings are.
 constexpr RampRule usualRamp{.begin = 0.4, .clearSpreads = 2.5, .end = 1.6};
 
 TEST(Ramp, OfOneTubeIsLinearBetweenFluidAndSurface) {
     struct Row {
         double fluidSpread, from, to;
     };
-    // I_L 0.1, I_H 0.5. The spread decides where 2.5 of it exceed 0.16; the ramp keeps 0.3 of the way.
+    // I_L is 0.1 and I_H is 0.5. The spread decides where 2.5 of it exceed 0.16; the ramp keeps 0.3 of the way.
     for (const Row& row : {Row{0.02, 0.26, 0.74}, Row{0.1, 0.35, 0.74}, Row{0.3, 0.85, 0.97}}) {
         const TubeCore tube = tubeOf(0.1, 0.5, row.fluidSpread, 0.3);
         for (int i = 0; i <= 1000; ++i) {
@@ -42,7 +43,7 @@ TEST(Ramp, OfOneTubeIsLinearBetweenFluidAndSurface) {
         EXPECT_GT(rampAt(row.from + 1e-9, tube, usualRamp), 0.0);
         EXPECT_EQ(rampAt(row.to + 1e-9, tube, usualRamp), 1.0);
     }
-    // Next to no rise at all: a step, and no NaN.
+    // There is next to no rise at all: the ramp is a step, and no NaN.
     const TubeCore flat = tubeOf(0.1, std::nextafter(0.1, 1.0), 0.0, 0.3);
     EXPECT_EQ(rampAt(0.1, flat, usualRamp), 0.0);
     EXPECT_EQ(rampAt(0.2, flat, usualRamp), 1.0);
@@ -56,7 +57,7 @@ TEST(Ramp, TheMeanIsWeightedByD) {
     ASSERT_EQ(mean.size(), 256u);
     for (int i = 0; i < 256; ++i) {
         const double x = i / 255.0;
-        // 0.18 to 0.42, and 0.38 to 0.62.
+        // The ramps run from 0.18 to 0.42 and from 0.38 to 0.62.
         const double expected =
             0.75 * std::clamp((x - 0.18) / 0.24, 0.0, 1.0) + 0.25 * std::clamp((x - 0.38) / 0.24, 0.0, 1.0);
         EXPECT_NEAR(mean[static_cast<std::size_t>(i)], expected, 1e-14) << i;
@@ -88,7 +89,7 @@ TEST(Ramp, TheOrderOfTheTubesChangesNoBit) {
 TEST(RampCurve, HasTheSameBitsOnAnyNumberOfThreads) {
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 23, .elevationDegrees = -14}}) {
         const AdaptiveOtf otf = *adaptOpacity(shapes(), view, {});
-        ASSERT_GT(otf.tubesWithSurface, 50);
+        ASSERT_GT(otf.tubesWithWeight, 50);
         for (const std::size_t threads : {1u, 2u, 7u}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
             const AdaptiveOtf again = *adaptOpacity(shapes(), view, {});
@@ -139,7 +140,7 @@ void expectCurveFollows(const AdaptiveOtf& otf) {
     ASSERT_EQ(otf.message, "");
     const auto expected = curveFromTubes(otf);
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        // Ramps of a tenth of the range: their slope makes 1e-16 of intensity a few 1e-15 of opacity.
+        // The ramps are a tenth of the range wide: their slope makes 1e-16 of intensity a few 1e-15 of opacity.
         EXPECT_NEAR(otf.curve.opacities[i], static_cast<double>(expected[i]), 5e-15) << i;
         if (expected[i] > 1e-6L) {
             EXPECT_NEAR(otf.logOpacity[i], static_cast<double>(std::log(expected[i])), 1e-9) << i;
@@ -163,7 +164,7 @@ TEST(RampCurve, IsMixedWithTheInitialFunctionWhereFewTubesSpeak) {
     config.initial = LinearCurve{};
     config.curve = RampRule{.opacity = 0.8, .trustedShare = 1.0};
     const AdaptiveOtf otf = *adaptOpacity(shapes(), {}, config);
-    EXPECT_DOUBLE_EQ(otf.trust, static_cast<double>(otf.tubesWithSurface) / otf.tubesMeetingVolume);
+    EXPECT_DOUBLE_EQ(otf.trust, static_cast<double>(otf.tubesWithWeight) / otf.tubesMeetingVolume);
     EXPECT_GT(otf.trust, 0.1);
     EXPECT_LT(otf.trust, 0.99);
     expectCurveFollows(otf);

@@ -16,14 +16,14 @@ namespace {
 constexpr double fluid = 0.06, tissue = 0.4;
 constexpr int length = 120;
 
-/// `length` slabs: the first `boundary` of them fluid.
+/// There are `length` slabs, of which the first `boundary` are fluid.
 std::vector<double> stepAt(int boundary, double before = fluid, double behind = tissue) {
     std::vector<double> levels(length, behind);
     std::fill(levels.begin(), levels.begin() + boundary, before);
     return levels;
 }
 
-/// Linear in intensity over `width` slabs around the boundary.
+/// The ramp is linear in intensity over `width` slabs around the boundary.
 std::vector<double> rampAround(double boundary, double width) {
     std::vector<double> levels;
     for (int k = 0; k < length; ++k)
@@ -37,7 +37,7 @@ struct Judged {
     SpeckleScale scale{profiles};
     RatioRule rule;
     TubeContrasts contrasts{profiles, scale, rule};
-    RatioThresholds thresholds = ratioThresholds(contrasts, rule);
+    RatioThresholds thresholds = ratioThresholds(contrasts, scale, rule);
 
     explicit Judged(const std::vector<MadeProfile>& made) : profiles(profilesOf(made)) {}
     [[nodiscard]] std::optional<RatioSurface> surface(std::size_t tube) const {
@@ -79,7 +79,7 @@ TEST(RatioContrasts, AreWhatASlowLoopGivesToTheEnds) {
                     before += static_cast<double>(scaled[static_cast<std::size_t>(k)]);
                 for (int k = boundary; k < std::min(size, boundary + rule.slabsBehind); ++k, ++countBehind)
                     behind += static_cast<double>(scaled[static_cast<std::size_t>(k)]);
-                // Single precision of differences of up to 30.
+                // The bound is single precision of differences of up to 30.
                 EXPECT_NEAR(contrasts[static_cast<std::size_t>(boundary - rule.leastFluid)],
                             behind / countBehind - before / countBefore, 4e-6)
                     << size << " " << boundary;
@@ -97,7 +97,7 @@ TEST(RatioContrasts, OfAConstantAreZero) {
 
 TEST(RatioContrasts, OfAllTubesAreThoseOfEach) {
     SpeckledSlabs slabs(8);
-    // Of all lengths, none among them.
+    // The profiles are of all lengths, and one of them is empty.
     std::vector<MadeProfile> made(4);
     for (const std::size_t size : {3u, 10u, 11u, 12u, 40u, 119u, 0u, 77u})
         made.push_back(slabs.around(std::vector<double>(size, 0.3)));
@@ -159,8 +159,8 @@ TEST(RatioDetection, FindsAStepWhereItIs) {
         tested.push_back(stepAt(boundaries.back()));
     }
     const Judged judged(amongSteps(slabs, tested));
-    ASSERT_TRUE(judged.thresholds.anyBoundary);
-    // Halfway between both levels on a logarithm: the geometric mean.
+    ASSERT_TRUE(judged.thresholds.mayHoldSurfaces);
+    // The place halfway between both levels on a logarithm is the geometric mean.
     EXPECT_NEAR(judged.scale.intensityAt(judged.thresholds.fluidLevel), std::sqrt(fluid * tissue), 0.03);
     for (std::size_t t = 0; t < tested.size(); ++t) {
         const auto place = judged.place(t);
@@ -243,7 +243,7 @@ TEST(RatioDetection, FindsNothingInPureSpeckle) {
             made.push_back(slabs.around(levels));
         }
         const Judged judged(made);
-        EXPECT_FALSE(judged.thresholds.anyBoundary) << seed;
+        EXPECT_FALSE(judged.thresholds.mayHoldSurfaces) << seed;
         for (std::size_t t = 0; t < made.size(); ++t) ASSERT_FALSE(judged.surface(t)) << seed;
     }
 }
@@ -262,14 +262,14 @@ std::vector<NamedPhantom> emptyPhantoms(PhantomConfig base) {
 
 void expectNothingFound(const PhantomConfig& config, const Viewpoint& view, const std::string& what) {
     const AdaptiveOtf otf = *adaptOpacity(*makePhantom(config), view, {});
-    EXPECT_EQ(otf.tubesWithSurface, 0) << what;
+    EXPECT_EQ(otf.tubesWithWeight, 0) << what;
     EXPECT_EQ(otf.message, "No surface found: the initial function is used.") << what;
     EXPECT_EQ(otf.trust, 0.0) << what;
     EXPECT_FALSE(otf.fluidIntensity) << what;
     for (const TubeCore& tube : otf.tubes) ASSERT_EQ(tube.d, 0.0) << what;
     for (int i = 0; i < AdaptiveOtf::sampleCount; ++i) {
         const double x = static_cast<double>(i) / (AdaptiveOtf::sampleCount - 1);
-        // The initial function in its own logarithm: no mixture with anything.
+        // The curve is the initial function in its own logarithm, without a mixture with anything.
         ASSERT_EQ(otf.logOpacity[static_cast<std::size_t>(i)], logOpacityAt(otf.config.initial, x)) << what;
         ASSERT_NEAR(otf.curve.opacities[static_cast<std::size_t>(i)], opacityAt(otf.config.initial, x), 4e-16) << what;
     }

@@ -48,7 +48,7 @@ TEST(ScaleSpace, KernelsAreGaussiansOfTheSettledWidthThatReachZeroAtThreeSigma) 
                         1e-14);
         }
         EXPECT_NEAR(sum, 1.0, 1e-14);
-        // Lowered to reach zero behind 3 sigma, it keeps most of a Gaussian's variance.
+        // The kernel is lowered to reach zero behind 3 sigma, and keeps most of a Gaussian's variance.
         EXPECT_NEAR(secondMoment / (sigma * sigma), 0.945, 0.035);
     }
 }
@@ -75,7 +75,7 @@ TEST(ScaleSpace, EqualsTheConvolutionWrittenOut) {
 }
 
 TEST(ScaleSpace, SmoothingTwiceAddsTheVariances) {
-    // The semigroup of Gaussians; kernels cut far out, so that only sampling is left as error.
+    // Gaussians are a semigroup; the kernels are cut far out, so that only sampling is left as error.
     std::vector<double> impulse(401, 0.0);
     impulse[200] = 1.0;
     const auto twice = smoothed(8.0, smoothed(6.0, impulse, cutAt(8)), cutAt(8));

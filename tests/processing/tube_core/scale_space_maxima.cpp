@@ -118,7 +118,8 @@ TEST(FalseMaxima, AConstantHasNoneAtAnyScaleUnlessRoundingMakesThem) {
                 maximaOfScales(Function(195, 0.1), ruleOf(MethodReading::asPublished)));
     EXPECT_EQ(direct, 0);
     EXPECT_EQ(circular, 0);
-    EXPECT_GT(published, 0) << "the documented failing of an FFT without padding is gone: say so in docs/cli-otf.md";
+    EXPECT_GT(published, 0) << "the documented failing of an FFT without padding is gone: say so in "
+                               "docs/experiments.md, What the paper leaves open";
 }
 
 /// Noise amid zeros wide enough that no border has a part in it.

@@ -48,7 +48,7 @@ TEST(SpeckleScale, OfConstantSpreadIsTheIntensityItself) {
 }
 
 TEST(SpeckleScale, BetweenRawAndCompressedEchoFollowsTheSpread) {
-    // Spread a + b m: the scale is ln(a + b m) / b.
+    // Where the spread is a + b m, the scale is ln(a + b m) / b.
     const double a = 0.02, b = 0.15;
     const SpeckleScale scale(profilesOf(slabsBetween(0.02, 0.98, [&](double m) { return a + b * m; })));
     for (double mean = 0.05; mean < 0.85; mean += 0.1) {

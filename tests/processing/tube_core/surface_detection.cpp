@@ -81,8 +81,8 @@ TEST(TrackSurface, FollowsAPeakThroughAllScales) {
 }
 
 TEST(TrackSurface, APeakIsFoundAtAnyDepth) {
-    // Also where a cut kernel's end, or its mirror image's, passes over the peak; and where mirror image and peak are
-    // one at the coarse scales.
+    // The surface is also found where a cut kernel's end, or its mirror image's, passes over the peak, and where mirror
+    // image and peak are one at the coarse scales.
     for (int position = 3; position < 190; ++position) {
         std::vector<double> function(195, 1e-4);
         function[static_cast<std::size_t>(position)] = 1.0;
@@ -103,7 +103,7 @@ TEST(TakeOffFloor, LeavesWhatExceedsTheQuantile) {
 }
 
 TEST(TrackSurface, APeakOnAHighFloorOfNoiseIsFoundOnlyWithoutTheFloor) {
-    // Log-compressed speckle: the same variance everywhere, and a peak twice as high.
+    // Log-compressed speckle has the same variance everywhere, and the peak is twice as high.
     std::vector<double> function;
     std::uint32_t state = 77;
     for (int i = 0; i < 195; ++i)
@@ -130,7 +130,7 @@ TEST(TrackSurface, PrefersTheFirstOfTwoEqualPeaksApart) {
 }
 
 TEST(TrackSurface, TheCoarsestScaleMayBeAskedToHaveAMaximum) {
-    // Too near to the front for the coarsest: peak and mirror image are one hill at the border.
+    // The peak is too near to the front for the coarsest scale: peak and mirror image are one hill at the border.
     std::vector<double> function(195, 1e-4);
     function[12] = 1.0;
     const auto any = track(function, {.coarsestMustHaveMaximum = false});
@@ -143,7 +143,7 @@ TEST(TrackSurface, TheCoarsestScaleMayBeAskedToHaveAMaximum) {
 }
 
 TEST(TrackSurface, ARangeInSigmasIsThatOfTheScaleWhereTheMaximumWasFound) {
-    // One scale, sigma 4, with its maximum at 100; the unsmoothed function has single peaks beside it.
+    // There is one scale, sigma 4, with its maximum at 100; the unsmoothed function has single peaks beside it.
     const auto ruleOf = [](double sigmas) {
         return VarianceRule{.coarsestScale = 4, .finestScale = 4, .floorQuantile = 0, .trackingRangeSigmas = sigmas};
     };

@@ -28,7 +28,7 @@ TEST(ReadSurface, ReadsPriorCellsSurfaceCellAndSlope) {
     means[3] = 0.9;
     TubeCore tube;
     ASSERT_TRUE(readSurface(cellsWith(means), 20, atTheSurface, 5, tube));
-    EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
+    EXPECT_NEAR(*tube.lowIntensity, (0.01 * (15 * 16 / 2.0 - 3) + 0.9) / 16, 1e-15) << "cells 0 to 15";
     EXPECT_EQ(*tube.lowIntensityMax, 0.9);
     EXPECT_DOUBLE_EQ(*tube.highIntensity, 0.2);
     EXPECT_NEAR(*tube.slope, 0.01, 1e-15) << "per unit";
@@ -120,7 +120,8 @@ TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
 }
 
 TEST(WeighTubes, ValuesOfOneBinAreTies) {
-    // Ten bins from 0 to 0.4 and from 0 to 0.03: 0.20 and 0.21 share bin 5, the largest value is in the last.
+    // There are ten bins from 0 to 0.4 and from 0 to 0.03: 0.20 and 0.21 share bin 5, and the largest value is in the
+    // last.
     std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.20, 0.0101), tubeWith(0.21, 0.0119),
                                 tubeWith(0.4, -0.05)};
     const auto weights = [&](int bins) {

@@ -7,7 +7,7 @@
 namespace echolucent {
 namespace {
 
-VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, Vec3 spacing) {
+VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, const Vec3& spacing) {
     VolumeGeometry geometry;
     geometry.size = size;
     geometry.spacing = spacing;

@@ -32,7 +32,7 @@ TEST(TubeProfiles, BeginAndEndWithHalfFullSlabsAndRepeatWhereDataIsMissing) {
 TEST(TubeProfiles, AreTheSameFromStoredSumsMeansAndMoments) {
     constexpr int cellSize = 3;
     constexpr double white = 4095;
-    // Nine stored values each; the middle slab holds too few.
+    // There are nine stored values each; the middle slab holds too few.
     const std::vector<std::vector<std::int32_t>> stored{
         {0, 10, 20, 30, 40, 50, 60, 70, 80}, {7, 9}, {4095, 4000, 4095, 3990, 4095, 4001, 4095, 4002, 17}};
     SlabSums sums;

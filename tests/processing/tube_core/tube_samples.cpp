@@ -66,14 +66,14 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     ASSERT_GT(centre.slabs, 30);
     std::vector<SlabMoments> slabs;
     std::vector<double> scratch;
-    sampleSlabs(volume, TubeSampling::trilinear, centre, slabs, scratch);
+    sampleSlabs(volume, Interpolation::trilinear, centre, slabs, scratch);
     const ViewFrame frame = frameOf(view);
     for (int k = 8; k < centre.slabs - 8; ++k) {
         const SlabMoments& slab = slabs[static_cast<std::size_t>(k)];
         const Vec3 axisMm = geometry.gridMmFromVoxel(centre.onAxis(k));
         EXPECT_EQ(slab.count, 25u);
         EXPECT_NEAR(slab.mean, field(axisMm), 1e-6);
-        // 5 x 5 points one unit (0.5 mm) apart: variance 2 units^2 along right and along down.
+        // There are 5 x 5 points one unit (0.5 mm) apart: their variance is 2 units^2 along right and along down.
         const double right = gradient.dot(frame.right) * 0.5, down = gradient.dot(frame.down) * 0.5;
         EXPECT_NEAR(slab.squaredDeviations, 25 * 2 * (right * right + down * down), 1e-6);
     }
@@ -81,7 +81,7 @@ TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
 }
 
 /// The mean of a slab of one sample; NaN where the sample is left out.
-double meanAt(const Volume& volume, const Vec3& voxel, TubeSampling sampling = TubeSampling::trilinear) {
+double meanAt(const Volume& volume, const Vec3& voxel, Interpolation sampling = Interpolation::trilinear) {
     TubeSamples one{};
     one.first = voxel;
     one.slabs = 1;
@@ -103,9 +103,8 @@ TEST(TubeSamples, ReadWhatThePlainSamplerReads) {
     for (int i = 0; i < 500; ++i) {
         const Vec3 place{share(random) * 8.4, share(random) * 6.4, share(random) * 7.4};
         const bool inside = inBox(geometry, place);
-        for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest}) {
-            const VolumeSampler sampler(
-                volume, sampling == TubeSampling::nearest ? Interpolation::nearest : Interpolation::trilinear);
+        for (const Interpolation sampling : {Interpolation::trilinear, Interpolation::nearest}) {
+            const VolumeSampler sampler(volume, sampling);
             const double mean = meanAt(volume, place, sampling);
             ASSERT_EQ(std::isnan(mean), !inside);
             if (inside) {

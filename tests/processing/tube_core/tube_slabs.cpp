@@ -138,7 +138,7 @@ bool roundingDecides(const TubeSamples& tube, int slab) {
 
 /// Compares all tubes of a view with the reference and counts the slabs compared: those in which rounding
 /// does not decide.
-int slabsLikeTheReference(const Volume& volume, const Viewpoint& view, TubeSampling sampling, double largest) {
+int slabsLikeTheReference(const Volume& volume, const Viewpoint& view, Interpolation sampling, double largest) {
     AdaptiveOtfConfig config;
     config.grid.columns = config.grid.rows = 9;
     const auto tubes = samplesFor(volume, view, config);
@@ -174,7 +174,7 @@ void expectTheReference(double largest, std::optional<double> white = std::nullo
                  {Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12},
                   Viewpoint{.beamAxis = BeamAxis::minusX, .azimuthDegrees = 63, .elevationDegrees = 31},
                   Viewpoint{.beamAxis = BeamAxis::plusY, .azimuthDegrees = -7, .rollDegrees = 33}})
-                for (const TubeSampling sampling : {TubeSampling::trilinear, TubeSampling::nearest})
+                for (const Interpolation sampling : {Interpolation::trilinear, Interpolation::nearest})
                     EXPECT_GT(slabsLikeTheReference(volume, view, sampling, largest), 500);
     }
 }
@@ -193,7 +193,7 @@ TEST(TubeSlabs, ConstantsStayConstantToTheLastBit) {
     AdaptiveOtfConfig config;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 31, .elevationDegrees = 17}, config);
     std::vector<SlabMeans> slabs(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, slabs);
+    meanSlabs(volume, Interpolation::trilinear, tubes, slabs);
     for (const SlabMeans& tube : slabs)
         for (std::size_t k = 0; k < tube.means.size(); ++k) {
             EXPECT_EQ(tube.means[k], tube.counts[k] > 0 ? 12345.0f : 0.0f);
@@ -213,11 +213,11 @@ TEST(TubeSlabs, ALargeMeanDoesNotDrownASmallSpread) {
     config.grid.columns = config.grid.rows = 3;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 10}, config);
     std::vector<SlabMeans> fast(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, fast);
+    meanSlabs(volume, Interpolation::trilinear, tubes, fast);
     std::vector<SlabMoments> reference;
     std::vector<double> scratch;
     for (std::size_t t = 0; t < tubes.size(); ++t) {
-        sampleSlabs(volume, TubeSampling::trilinear, tubes[t], reference, scratch);
+        sampleSlabs(volume, Interpolation::trilinear, tubes[t], reference, scratch);
         for (std::size_t k = 0; k < reference.size(); ++k) {
             // Single precision near 65000 rounds samples to 2^-8 / 2.
             const double expected = reference[k].squaredDeviations * 65535.0 * 65535.0;
@@ -236,7 +236,7 @@ TEST(TubeSlabs, NotFiniteVoxelsAreLeftOut) {
     AdaptiveOtfConfig config;
     const auto tubes = samplesFor(volume, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12}, config);
     std::vector<SlabMeans> slabs(tubes.size());
-    meanSlabs(volume, TubeSampling::trilinear, tubes, slabs);
+    meanSlabs(volume, Interpolation::trilinear, tubes, slabs);
     for (const SlabMeans& tube : slabs)
         for (std::size_t k = 0; k < tube.means.size(); ++k) {
             if (tube.counts[k] == 0) continue;
@@ -259,7 +259,7 @@ TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
         std::vector<float> bits;
         for (const Volume* tested : {&volume, &floating}) {
             std::vector<SlabMeans> slabs(tubes.size());
-            meanSlabs(*tested, TubeSampling::trilinear, tubes, slabs);
+            meanSlabs(*tested, Interpolation::trilinear, tubes, slabs);
             for (const SlabMeans& tube : slabs)
                 for (const auto* values : {&tube.counts, &tube.means, &tube.squaredDeviations})
                     bits.insert(bits.end(), values->begin(), values->end());
@@ -293,7 +293,7 @@ TEST(TubeSlabs, ThinVolumesAgreeWithTheReference) {
         ASSERT_TRUE(canMeanSlabs(volume));
         for (const Viewpoint& view :
              {Viewpoint{.azimuthDegrees = 3, .elevationDegrees = 2}, Viewpoint{.elevationDegrees = 81}})
-            compared += slabsLikeTheReference(volume, view, TubeSampling::trilinear, 255);
+            compared += slabsLikeTheReference(volume, view, Interpolation::trilinear, 255);
     }
     EXPECT_GT(compared, 100);
 }

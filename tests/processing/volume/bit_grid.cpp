@@ -86,7 +86,8 @@ TEST(BitGrid, FindsWhatIsConnectedToTheBorder) {
 }
 
 TEST(BitGrid, FollowsAWindingCorridor) {
-    // One corridor that turns back at each end, through 40 slices of a comb: the only way in is at its beginning.
+    // There is one corridor that turns back at each end, through 40 slices of a comb: the only way in is at its
+    // beginning.
     const Size size{133, 83, 5};
     BitGrid grid(size);
     for (std::int64_t y = 1; y < 82; y += 2) {

@@ -138,7 +138,7 @@ TEST(NoData, JoinsWhatIsKnownToBeNoData) {
 TEST(NoData, SpeckleWithoutASectorHasNone) {
     const VolumeGeometry geometry = cubeOf(48);
     EXPECT_TRUE(guessDataMask(Volume(geometry, speckle<std::uint8_t>(geometry, everywhere))).empty());
-    // Echoes so weak that six of ten voxels are clipped to 0, all of them connected to the border.
+    // The echoes are so weak that six of ten voxels are clipped to 0, all of them connected to the border.
     auto weak = speckle<std::uint8_t>(geometry, everywhere);
     for (std::uint8_t& voxel : weak) voxel = voxel > 72 ? static_cast<std::uint8_t>(voxel - 72) : std::uint8_t{0};
     EXPECT_TRUE(guessDataMask(Volume(geometry, weak)).empty());
@@ -158,14 +158,15 @@ TEST(NoData, PhantomsHaveNone) {
 
 TEST(NoData, AnechoicFluidAtTheBorderIsFluid) {
     const VolumeGeometry geometry = cubeOf(64);
-    // Half a ball of exact zeros against one face: 3 % of the volume, solid, but no sector leaves its corners full.
+    // Half a ball of exact zeros lies against one face: it is 3 % of the volume and solid, but no sector leaves its
+    // corners full.
     auto voxels = speckle<std::uint8_t>(
         geometry, [](double x, double y, double z) { return std::hypot(std::hypot(x - 32, y - 32), z) > 17; });
     EXPECT_TRUE(guessDataMask(Volume(geometry, voxels)).empty());
-    // A corner of zeros too small to matter.
+    // A corner of zeros is too small to matter.
     voxels = speckle<std::uint8_t>(geometry, [](double x, double y, double z) { return x > 12 || y > 12 || z > 12; });
     EXPECT_TRUE(guessDataMask(Volume(geometry, voxels)).empty());
-    // A skin of zeros one voxel thin on all six faces.
+    // A skin of zeros, one voxel thin, lies on all six faces.
     voxels = speckle<std::uint8_t>(geometry, [](double x, double y, double z) {
         return std::min({x, y, z}) > 0 && std::max({x, y, z}) < 63;
     });
@@ -182,6 +183,15 @@ TEST(NoData, NothingButZerosHasNoOutside) {
     std::vector<std::uint8_t> almost(8000, 0);
     almost[4210] = 9;
     EXPECT_TRUE(guessDataMask(Volume(geometry, almost)).empty()) << "one echo is no sector";
+}
+
+TEST(NoData, WhereThereIsNoOutsideTheVolumesOwnMaskStays) {
+    const VolumeGeometry geometry = cubeOf(20);
+    std::vector<float> voxels(8000, 0.5f);
+    voxels[4210] = NAN;
+    const Volume volume(geometry, voxels);
+    ASSERT_FALSE(volume.hasData(4210));
+    EXPECT_EQ(guessDataMask(volume), volume.dataMask());
 }
 
 TEST(NoData, ThinAndTinyVolumes) {

@@ -11,7 +11,7 @@ namespace {
 
 WhiteLevel of(std::vector<Voxels> phases) { return whiteLevelOf(phases); }
 
-/// 1 to 100, each ten times.
+/// The values are 1 to 100, each ten times.
 std::vector<float> ordinary() {
     std::vector<float> voxels;
     for (int i = 0; i < 1000; ++i) voxels.push_back(static_cast<float>(1 + i % 100));
