@@ -88,6 +88,8 @@ void NewestWinsThread::tell(News news) {
     {
         const std::lock_guard lock(m_mutex);
         m_news.push_back(std::move(news));
+        // It is made under the lock and first read under it (event()): the thread sanitizer does not see that the queue
+        // of events orders the two.
         event = new QEvent(QEvent::User);
     }
     QCoreApplication::postEvent(this, event);

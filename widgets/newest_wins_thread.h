@@ -24,7 +24,7 @@ namespace echolucent {
 ///                           |      ^
 ///                 submit(b) |      | a ended (result dropped if a was cancelled): start b
 ///                           v      |
-///                        [Superseded]      shut down in any state: cancel, quit, wait
+///                        [Superseded]      shut down in any state: cancel, end the thread, wait
 ///
 /// Values and shared_ptr<const ...> captured by the job are all that crosses the threads.
 class NewestWinsThread : public QObject {

@@ -4,7 +4,8 @@ namespace echolucent {
 
 DocumentCurves::DocumentCurves(DocumentModel& model, int view, QObject* parent)
     : CurveOwner(parent), m_model(model), m_view(view) {
-    connect(&m_model, &DocumentModel::changed, this, &CurveOwner::changed);
+    connect(&m_model, &DocumentModel::curvesChanged, this, &CurveOwner::changed);
+    connect(&m_model, &DocumentModel::viewsChanged, this, &CurveOwner::changed);
 }
 
 EditedCurves DocumentCurves::edited() const {

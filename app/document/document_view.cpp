@@ -65,6 +65,7 @@ void DocumentView::takePose() {
 }
 
 void DocumentView::takeLight() {
+    if (m_held) return;
     Document next = m_model.document();
     lookOf(next, m_view).light = m_widget.look().light;
     take(next, tr("move light"));

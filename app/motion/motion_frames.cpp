@@ -88,6 +88,7 @@ void MotionFrames::beginAtRest(int phases) {
     m_parts.player.setPhaseCount(phases);
     m_parts.panel.setPhaseCount(phases);
     m_otf.reset();
+    m_courseKey.reset();
     m_frameWaits = false;
     takeAngle();
     takeChoices();
@@ -105,11 +106,13 @@ void MotionFrames::showFrame(double angle, int phase) {
     showFrameRate();
     if (!m_parts.session.volume()) return;
     const bool sameVolume = phase == m_parts.session.phase();
+    // Another phase cancels what is being computed, which is then asked for again.
+    const bool overtaken = !sameVolume && m_parts.session.computingOtf();
     m_parts.model.showPhase(m_parts.view.view(), phase);
     m_frameWaits = true;
     if (mode() == MotionOtf::oneOtf) {
         // Before the first OTF of a study nothing of it is shown: the frame comes with that OTF.
-        if (m_otf)
+        if (m_otf && !overtaken)
             showFrameWithItsOtf();
         else if (!sameVolume)
             m_parts.computing.computeAgain();
@@ -153,7 +156,7 @@ void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     const MotionScenario scenario = document.motion.scenario;
     const auto rows = movesProbe(scenario) ? OtfCourse::Rows::angles : OtfCourse::Rows::phases;
     const int fixed = scenario == MotionScenario::both ? 0 : movesProbe(scenario) ? frame.phase : frame.angle;
-    const CourseKey key{m_parts.session.study(), start, document.motion.axis, config, rows, fixed};
+    const CourseKey key{start, document.motion.axis, config, rows, fixed};
     if (m_courseKey == key) return;
     m_courseKey = key;
     m_parts.course.begin(rows, frame.phases);

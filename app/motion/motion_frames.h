@@ -39,6 +39,8 @@ public:
     void beginAtRest(int phases);
     /// Takes an OTF that was computed just now, and returns the curve that the present frame shows of it.
     [[nodiscard]] SampledCurve curveToShow(std::shared_ptr<const AdaptiveOtf> otf);
+    /// Made the adaptive curve that is shown; null before a study's first.
+    [[nodiscard]] const AdaptiveOtf* otf() const { return m_otf.get(); }
     /// The curve is in place: a frame that waited for it is shown.
     void showWaitingFrame();
     /// The player goes on once the picture of the present frame, made with the frame's OTF, is on the screen.
@@ -63,11 +65,10 @@ private:
 
     Parts m_parts;
     MotionOtf m_mode = MotionOtf::oneOtf;      ///< the choice for which OTFs were asked last
-    std::shared_ptr<const AdaptiveOtf> m_otf;  ///< made the adaptive curve that is shown; null before a study's first
+    std::shared_ptr<const AdaptiveOtf> m_otf;  ///< see otf()
     bool m_frameWaits = false;                 ///< the present frame is shown once its OTF is there
-    /// What the course's rows have in common; another one begins a new course.
+    /// What the course's rows have in common within a study; another one begins a new course.
     struct CourseKey {
-        const Study* study = nullptr;
         Viewpoint start;
         MotionAxis axis = MotionAxis::y;
         AdaptiveOtfConfig config;

@@ -82,11 +82,9 @@ void MotionPlayer::advanceIfReady() {
 }
 
 void MotionPlayer::moveTo(int angle, int phase) {
-    const bool turns = angle != m_angle;
     m_angle = angle;
     m_phase = phase;
     m_frameShown = false;
-    if (turns) emit angleChanged(angle);
     emit frameChanged(angle, phase);
 }
 

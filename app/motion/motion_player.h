@@ -31,7 +31,6 @@ public:
     [[nodiscard]] int phase() const { return m_phase; }
     [[nodiscard]] MotionScenario scenario() const { return m_scenario; }
     [[nodiscard]] MotionAxis axis() const { return m_axis; }
-    [[nodiscard]] bool pingPong() const { return m_pingPong; }
     /// The least time between two steps, ms, 33 at first. At 0, steps follow each other as fast as frames are shown.
     void setMinimumFrameInterval(int milliseconds);
 
@@ -43,7 +42,7 @@ public slots:
     void play();
     void pause();
     void togglePlaying();
-    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits angleChanged where it differs.
+    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits frameChanged where it differs.
     void setAngle(double degrees);
     /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);
@@ -52,8 +51,8 @@ public slots:
     void setPhaseCount(int count);
     /// Another phase is shown, by hand; emits nothing. Needs a phase of the study.
     void setPhase(int phase);
-    /// Emits angleChanged(0) where another axis is chosen while the angle is not 0: the motion starts from its view
-    /// again.
+    /// Where another axis is chosen while the angle is not 0, the motion starts from its view again: emits frameChanged
+    /// with angle 0.
     void setAxis(echolucent::MotionAxis axis);
     /// Whether the motion turns at its ends and shows them once; else it starts from the first angle again.
     void setPingPong(bool pingPong);
@@ -63,8 +62,6 @@ public slots:
 signals:
     /// Another frame is to be shown.
     void frameChanged(double degrees, int phase);
-    /// Before frameChanged, where it is the angle that changes.
-    void angleChanged(double degrees);
     void playingChanged(bool playing);
 
 private:

@@ -1,11 +1,10 @@
 #include "app/otf/near_cut_finder.h"
 
 #include <QLocale>
+#include <cmath>
 #include <utility>
 
-#include "widgets/panels/message_bar.h"
 #include "widgets/panels/run_status.h"
-#include "widgets/panels/view_panel.h"
 
 namespace echolucent {
 
@@ -14,6 +13,12 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(pare
     connect(&m_parts.session, &Session::computingOtfChanged, this, [this](bool computing) {
         if (!computing) endProgress();
     });
+    connect(&m_parts.session, &Session::otfFailed, this, [this] {
+        if (!m_looking) return;
+        endProgress();
+        m_parts.computing.computeAgain();  // it may have been under way when the search took its place
+    });
+    connect(&m_parts.model, &DocumentModel::cutsChanged, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
 }
 
 void NearCutFinder::find() {
@@ -31,30 +36,37 @@ void NearCutFinder::endProgress() {
 
 void NearCutFinder::take(const NearCutSuggestion& suggestion) {
     const QLocale locale;
-    const double before = m_parts.panel.nearCutMm();
+    const double before = cutOf(m_parts.model.document(), m_parts.view).nearCutMm;
     const QString old = locale.toString(before, 'f', 1);
     endProgress();
     if (!suggestion.message.empty()) {
-        m_parts.messages.showMessage(
-            MessageKind::warning,
-            tr("The near cut stays at %1 mm. %2").arg(old).arg(QString::fromStdString(suggestion.message)));
+        tell(MessageKind::warning,
+             tr("The near cut stays at %1 mm. %2").arg(old).arg(QString::fromStdString(suggestion.message)));
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
         return;
     }
-    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
-    m_parts.panel.setNearCutRange(depthAlongViewMm(m_looksFrom, geometry), geometry.spacingKnown);
-    m_parts.panel.setNearCutMm(suggestion.nearCutMm);
-    const double cut = m_parts.panel.nearCutMm();  // as the panel rounds it
+    const double cut = std::round(10 * suggestion.nearCutMm) / 10;  // as people set it
     cutAt(cut, directionOf(m_looksFrom));
     const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
                                        .arg(locale.toString(cut, 'f', 1))
                                        .arg(suggestion.tubesInFluid)
                                        .arg(suggestion.tubesWithWeight)
                                  : tr("Nothing stands in front of the fluid: no near cut is needed.");
-    if (cut == before) return m_parts.messages.showMessage(MessageKind::info, said);
-    m_parts.messages.showMessage(
+    if (cut == before) return tell(MessageKind::info, said);
+    tell(
         MessageKind::info, said + QLatin1Char(' ') + tr("It was %1 mm before.").arg(old),
         {{tr("Back to %1 mm").arg(old), [this, before] { cutAt(before, m_parts.model.document().method.direction); }}});
+}
+
+void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
+    m_told = text;
+    m_toldCutMm = cutOf(m_parts.model.document(), m_parts.view).nearCutMm;
+    m_parts.messages.showMessage(kind, text, actions);
+}
+
+void NearCutFinder::takeBackWhatIsNoLongerTrue() {
+    if (m_told.isEmpty() || cutOf(m_parts.model.document(), m_parts.view).nearCutMm == m_toldCutMm) return;
+    m_parts.messages.takeBack(std::exchange(m_told, {}));
 }
 
 void NearCutFinder::cutAt(double mm, const ViewDirection& direction) {
@@ -63,7 +75,7 @@ void NearCutFinder::cutAt(double mm, const ViewDirection& direction) {
     next.method.direction = direction;
     m_parts.model.edit(next, tr("near cut"));
     // The search has taken the place of the OTF that was computed, also where the document stays as it is.
-    m_parts.computing.computeFor(otfViewpointOf(m_parts.model.document(), m_parts.view));
+    m_parts.computing.computeAgain();
 }
 
 }  // namespace echolucent

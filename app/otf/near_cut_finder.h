@@ -2,14 +2,14 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 #include "app/otf/otf_computing.h"
+#include "widgets/panels/message_bar.h"
 
 namespace echolucent {
 
-class MessageBar;
 class RunStatus;
-class ViewPanel;
 
 class NearCutFinder : public QObject {
     Q_OBJECT
@@ -20,7 +20,6 @@ public:
         int view;
         Session& session;
         OtfComputing& computing;
-        ViewPanel& panel;  ///< rounds the cut as people set it
         RunStatus& status;
         MessageBar& messages;
     };
@@ -32,11 +31,15 @@ public:
 private:
     void take(const NearCutSuggestion& suggestion);
     void endProgress();
+    void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
+    void takeBackWhatIsNoLongerTrue();
     void cutAt(double mm, const ViewDirection& direction);
 
     Parts m_parts;
     Viewpoint m_looksFrom;
     bool m_looking = false;
+    QString m_told;  ///< the newest message, which is true while the cut is at m_toldCutMm; then it is empty
+    double m_toldCutMm = 0.0;
 };
 
 }  // namespace echolucent

@@ -28,29 +28,9 @@ QString curveSentence(const PictureFacts& facts) {
     return {};
 }
 
-struct Interface {
-    double low = 0, high = 0, weight = 0;
-};
-
-/// Means of I_L and I_H over the tube cores, weighted by how much each counts.
-Interface meanInterface(const AdaptiveOtf& otf) {
-    Interface mean;
-    for (const TubeCore& tube : otf.tubes) {
-        if (!(tube.d > 0) || !tube.lowIntensity || !tube.highIntensity) continue;
-        mean.low += tube.d * *tube.lowIntensity;
-        mean.high += tube.d * *tube.highIntensity;
-        mean.weight += tube.d;
-    }
-    if (mean.weight > 0) {
-        mean.low /= mean.weight;
-        mean.high /= mean.weight;
-    }
-    return mean;
-}
-
 QString surfaceSentence(const AdaptiveOtf& otf) {
     if (!otf.message.empty()) return QString::fromStdString(otf.message);
-    const Interface mean = meanInterface(otf);
+    const MeanInterface mean = meanInterfaceOf(otf);
     const QString effect =
         std::holds_alternative<RampRule>(otf.config.curve)
             ? tr("In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
@@ -67,7 +47,7 @@ QString readingSentence(const AdaptiveOtfConfig& config) {
     if (!reading) return tr("Parameters of the method were changed.");
     switch (*reading) {
         case MethodReading::asPublished: return tr("The method is read as it was published, word by word.");
-        case MethodReading::settled: return tr("The open points of the published method are settled as its notes say.");
+        case MethodReading::settled: return tr("The open points of the published method are settled by experiment.");
         case MethodReading::standard: return tr("The method runs with this program's default parameters.");
     }
     return {};

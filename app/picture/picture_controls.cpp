@@ -31,6 +31,7 @@ PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(
 void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
+        if (!hasStudy()) return showDocument();
         edit(tr("near cut"), [this, mm](Document& next) { cutOf(next, view()).nearCutMm = mm; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
@@ -38,12 +39,8 @@ void PictureControls::connectPanel() {
     connect(panel, &ViewPanel::lookChanged, this, [this](const Look& look) {
         edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
              [this, &look](Document& next) { lookOf(next, view()) = look; });
-        keep();
     });
-    connect(panel, &ViewPanel::rendererChanged, this, [this] {
-        takeRenderer();
-        keep();
-    });
+    connect(panel, &ViewPanel::rendererChanged, this, &PictureControls::takeRenderer);
 }
 
 void PictureControls::connectPicture() {
@@ -54,6 +51,11 @@ void PictureControls::connectPicture() {
     connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, &PictureControls::tellPicture);
 }
 
+/// Without one there is nothing to cut and nothing that a beam has scanned.
+bool PictureControls::hasStudy() const {
+    return !std::holds_alternative<std::monostate>(m_parts.model.document().study);
+}
+
 void PictureControls::edit(const QString& what, const std::function<void(Document&)>& change) {
     Document next = m_parts.model.document();
     change(next);
@@ -61,6 +63,7 @@ void PictureControls::edit(const QString& what, const std::function<void(Documen
 }
 
 void PictureControls::setBeamAxis(BeamAxis axis) {
+    if (!hasStudy()) return showDocument();
     edit(tr("beam axis"), [this, axis](Document& next) {
         next.beam = {axis, BeamSource::person};
         cutOf(next, view()) = Cut{};

@@ -41,6 +41,7 @@ public:
 private:
     void connectPanel();
     void connectPicture();
+    [[nodiscard]] bool hasStudy() const;
     void edit(const QString& what, const std::function<void(Document&)>& change);
     void setBeamAxis(BeamAxis axis);
     void showDocument();

@@ -94,32 +94,44 @@ void Session::show(int phase) {
     m_phase = phase;
     m_volume = m_study->phases[static_cast<std::size_t>(phase)];
     m_otf.reset();
-    m_otfThread.cancel();
+    cancelComputing();
     emit volumeChanged();
 }
 
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    if (!m_volume) return;
+    const OtfRequest asked{view, config};
+    if (!m_volume || m_asked == asked) return;
+    m_asked = asked;
     m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, view,
                         config](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<AdaptiveOtf> result;
         try {
             result = pipeline(*volume, view, config, progress);
         } catch (const std::bad_alloc&) {
-            return [this] { emit otfFailed(tr("The adaptive OTF needs more memory than this machine has.")); };
+            return [this] {
+                m_asked.reset();
+                emit otfFailed(tr("The adaptive OTF needs more memory than this machine has."));
+            };
         }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
         return [this, volume, shared] {
             if (volume != m_volume) return;
+            m_asked.reset();
             m_otf = shared;
             emit otfComputed();
         };
     });
 }
 
+void Session::cancelComputing() {
+    m_asked.reset();
+    m_otfThread.cancel();
+}
+
 void Session::requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config) {
     if (!m_volume) return;
+    m_asked.reset();
     m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume, view,
                         config](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<NearCutSuggestion> result;

@@ -48,6 +48,7 @@ public:
     void setPhase(int phase);
 
     /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
+    /// What is being computed already goes on.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
     [[nodiscard]] bool computingOtf() const { return m_otfThread.busy(); }
     /// The newest result for the volume shown; null where there is none yet.
@@ -57,7 +58,7 @@ public:
     /// computed, and a newer request takes its place.
     void requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config);
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
-    void cancelComputing() { m_otfThread.cancel(); }
+    void cancelComputing();
 
     /// The pipeline run by requestOtf; tests put one in its place that ends on command.
     using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
@@ -94,6 +95,12 @@ private:
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
+    struct OtfRequest {
+        Viewpoint view;
+        AdaptiveOtfConfig config;
+        friend bool operator==(const OtfRequest&, const OtfRequest&) = default;
+    };
+    std::optional<OtfRequest> m_asked;  ///< of the volume shown; none where no OTF is under way
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
     NewestWinsThread m_otfThread;

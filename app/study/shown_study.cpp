@@ -16,9 +16,9 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.session, &Session::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
     connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
-    connect(&m_parts.session, &Session::otfFailed, this, [this](const QString& sentence) {
-        m_parts.player.pause();
-        m_parts.messages.showMessage(MessageKind::error, sentence);
+    connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
+    connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
+        if (!playing) showRemark();
     });
     connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
@@ -63,9 +63,10 @@ void ShownStudy::takeVolume() {
     m_parts.editor.setWhiteLevel(session.volume()->whiteLevel());
     if (otherStudy) {
         const int phases = static_cast<int>(m_study->phases.size());
-        m_otf.reset();
+        m_parts.player.pause();  // first, as it shows the remark of the study before
         m_parts.messages.setRemark({});
         m_parts.view.hold();
+        m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
         m_parts.controls.setPhaseCount(phases);
         Document opened = openedDocument(m_parts.model.document(), session.reference());
         const VolumeGeometry& geometry = session.volume()->geometry();
@@ -93,17 +94,33 @@ void ShownStudy::takePhase() {
 }
 
 void ShownStudy::takeOtf() {
-    m_otf = m_parts.session.otf();
+    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.session.otf();
     // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
-    const SampledCurve curve = m_parts.motion.curveToShow(m_otf);
+    const SampledCurve curve = m_parts.motion.curveToShow(otf);
     m_parts.view.setAdaptiveCurve(curve);
     m_parts.editor.setAdaptiveCurve(curve);
-    m_parts.method.showResult(*m_otf);
-    m_parts.status.setOtf(m_otf->times.total, m_otf->tubesWithWeight, m_otf->tubesMeetingVolume);
-    // Not while it plays: the bar would push the picture up and down.
-    if (!m_parts.player.isPlaying()) m_parts.messages.setRemark(QString::fromStdString(m_otf->message));
+    m_parts.method.showResult(*otf);
+    m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
+    // While it plays the bar would push the picture up and down.
+    if (!m_parts.player.isPlaying()) showRemark();
     m_parts.view.showVolume(m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
+}
+
+/// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.
+void ShownStudy::doWithoutOtf(const QString& sentence) {
+    m_parts.player.pause();
+    m_parts.messages.showMessage(MessageKind::error, sentence);
+    if (m_parts.motion.otf() == nullptr) {
+        m_parts.view.setAdaptiveCurve({});
+        m_parts.editor.setAdaptiveCurve({});
+    }
+    m_parts.view.showVolume(m_parts.session.volume());
+    m_parts.motion.showWaitingFrame();
+}
+
+void ShownStudy::showRemark() {
+    if (const AdaptiveOtf* otf = m_parts.motion.otf()) m_parts.messages.setRemark(QString::fromStdString(otf->message));
 }
 
 void ShownStudy::showNearCutRange() {

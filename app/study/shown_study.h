@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <memory>
 
 #include "app/motion/motion_frames.h"
 
@@ -41,18 +40,16 @@ public:
     };
     explicit ShownStudy(const Parts& parts, QObject* parent = nullptr);
 
-    /// Of the adaptive curve shown; null before a study's first.
-    [[nodiscard]] const AdaptiveOtf* otf() const { return m_otf.get(); }
-
 private:
     void tellFacts();
     void takeVolume();
     void takeOtf();
+    void doWithoutOtf(const QString& sentence);
+    void showRemark();
     void takePhase();
     void showNearCutRange();
 
     Parts m_parts;
-    std::shared_ptr<const AdaptiveOtf> m_otf;
     const Study* m_study = nullptr;  ///< told apart by address only
 };
 

@@ -9,32 +9,6 @@
 
 namespace echolucent {
 
-namespace {
-
-RawLayout fromDialog(const RawLayoutValues& values) {
-    RawLayout layout;
-    layout.size = values.size;
-    layout.type = values.type.toStdString();
-    layout.bigEndian = values.bigEndian;
-    layout.headerBytes = values.headerBytes;
-    layout.spacing = {values.spacing[0], values.spacing[1], values.spacing[2]};
-    layout.spacingKnown = values.spacingKnown;
-    return layout;
-}
-
-RawLayoutValues toDialog(const RawLayout& layout) {
-    RawLayoutValues values;
-    values.size = layout.size;
-    values.type = QString::fromStdString(layout.type);
-    values.bigEndian = layout.bigEndian;
-    values.headerBytes = layout.headerBytes;
-    values.spacing = {layout.spacing[0], layout.spacing[1], layout.spacing[2]};
-    values.spacingKnown = layout.spacingKnown;
-    return values;
-}
-
-}  // namespace
-
 StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages)
     : QObject(&window), m_window(window), m_session(session), m_settings(settings), m_messages(messages) {
     connect(&m_session, &Session::openFailed, this, &StudyOpening::tellFailure);
@@ -69,10 +43,10 @@ void StudyOpening::openRaw(const QString& path) {
     auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), QFileInfo(path).size(), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto remembered = recalledRawLayout(path.toStdString()); remembered && *remembered)
-        dialog->setValues(toDialog(**remembered));
+        dialog->setValues(**remembered);
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
         ReadOptions options;
-        options.raw = fromDialog(dialog->values());
+        options.raw = dialog->values();
         // A folder that cannot be written to is no reason not to open the file: then the person is asked again.
         (void)rememberRawLayout(path.toStdString(), *options.raw);
         open(path, options);

@@ -62,8 +62,8 @@ void MainWindow::createUnits() {
         ShownStudy::Parts{*this, m_document, m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages});
-    m_nearCutFinder = std::make_unique<NearCutFinder>(NearCutFinder::Parts{
-        m_document, mainView, m_session, *m_computing, *m_widgets.controls, *m_widgets.status, *m_widgets.messages});
+    m_nearCutFinder = std::make_unique<NearCutFinder>(
+        NearCutFinder::Parts{m_document, mainView, m_session, *m_computing, *m_widgets.status, *m_widgets.messages});
     m_opening = std::make_unique<StudyOpening>(*this, m_session, m_settings, *m_widgets.messages);
     m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
         *this, m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
@@ -100,6 +100,10 @@ void MainWindow::connectProgress() {
 void MainWindow::connectUnits() {
     connect(m_widgets.editor, &OtfEditor::activeCurveChanged, m_view.get(), &DocumentView::showCurve);
     connect(m_widgets.method, &MethodPanel::computeRequested, m_computing.get(), &OtfComputing::computeForThisView);
+    connect(m_widgets.picture, &VolumeViewWidget::pictureFailed, this, [this] {
+        m_motionPlayer.pause();
+        m_widgets.messages->showMessage(MessageKind::error, tr("The picture needs more memory than this machine has."));
+    });
     connect(m_widgets.picture, &VolumeViewWidget::filesDropped, this,
             [this](const QStringList& files) { open(files.first()); });
     connect(m_widgets.controls, &ViewPanel::nearCutSuggestionRequested, this, [this] {
@@ -178,7 +182,7 @@ QString MainWindow::explanation() const {
     if (!m_session.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
     return explainPicture({.study = *m_session.study(),
                            .volume = *m_session.volume(),
-                           .otf = m_shownStudy->otf(),
+                           .otf = m_motion->otf(),
                            .document = m_document.document(),
                            .view = mainView});
 }

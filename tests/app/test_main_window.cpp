@@ -16,6 +16,7 @@
 #include <QUrl>
 #include <QtMath>
 #include <cmath>
+#include <new>
 
 #include "app/window/main_window.h"
 #include "io/curve_file.h"
@@ -35,7 +36,7 @@ using namespace echolucent;
 
 namespace {
 
-/// Edits under one camera are made of samples that the ray caster keeps in 16 bits; RMSE in levels.
+/// Edits under one camera are made of samples that the ray caster keeps in 16 bits; the bound is an RMSE in levels.
 constexpr double differenceOfKeptSamples = 0.03;
 
 std::shared_ptr<const Volume> phantom(PhantomScene scene, std::uint64_t seed, double phase = 0) {
@@ -223,6 +224,23 @@ private slots:
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
     }
 
+    void aStudyWhoseOtfFailsIsShownWithoutIt() {
+        open(m_shapes);
+        m_window->session().setPipeline([](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
+                                           const Progress&) -> std::optional<AdaptiveOtf> { throw std::bad_alloc(); });
+        QSignalSpy failed(&m_window->session(), &Session::otfFailed);
+        m_window->open(m_moving);
+        QVERIFY(failed.wait(20000));
+        QVERIFY(message()->text().contains("needs more memory"));
+        QVERIFY(m_window->otfEditor().state().adaptive.opacities.empty());
+        waitUntilIdle();
+        QCOMPARE(coverage(shown()), 0.0);
+        QTest::keyClick(m_window.get(), Qt::Key_3);
+        waitUntilIdle();
+        QVERIFY(coverage(shown()) > 0.1);
+        QVERIFY(difference(shown(), cast(m_window->otfEditor().state().linear)) < differenceOfKeptSamples);
+    }
+
     void aHeaderlessFileOffersToBeDescribed() {
         const QString raw = m_folder.filePath("headerless.bin");
         QFile file(raw);
@@ -237,7 +255,7 @@ private slots:
         click<QAbstractButton>("message.action.0");
         auto* dialog = m_window->findChild<RawLayoutDialog*>("rawLayout");
         QVERIFY(dialog != nullptr);
-        RawLayoutValues layout;
+        RawLayout layout;
         layout.size = {20, 21, 22};
         dialog->setValues(layout);
         QVERIFY(dialog->fits());
@@ -326,7 +344,8 @@ private slots:
         for (QWidget* control : m_window->findChildren<QWidget*>()) {
             const bool isControl = qobject_cast<QAbstractButton*>(control) || qobject_cast<QAbstractSlider*>(control) ||
                                    qobject_cast<QAbstractSpinBox*>(control) || qobject_cast<QComboBox*>(control);
-            // Parts that Qt makes itself: scroll bars, a table's corner, the buttons of docks, menus and tabs.
+            // These are parts that Qt makes itself: scroll bars, a table's corner, the buttons of docks, menus and
+            // tabs.
             const QString parent = control->parentWidget() ? control->parentWidget()->metaObject()->className() : "";
             const bool madeByQt = qobject_cast<QScrollBar*>(control) || parent == "QDockWidget" ||
                                   parent.startsWith("QTab") || parent.startsWith("QTable") || parent == "QMenuBar" ||

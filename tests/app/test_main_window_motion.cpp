@@ -11,6 +11,7 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"
+#include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
 
@@ -121,12 +122,45 @@ private slots:
                            *castRays(*window().session().volume(), first, window().volumeView().settings())) < 0.01);
     }
 
+    void anEditWhileTheObjectMovesReachesTheOtf() {
+        m_fixture.open(m_moving);
+        QTest::keyClick(m_fixture.child<QComboBox>("motion.scenario"), Qt::Key_Down);
+        playOneFrame();
+        Document next = window().document().document();
+        next.method.initialScale = 0.5;
+        window().document().edit(next, "initial function");
+        QVERIFY(window().session().computingOtf());
+        QVERIFY(window().motionPlayer().stepNow());
+        window().motionPlayer().pause();
+        m_fixture.waitUntilIdle();
+        QVERIFY(window().session().otf() != nullptr);
+        QVERIFY(window().session().otf()->config == configOf(next));
+        QVERIFY(window().otfEditor().state().adaptive == window().session().otf()->curve);
+    }
+
+    void aRemarkWaitsForThePause() {
+        m_fixture.open(m_still);
+        m_fixture.click("motion.mode.eachView");
+        m_fixture.waitUntilIdle();
+        window().session().setPipeline(
+            [](const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, const Progress& progress) {
+                std::optional<AdaptiveOtf> otf = adaptOpacity(volume, view, config, progress);
+                if (otf) otf->message = "The frame is dark.";
+                return otf;
+            });
+        playOneFrame();
+        auto* bar = m_fixture.child<MessageBar>("message");
+        QVERIFY(!bar->text().contains("The frame is dark."));
+        window().motionPlayer().pause();
+        QVERIFY(bar->text().contains("The frame is dark."));
+    }
+
     void oneMomentCannotMove() {
         m_fixture.open(m_still);
         auto* scenario = m_fixture.child<QComboBox>("motion.scenario");
         QVERIFY(!scenario->isEnabled());
         QVERIFY(scenario->toolTip().contains("one moment"));
-        // A 4D study, with its object moving, and back.
+        // A 4D study is opened, with its object moving, and a 3D study again.
         m_fixture.open(m_moving);
         QTest::keyClick(scenario, Qt::Key_Down);
         QCOMPARE(window().motionPlayer().scenario(), MotionScenario::object);
@@ -235,6 +269,16 @@ private:
         for (int row = 0; row < window().otfCourse().rowCount(); ++row)
             rows += window().otfCourse().curve(row, mode) != nullptr ? 1 : 0;
         return rows;
+    }
+    /// Plays, and halts while playing with the first frame on the screen: the next step is not taken by itself.
+    void playOneFrame() {
+        MotionPlayer& player = window().motionPlayer();
+        player.setMinimumFrameInterval(1'000'000);
+        player.play();
+        QTRY_VERIFY_WITH_TIMEOUT(!window().session().computingOtf() && !window().volumeView().busy() &&
+                                     window().volumeView().pictureIsFine() && window().volumeView().pictureIsCurrent(),
+                                 30000);
+        QVERIFY(player.isPlaying());
     }
     /// Plays until this many frames were shown, and returns what each was shown with.
     std::vector<Shown> play(std::size_t count) {

@@ -2,6 +2,7 @@
 #include <QAbstractSpinBox>
 #include <QLocale>
 #include <QThread>
+#include <new>
 
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
@@ -117,6 +118,55 @@ private slots:
         m_fixture.waitUntilIdle();
         const double cut = m_fixture.window().volumeView().view().nearCutMm;
         QVERIFY(qAbs(cut - (expected->message.empty() ? expected->nearCutMm : 0.0)) <= 0.05 + 1e-9);
+    }
+
+    void aMessageThatIsNoLongerTrueGoes() {
+        session().setNearCutSearch(
+            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        m_fixture.waitUntilIdle();
+        QTest::keyClick(&m_fixture.window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!message()->isVisible());
+        m_fixture.waitUntilIdle();
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        message()->setRemark("The volume is dark.");
+        auto* value = m_fixture.child<QAbstractSpinBox>("view.nearCut.value");
+        value->stepDown();
+        QCOMPARE(message()->text(), "The volume is dark.");
+        QVERIFY(m_fixture.window().findChild<QWidget*>("message.action.0") == nullptr);
+        m_fixture.waitUntilIdle();
+    }
+
+    void theWayBackKeepsTheViewOfAFrame() {
+        session().setNearCutSearch(
+            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        m_fixture.click("motion.mode.eachView");
+        m_fixture.waitUntilIdle();
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        m_fixture.waitUntilIdle();
+        m_fixture.window().motionPlayer().setAngle(7);
+        m_fixture.waitUntilIdle();
+        QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);
+        m_fixture.click("message.action.0");
+        m_fixture.waitUntilIdle();
+        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);
+    }
+
+    void aSearchThatFailsLosesNoOtf() {
+        session().setNearCutSearch([](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
+                                      const Progress&) -> std::optional<NearCutSuggestion> { throw std::bad_alloc(); });
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
+        QTest::keyClick(&m_fixture.window(), Qt::Key_A);
+        QVERIFY(session().computingOtf());
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        QVERIFY(message()->text().contains("needs more memory"));
+        m_fixture.waitUntilIdle();
+        QCOMPARE(session().otf()->view.azimuthDegrees, 20.0);
     }
 
     void aSearchThatIsOvertakenLosesNoOtf() {

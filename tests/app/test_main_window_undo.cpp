@@ -150,6 +150,33 @@ private slots:
         QVERIFY(window().volumeView().view() == Viewpoint{});
     }
 
+    void aNodeThatIsDraggedWhileAStudyOpensGoesBack() {
+        open(m_file);
+        CurveCanvas& canvas = window().otfEditor().canvas();
+        const ManualCurve before = window().otfEditor().state().manual;
+        const QPoint from = canvas.axes().positionOf(before.nodes[1]).toPoint();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&canvas, from + QPoint(-15, 20));
+        QTest::mouseMove(&canvas, from + QPoint(-30, 40));
+        QVERIFY(window().otfEditor().state().manual != before);
+        open(m_moving);
+        QVERIFY(window().document().document().curves.manual == before);
+        QTest::mouseMove(&canvas, from + QPoint(-40, 50));
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, from + QPoint(-40, 50));
+        QVERIFY(window().otfEditor().state().manual == before);
+        QVERIFY(!steps().canUndo());
+    }
+
+    void withoutAStudyBeamAndCutAreNoSteps() {
+        const int beam = child<QComboBox>("view.beamAxis")->currentIndex();
+        choose("view.beamAxis", beam == 2 ? 3 : 2);
+        type("view.nearCut.value", "12.0");
+        QCOMPARE(steps().count(), 0);
+        QVERIFY(window().document().document().beam.axis == BeamAxis::plusZ);
+        QCOMPARE(child<QComboBox>("view.beamAxis")->currentIndex(), beam);
+        QCOMPARE(child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
+    }
+
     void anotherStudyBeginsWithoutSteps() {
         open(m_file);
         orbit({180, 160}, {200, 160});

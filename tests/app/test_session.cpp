@@ -114,6 +114,31 @@ private slots:
         QCOMPARE(held.started(), 2);  // those between were never run
     }
 
+    void whatIsBeingComputedIsNotBegunAgain() {
+        HeldPipeline held;
+        Session session;
+        session.setPipeline(held.function());
+        open(session, m_dark);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        session.requestOtf(turned(1), {});
+        held.waitUntilStarted(1);
+        session.requestOtf(turned(1), {});
+        held.release();
+        QTRY_VERIFY(!session.computingOtf());
+        QCOMPARE(computed.count(), 1);
+        QVERIFY(!held.sawCancel());
+        QCOMPARE(held.started(), 1);
+        // Once it is there, or cancelled, the same request is a new one.
+        session.requestOtf(turned(1), {});
+        held.waitUntilStarted(2);
+        session.cancelComputing();
+        session.requestOtf(turned(1), {});
+        held.release(2);
+        QTRY_VERIFY(!session.computingOtf());
+        QCOMPARE(computed.count(), 2);
+        QCOMPARE(held.started(), 3);
+    }
+
     void aResultOfAnotherPhaseIsDropped() {
         HeldPipeline held;
         Session session;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -294,6 +295,30 @@ private slots:
         s.caster.request(s.request(0.25));
         QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty() && s.delivered.back()->converged(), patience);
         QCOMPARE(s.delivered.size(), std::size_t{3});
+    }
+
+    void tooLittleMemoryIsToldAndAnotherRequestIsTried() {
+        Setup s;
+        std::atomic<bool> enough = false;
+        ProgressiveCaster caster{[&](const PictureRequest& request, const Progress& progress) {
+                                     if (request.volume && !enough) throw std::bad_alloc();
+                                     return s.commands(request, progress);
+                                 },
+                                 PreviewQuality{0.0}};
+        std::vector<std::shared_ptr<const CastPicture>> delivered;
+        QObject::connect(&caster, &ProgressiveCaster::delivered, &caster,
+                         [&](const std::shared_ptr<const CastPicture>& picture) { delivered.push_back(picture); });
+        QSignalSpy failed(&caster, &ProgressiveCaster::failed);
+        caster.request(s.request(0.25));
+        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!caster.busy(), patience);
+        QCOMPARE(s.commands.lettingGo(), 1);  // nothing of what was begun is kept
+        QVERIFY(delivered.empty());
+        enough = true;
+        caster.request(s.request(0.75));
+        QTRY_VERIFY_WITH_TIMEOUT(!delivered.empty() && delivered.back()->converged(), patience);
+        QCOMPARE(levelOf(*delivered.back()), 0.75f);
+        QCOMPARE(failed.size(), 1);
     }
 
     void clearLetsGoOfTheVolume() {

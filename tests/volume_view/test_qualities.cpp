@@ -10,7 +10,7 @@ class QualitiesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void levelsGoFromFineToCoarse() {
+    void qualitiesGoFromFineToCoarse() {
         const RayCastSettings asked;
         const auto samplesAt = [&](std::size_t chosen) {
             const RayCastSettings settings = settingsAt(chosen, asked);
@@ -22,7 +22,7 @@ private slots:
         const RayCastSettings converged = settingsAt(convergedQuality, asked);
         QCOMPARE(converged.width, asked.width);
         QVERIFY(converged.step <= asked.step / 2);
-        // From every chosen the way leads to the converged picture.
+        // From every quality the way leads to the converged picture.
         for (std::size_t chosen = 1; chosen < qualities.size(); ++chosen) QVERIFY(nextAtRest(chosen) < chosen);
     }
 
@@ -111,7 +111,7 @@ private slots:
         QVERIFY(costOf(settingsAt(chosen, asked), reclassifying) <= 33);
         QVERIFY(chosen < quality.qualityInMotion(asked));
         QCOMPARE(settingsAt(chosen, asked).width, 512);
-        // Where its samples cannot be kept, the chosen costs what a new view costs.
+        // Where its samples cannot be kept, the chosen quality costs what a new view costs.
         quality.couldNotKeep(settingsAt(chosen, asked));
         const std::size_t smaller = quality.qualityForEdits(asked, false);
         QVERIFY(smaller > chosen);
@@ -139,7 +139,7 @@ private slots:
         QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
     }
 
-    void withinASeriesOfEditsTheLevelStays() {
+    void withinASeriesOfEditsTheQualityStays() {
         const RayCastSettings asked;
         PreviewQuality quality(30);
         quality.sampled(asked, 60);

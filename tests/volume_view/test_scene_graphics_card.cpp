@@ -311,7 +311,8 @@ private slots:
         DrawnScene drawn(size, size);
         QVERIFY(!throughTheCard(drawn, volume, PowerCurve{1, 1.0}, settings).isNull());
         vtkNew<vtkPropPicker> picker;
-        picker->PickProp(size / 2, size / 2, drawn.scene.renderer());
+        const int middle = size / 2;
+        picker->PickProp(middle, middle, drawn.scene.renderer());
         QCOMPARE(picker->GetViewProp(), static_cast<vtkProp*>(drawn.scene.volumeProp()));
         QVERIFY(drawn.scene.volumeProp()->GetProperty()->GetScalarOpacity()->GetValue(255) > 0.9);
     }

@@ -56,7 +56,7 @@ private slots:
         // The ball is in front (small z): it follows the hand to the right.
         const double before = brightCentre(*s.view.picture()).x();
         s.drag(Qt::LeftButton, {}, {150, 120}, {175, 120});
-        QVERIFY(changes.size() > 0);
+        QVERIFY(!changes.empty());
         QCOMPARE(s.view.view().azimuthDegrees, 180.0 * 25 / 250);
         QVERIFY(std::abs(s.view.view().elevationDegrees) < 1e-9);
         QVERIFY(s.awaitIdle());
@@ -137,7 +137,7 @@ private slots:
         QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
         const auto before = s.view.picture();
         s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
-        QVERIFY(light.size() > 0);
+        QVERIFY(!light.empty());
         QVERIFY(std::abs(s.view.look().light.azimuthDegrees - (-30 + 180.0 * 50 / 250)) < 1e-9);   // to the right
         QVERIFY(std::abs(s.view.look().light.elevationDegrees - (20 - 180.0 * 25 / 250)) < 1e-9);  // down
         QVERIFY(length(s.view.settings().shading->towardsLight - towardsLight(s.view.look().light)) < 1e-12);
@@ -158,8 +158,10 @@ private slots:
         QTest::mousePress(s.window(), Qt::LeftButton, Qt::ControlModifier, {150, 120});
         s.moveTo({190, 140}, Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(s.view.look() != before);
+        QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
         QTest::keyClick(&s.view, Qt::Key_Escape);
         QCOMPARE(s.view.look(), before);
+        QCOMPARE(light.size(), 0);  // the person has not moved it back
         s.moveTo({200, 140}, Qt::LeftButton, Qt::ControlModifier);
         QCOMPARE(s.view.look(), before);
         QTest::mouseRelease(s.window(), Qt::LeftButton, Qt::ControlModifier, {200, 140});

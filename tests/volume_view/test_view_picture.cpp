@@ -64,6 +64,7 @@ private slots:
         s.view.setCurve(wall);
         s.view.setLook(s.view.look());
         s.view.setNearCut(0);
+        QCOMPARE(busyChanges.size(), 0);
         s.view.setView(s.view.view());
         s.view.setVolume(s.volume);
         s.view.update();
@@ -235,7 +236,7 @@ private slots:
         const auto awaitSwap = [&] {
             swapped.clear();
             s.window()->requestUpdate();
-            return QTest::qWaitFor([&] { return swapped.size() > 0; }, patience);
+            return QTest::qWaitFor([&] { return !swapped.empty(); }, patience);
         };
         QVERIFY(awaitSwap());  // what was drawn before is on the screen
         QSignalSpy delivered(&s.view, &VolumeViewWidget::pictureDelivered);

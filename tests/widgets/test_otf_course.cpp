@@ -3,6 +3,7 @@
 #include <QtWidgets>
 
 #include "processing/motion/flicker.h"
+#include "tests/widgets/panel_controls.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"
@@ -27,13 +28,6 @@ constexpr std::array<std::pair<MotionOtf, OtfSmoothing>, 4> smoothed{
      {MotionOtf::mean, OtfSmoothing::mean},
      {MotionOtf::movingLeastSquares, OtfSmoothing::movingLeastSquares},
      {MotionOtf::leastFlicker, OtfSmoothing::leastFlicker}}};
-
-template <typename Widget>
-Widget* child(QWidget& panel, const char* name) {
-    auto* found = panel.findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
-}
 
 }  // namespace
 
@@ -164,10 +158,13 @@ private slots:
     void thePanelComparesTheModes() {
         OtfCourse course;
         OtfCoursePanel panel(course);
+        panel.show();
         QCOMPARE(child<QLabel>(panel, "motion.map.flicker.mean")->text(), "–");
+        panel.hide();
         for (int angle = 0; angle < 20; ++angle) course.add({.angle = angle}, curveOfFrame(angle));
         panel.setMode(MotionOtf::mean);
         panel.showCourse();
+        panel.show();  // what was hidden meanwhile is made up for
         for (const auto& [name, mode] : {std::pair{"motion.map.flicker.eachView", MotionOtf::eachView},
                                          std::pair{"motion.map.flicker.mean", MotionOtf::mean}})
             QCOMPARE(child<QLabel>(panel, name)->text(), QLocale().toString(*course.flicker(mode), 'f', 4));

@@ -2,6 +2,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "tests/widgets/panel_controls.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -13,13 +14,6 @@
 using namespace echolucent;
 
 namespace {
-
-template <typename Widget>
-Widget* child(QWidget& panel, const char* name) {
-    auto* found = panel.findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
-}
 
 bool isControl(const QWidget* widget) {
     const bool input = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
@@ -223,6 +217,43 @@ private slots:
         bar.dismiss();
         bar.setRemark({});
         QVERIFY(!bar.isVisible());
+    }
+
+    void aRemarkMakesAWarningOfAnInformationWhileItStands() {
+        MessageBar bar;
+        bar.showMessage(MessageKind::info, "Near cut at 4 mm.");
+        bar.setRemark("No surface found.");
+        QCOMPARE(bar.kind(), MessageKind::warning);
+        bar.setRemark({});
+        QCOMPARE(bar.kind(), MessageKind::info);
+        QCOMPARE(bar.accessibleName(), "Information");
+        bar.showMessage(MessageKind::warning, "The spacing is unknown.");
+        bar.setRemark("No surface found.");
+        bar.setRemark({});
+        QCOMPARE(bar.kind(), MessageKind::warning);
+        bar.showMessage(MessageKind::error, "The file is gone.");
+        bar.setRemark("No surface found.");
+        QCOMPARE(bar.kind(), MessageKind::error);
+    }
+
+    void aMessageIsTakenBackWhereItIsStillShown() {
+        MessageBar bar;
+        QSignalSpy closed(&bar, &MessageBar::closed);
+        bar.showMessage(MessageKind::error, "first", {{"Back", {}}});
+        bar.setRemark("No surface found.");
+        bar.takeBack("another");
+        QCOMPARE(bar.text(), "first No surface found.");
+        bar.takeBack("first");
+        QCOMPARE(bar.text(), "No surface found.");
+        QCOMPARE(bar.kind(), MessageKind::warning);
+        QVERIFY(!bar.findChild<QPushButton*>("message.action.0"));
+        bar.setRemark({});
+        QVERIFY(!bar.isVisible());
+        bar.showMessage(MessageKind::info, "second");
+        bar.takeBack("second");
+        QVERIFY(!bar.isVisible());
+        QVERIFY(bar.text().isEmpty());
+        QCOMPARE(closed.count(), 0);
     }
 
     void messageIsClosedByButtonKeyAndProgram() {

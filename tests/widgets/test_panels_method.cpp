@@ -5,6 +5,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "tests/widgets/panel_controls.h"
 #include "widgets/panels/method_panel.h"
 
 using namespace echolucent;
@@ -19,13 +20,6 @@ AdaptiveOtfConfig onlyConfigOf(QSignalSpy& spy) {
 AdaptiveOtfConfig with(const DetectionRule& detection) { return {.detection = detection}; }
 AdaptiveOtfConfig with(const CurveRule& curve) { return {.curve = curve}; }
 double strengthIn(const MethodPanel& panel) { return std::get<ProductRule>(panel.config().curve).strength; }
-
-template <typename Widget>
-Widget* child(QWidget& panel, const char* name) {
-    auto* found = panel.findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
-}
 
 TubeCore tubeWith(double d, double low, double high) {
     TubeCore tube;

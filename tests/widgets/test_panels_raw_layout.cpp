@@ -2,18 +2,12 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "tests/widgets/panel_controls.h"
 #include "widgets/panels/raw_layout_dialog.h"
 
 using namespace echolucent;
 
 namespace {
-
-template <typename Widget>
-Widget* child(QWidget& panel, const char* name) {
-    auto* found = panel.findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
-}
 
 void type(QAbstractSpinBox* spinBox, const QString& text) {
     spinBox->selectAll();
@@ -32,9 +26,9 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void bytesOfALayout_data() {
-        QTest::addColumn<RawLayoutValues>("layout");
+        QTest::addColumn<RawLayout>("layout");
         QTest::addColumn<qlonglong>("bytes");  // -1: none
-        const auto row = [](const char* name, RawLayoutValues layout, qlonglong bytes) {
+        const auto row = [](const char* name, RawLayout layout, qlonglong bytes) {
             QTest::newRow(name) << layout << bytes;
         };
         row("bytes", {.size = {2, 3, 4}}, 24);
@@ -60,7 +54,7 @@ private slots:
         row("unknown type", {.size = {2, 3, 4}, .type = "uint7"}, -1);
     }
     void bytesOfALayout() {
-        QFETCH(RawLayoutValues, layout);
+        QFETCH(RawLayout, layout);
         QFETCH(qlonglong, bytes);
         QCOMPARE(bytesNeeded(layout).value_or(-1), bytes);
     }
@@ -89,12 +83,12 @@ private slots:
 
     void valuesComeBack() {
         RawLayoutDialog dialog("heart.raw", 1000);
-        const RawLayoutValues values{.size = {152, 156, 110},
-                                     .type = "float32",
-                                     .bigEndian = true,
-                                     .headerBytes = (std::int64_t{1} << 40) + 1,
-                                     .spacing = {0.3, 0.123456789, 2.5},
-                                     .spacingKnown = true};
+        const RawLayout values{.size = {152, 156, 110},
+                               .type = "float32",
+                               .bigEndian = true,
+                               .headerBytes = (std::int64_t{1} << 40) + 1,
+                               .spacing = {0.3, 0.123456789, 2.5},
+                               .spacingKnown = true};
         dialog.setValues(values);
         QCOMPARE(dialog.values(), values);
         QCOMPARE(child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->text(), "0.3");
@@ -105,7 +99,7 @@ private slots:
         dialog.setValues({.size = {1, 1, 1}, .spacing = {0.3, 0.3, 0.3}, .spacingKnown = true});
         QTest::keyClick(child<QCheckBox>(dialog, "rawLayout.spacingUnknown"), Qt::Key_Space);
         QVERIFY(!child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->isEnabled());
-        QCOMPARE(dialog.values(), (RawLayoutValues{.size = {1, 1, 1}}));
+        QCOMPARE(dialog.values(), (RawLayout{.size = {1, 1, 1}}));
     }
 
     void hugeSizesEndInASentence() {

@@ -2,10 +2,9 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 namespace {
@@ -28,8 +27,7 @@ QString rowName(const OtfCourse& course, int row) {
     const int number = course.numberOf(row);
     if (course.rows() == OtfCourse::Rows::phases)
         return QCoreApplication::translate("OtfCourse", "phase %1").arg(number);
-    const QString sign = number > 0 ? QStringLiteral("+") : number < 0 ? QStringLiteral("−") : QString();
-    return QStringLiteral("%1%2°").arg(sign).arg(std::abs(number));
+    return angleText(number);
 }
 
 double plotLeft(const QFontMetrics& metrics) { return metrics.horizontalAdvance("+45°") + 2 * markWidth; }

@@ -29,12 +29,6 @@ ModeName shownNameOf(MotionOtf mode) {
     return {};
 }
 
-QLabel* secondaryLabel(const QString& text = {}) {
-    auto* label = new QLabel(text);
-    label->setProperty("secondary", true);
-    return label;
-}
-
 /// What the map's rows are.
 enum class MapRows { shown, unsmoothed };
 
@@ -116,7 +110,13 @@ void OtfCoursePanel::showCourse() {
     showFlicker();
 }
 
+void OtfCoursePanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showFlicker();
+}
+
 void OtfCoursePanel::showFlicker() {
+    if (!isVisible()) return;  // the flicker of all modes is computed anew for each frame of the motion
     const QLocale locale;
     const auto ofEachView = m_course.flicker(MotionOtf::eachView);
     for (const MotionOtf mode : allMotionOtfs) {

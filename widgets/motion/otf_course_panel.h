@@ -28,6 +28,9 @@ public:
     /// The course has changed: shows it.
     void showCourse();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     QWidget* createFlickerTable();
     void showRows();

@@ -19,6 +19,7 @@
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
@@ -42,12 +43,6 @@ std::optional<double> intensityReaching(const OpacityCurve& curve, double opacit
     const auto reached = std::ranges::find_if(opacities, [opacity](double value) { return value >= opacity; });
     if (reached == opacities.end()) return std::nullopt;
     return static_cast<double>(reached - opacities.begin()) / 255.0;
-}
-
-QLabel* secondaryLabel(const QString& text = {}) {
-    auto* label = new QLabel(text);
-    label->setProperty("secondary", true);
-    return label;
 }
 
 }  // namespace
@@ -74,6 +69,7 @@ OtfEditor::OtfEditor(CurveOwner& owner, QWidget* parent) : QWidget(parent), m_mo
     connectModel();
     paintIcons();
     showState();
+    showAdaptiveFacts();
 }
 
 OtfEditor::~OtfEditor() {
@@ -220,9 +216,6 @@ QLayout* OtfEditor::makeFileRow() {
 void OtfEditor::connectModel() {
     connect(&m_model, &OtfEditorModel::changed, this, &OtfEditor::showState);
     connect(&m_model, &OtfEditorModel::activeCurveChanged, this, &OtfEditor::activeCurveChanged);
-    connect(&m_model, &OtfEditorModel::activeChanged, this, &OtfEditor::activeChanged);
-    connect(&m_model, &OtfEditorModel::manualEdited, this, &OtfEditor::manualEdited);
-    connect(&m_model, &OtfEditorModel::manualModifiedChanged, this, &OtfEditor::manualModifiedChanged);
     const auto showSteps = [this] {
         m_undo->setEnabled(undoStack()->canUndo());
         m_redo->setEnabled(undoStack()->canRedo());
@@ -235,6 +228,11 @@ void OtfEditor::connectModel() {
     showSteps();
     connect(m_canvas, &CurveCanvas::hovered, this, &OtfEditor::showHovered);
     connect(m_nodeTable, &NodeTable::refused, m_readout, &QLabel::setText);
+}
+
+void OtfEditor::setAdaptiveCurve(const SampledCurve& curve) {
+    m_model.setAdaptiveCurve(curve);
+    showAdaptiveFacts();
 }
 
 void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
@@ -254,7 +252,6 @@ void OtfEditor::setCursorIntensity(std::optional<double> intensity) {
 
 void OtfEditor::openManualCurve(const ManualCurve& curve) {
     m_model.replaceManual(curve, tr("open curve"));
-    m_model.setActive(CurveKind::manual);
     m_model.setManualSaved();
 }
 
@@ -282,10 +279,14 @@ void OtfEditor::showState() {
                             ? tr("The adaptive curve comes from the volume")
                             : tr("Reset the %1 curve (C)").arg(curveName(shown.active)));
     m_deleteNode->setEnabled(m_model.selectedNode() >= 0 && m_model.canRemoveNode());
-    m_adaptiveNote->setText(computed ? adaptiveFacts() : tr("No adaptive curve yet: it is computed from the volume."));
     if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;
     if (m_hoveredNode >= 0) m_hovered = shown.manual.nodes[static_cast<std::size_t>(m_hoveredNode)];
     showReadout();
+}
+
+void OtfEditor::showAdaptiveFacts() {
+    const bool computed = !state().adaptive.opacities.empty();
+    m_adaptiveNote->setText(computed ? adaptiveFacts() : tr("No adaptive curve yet: it is computed from the volume."));
 }
 
 QString OtfEditor::adaptiveFacts() const {

@@ -32,13 +32,11 @@ public:
     ~OtfEditor() override;
 
     [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }
-    /// What Reset goes back to.
-    void setDefaults(const OtfEditorState& defaults) { m_model.setDefaults(defaults); }
 
     /// The curve to render now; activeCurveChanged tells every later one.
     [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
     void setActive(CurveKind kind) { m_model.setActive(kind); }
-    void setAdaptiveCurve(const SampledCurve& curve) { m_model.setAdaptiveCurve(curve); }
+    void setAdaptiveCurve(const SampledCurve& curve);
     void setHistogram(const IntensityHistogram& histogram);
     /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
     void setWhiteLevel(double whiteLevel);
@@ -68,9 +66,6 @@ public:
 signals:
     /// As OtfEditorModel::activeCurveChanged.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
-    void activeChanged(echolucent::CurveKind kind);
-    void manualEdited(const echolucent::ManualCurve& curve);
-    void manualModifiedChanged(bool modified);
     void openCurveRequested();
     void saveCurveRequested(const echolucent::ManualCurve& curve);
 
@@ -88,6 +83,7 @@ private:
     [[nodiscard]] QLayout* makeFileRow();
     void paintIcons();
     void showState();
+    void showAdaptiveFacts();
     [[nodiscard]] QString adaptiveFacts() const;
     [[nodiscard]] QString intensityText(double intensity) const;
     [[nodiscard]] QString storedText(double intensity) const;

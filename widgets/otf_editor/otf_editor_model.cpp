@@ -147,13 +147,14 @@ void OtfEditorModel::setScale(CurveKind kind, double scale, Gesture gesture) {
 
 void OtfEditorModel::resetActiveCurve() {
     cancelDrag();
+    const CurveSet standard{};
     OtfEditorState next = m_state;
     switch (m_state.active) {
         case CurveKind::adaptive: return;
-        case CurveKind::manual: next.manual = m_defaults.manual; break;
-        case CurveKind::linear: next.linear = m_defaults.linear; break;
-        case CurveKind::parabolic: next.parabolic = m_defaults.parabolic; break;
-        case CurveKind::quartic: next.quartic = m_defaults.quartic; break;
+        case CurveKind::manual: next.manual = standard.manual; break;
+        case CurveKind::linear: next.linear = standard.linear; break;
+        case CurveKind::parabolic: next.parabolic = standard.parabolic; break;
+        case CurveKind::quartic: next.quartic = standard.quartic; break;
     }
     edit(next, tr("reset %1 curve").arg(curveName(m_state.active)));
 }
@@ -251,7 +252,6 @@ void OtfEditorModel::apply(const OtfEditorState& next, Announce announce) {
     } else {
         updateManualModified();
     }
-    if (before.active != m_state.active) emit activeChanged(m_state.active);
     if (before != m_state) emit changed();
     if (announce == Announce::now) {
         announceNow();

@@ -27,8 +27,6 @@ public:
     explicit OtfEditorModel(CurveOwner& owner, QObject* parent = nullptr);
 
     [[nodiscard]] const OtfEditorState& state() const { return m_state; }
-    /// What resetActiveCurve goes back to; at first OtfEditorState's defaults.
-    void setDefaults(const OtfEditorState& defaults) { m_defaults = defaults; }
 
     [[nodiscard]] OpacityCurve activeCurve() const { return curveOf(m_state, m_state.active); }
     /// Makes a curve the rendered one, and drawn.
@@ -59,7 +57,7 @@ public:
     void setLinear(const LinearCurve& curve, Gesture gesture = noGesture);
     /// The scale a >= 0 of the parabolic or quartic curve.
     void setScale(CurveKind kind, double scale, Gesture gesture = noGesture);
-    /// The active curve as setDefaults has it; an adaptive curve stays.
+    /// Makes the active curve that of CurveSet's defaults; an adaptive curve stays.
     void resetActiveCurve();
 
     /// A drag: what dragNode does shows at once, endDrag makes one step of it, cancelDrag takes it back.
@@ -86,7 +84,6 @@ signals:
     /// The curve to render. Previews of a drag and of held keys are announced at most once in 16 ms; what they end
     /// with, and every other change, at once.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
-    void activeChanged(echolucent::CurveKind kind);
     void manualEdited(const echolucent::ManualCurve& curve);
     void manualModifiedChanged(bool modified);
     void selectedNodeChanged(int index);
@@ -105,7 +102,6 @@ private:
 
     CurveOwner& m_owner;
     OtfEditorState m_state;  ///< curves and active curve as the owner has them, beside what only the editor shows
-    OtfEditorState m_defaults;
     std::optional<OtfEditorState> m_beforeDrag;
     ManualCurve m_savedManual;
     OpacityCurve m_announced;

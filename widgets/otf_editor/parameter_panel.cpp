@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
@@ -24,8 +25,7 @@ ParameterSpinBox* spinBox(OtfEditorModel& model, const QString& objectName, cons
 }
 
 QLabel* formula(const QString& richText) {
-    auto* label = new QLabel(richText);
-    label->setProperty("secondary", true);
+    QLabel* label = secondaryLabel(richText);
     label->setTextFormat(Qt::RichText);
     label->setWordWrap(true);
     return label;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr int signWidth = 40;  // the coloured stripe and the sign beside it
 
-struct Look {
+struct Appearance {
     QColor colour;
     QString sign;  // so that the kind is not told by colour alone
     QString name;
 };
 
-Look lookOf(MessageKind kind) {
+Appearance appearanceOf(MessageKind kind) {
     switch (kind) {
         case MessageKind::info: return {QColor(0x4f, 0xb3, 0xbf), QStringLiteral("i"), MessageBar::tr("Information")};
         case MessageKind::warning: return {QColor(0xe8, 0xb0, 0x4b), QStringLiteral("!"), MessageBar::tr("Warning")};
@@ -58,7 +58,7 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
     removeActions();
-    m_kind = kind;
+    m_messageKind = kind;
     m_message = text;
     for (int i = 0; i < actions.size(); ++i) {
         auto* button =
@@ -75,15 +75,8 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
 
 void MessageBar::setRemark(const QString& sentence) {
     if (sentence == m_remark) return;
-    const bool alone = m_message.isEmpty();
     m_remark = sentence;
     m_remarkClosed = false;
-    if (alone && m_remark.isEmpty()) {
-        hide();
-        m_text->clear();
-        return;
-    }
-    if (alone || m_kind == MessageKind::info) m_kind = m_remark.isEmpty() ? MessageKind::info : MessageKind::warning;
     showText();
 }
 
@@ -91,9 +84,16 @@ void MessageBar::showText() {
     QStringList sentences{m_message};
     if (!m_remarkClosed) sentences << m_remark;
     sentences.removeAll(QString());
+    if (sentences.isEmpty()) {
+        hide();
+        m_text->clear();
+        return;
+    }
+    const bool remarked = !m_remarkClosed && !m_remark.isEmpty();
+    m_kind = remarked && m_messageKind == MessageKind::info ? MessageKind::warning : m_messageKind;
     const QString text = sentences.join(QLatin1Char(' '));
     m_text->setText(text);
-    setAccessibleName(lookOf(m_kind).name);
+    setAccessibleName(appearanceOf(m_kind).name);
     setAccessibleDescription(text);
     show();
     update();
@@ -101,9 +101,18 @@ void MessageBar::showText() {
     QAccessible::updateAccessibility(&alert);
 }
 
+void MessageBar::takeBack(const QString& text) {
+    if (m_message != text) return;
+    m_message.clear();
+    m_messageKind = MessageKind::info;
+    removeActions();
+    showText();
+}
+
 void MessageBar::dismiss() {
     hide();
     m_message.clear();
+    m_messageKind = MessageKind::info;
     m_remark.clear();
     m_remarkClosed = false;
     m_text->clear();
@@ -139,20 +148,20 @@ void MessageBar::keyPressEvent(QKeyEvent* event) {
 }
 
 void MessageBar::paintEvent(QPaintEvent*) {
-    const Look look = lookOf(m_kind);
+    const Appearance appearance = appearanceOf(m_kind);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Window));
-    painter.fillRect(QRect(0, 0, 4, height()), look.colour);
+    painter.fillRect(QRect(0, 0, 4, height()), appearance.colour);
     const QRectF disc(12, height() / 2.0 - 9, 18, 18);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(look.colour);
+    painter.setBrush(appearance.colour);
     painter.drawEllipse(disc);
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
     painter.setPen(Qt::black);
-    painter.drawText(disc, Qt::AlignCenter, look.sign);
+    painter.drawText(disc, Qt::AlignCenter, appearance.sign);
 }
 
 }  // namespace echolucent

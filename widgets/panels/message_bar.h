@@ -33,6 +33,8 @@ public:
     /// A sentence that is true of what is shown now: stands behind the message, or alone as a warning. Empty takes it
     /// away; said again after it was closed, it stays closed.
     void setRemark(const QString& sentence);
+    /// Takes the message away where it is still this one; the remark stays. Emits nothing.
+    void takeBack(const QString& text);
     /// Closes the bar, the remark included; emits nothing.
     void dismiss();
 
@@ -53,7 +55,8 @@ private:
     void showText();
     void closeByPerson();
 
-    MessageKind m_kind = MessageKind::info;
+    MessageKind m_kind = MessageKind::info;         ///< as it is shown: a remark makes a warning of an information
+    MessageKind m_messageKind = MessageKind::info;  ///< the message's own
     QString m_message;
     QString m_remark;
     bool m_remarkClosed = false;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "processing/adaptive/method_parameters.h"
 #include "widgets/panels/panel_controls.h"
@@ -49,18 +50,6 @@ void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& confi
                                    static_cast<std::int64_t>(offered.largest)));
     else if (const auto number = numberOf(*value))
         row.set(config, std::clamp(*number, offered.least, offered.largest));
-}
-
-/// Mean of I_L or I_H over the tube cores with a surface, weighted by what they bring to the curve.
-double weightedMean(const AdaptiveOtf& result, std::optional<double> TubeCore::*intensity) {
-    double sum = 0.0;
-    double weight = 0.0;
-    for (const TubeCore& tube : result.tubes) {
-        if (!(tube.*intensity).has_value()) continue;
-        sum += tube.d * (tube.*intensity).value();
-        weight += tube.d;
-    }
-    return weight > 0.0 ? sum / weight : 0.0;
 }
 
 }  // namespace
@@ -171,15 +160,15 @@ QWidget* MethodPanel::createMainControls() {
 QWidget* MethodPanel::createAdvancedControls() {
     auto* tubeSpacing = createDoubleSpinBox("tube_spacing", 1, 1);
     tubeSpacing->setSpecialValueText(tr("automatic"));
-    const std::array<QWidget*, 9> controls{createSpinBox("tube_columns"),
-                                           createSpinBox("tube_rows"),
-                                           tubeSpacing,
-                                           createSpinBox("cell_size"),
-                                           createDoubleSpinBox("false_alarm", 2, 0.25),
-                                           createSpinBox("slope_half_step"),
-                                           createSpinBox("coarsest_scale"),
-                                           createSpinBox("finest_scale"),
-                                           createDoubleSpinBox("significance", 2, 0.05)};
+    const std::vector<QWidget*> controls{createSpinBox("tube_columns"),
+                                         createSpinBox("tube_rows"),
+                                         tubeSpacing,
+                                         createSpinBox("cell_size"),
+                                         createDoubleSpinBox("false_alarm", 2, 0.25),
+                                         createSpinBox("slope_half_step"),
+                                         createSpinBox("coarsest_scale"),
+                                         createSpinBox("finest_scale"),
+                                         createDoubleSpinBox("significance", 2, 0.05)};
 
     m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
                        tr("Reading, tube cores, cells and scales"));
@@ -313,9 +302,9 @@ void MethodPanel::showResult(const AdaptiveOtf& result) {
     QString summary = tr("%1 of %2 tube cores").arg(result.tubesWithWeight).arg(result.tubesMeetingVolume);
     if (result.tubesWithWeight > 0) {
         const QLocale locale;
+        const MeanInterface mean = meanInterfaceOf(result);
         summary += QStringLiteral(" · I_L %1 · I_H %2")
-                       .arg(locale.toString(weightedMean(result, &TubeCore::lowIntensity), 'f', 2),
-                            locale.toString(weightedMean(result, &TubeCore::highIntensity), 'f', 2));
+                       .arg(locale.toString(mean.low, 'f', 2), locale.toString(mean.high, 'f', 2));
     }
     m_summary->setText(summary);
     m_message->setText(QString::fromStdString(result.message));

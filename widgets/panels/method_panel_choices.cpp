@@ -35,8 +35,8 @@ void MethodPanel::createMethodChoices() {
 
     m_reading = named(new QComboBox, "adaptive.reading", tr("Reading"),
                       tr("How the method is understood, all parameters at once. As published: the paper's words taken "
-                         "literally. Settled: its open points decided as the notes on the method say. Default: what "
-                         "this program takes"));
+                         "literally. Settled: its open points settled by experiment. Default: what this "
+                         "program takes"));
     wheelNeedsFocus(m_reading);
     m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
     m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));

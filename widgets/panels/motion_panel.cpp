@@ -21,19 +21,6 @@
 namespace echolucent {
 namespace {
 
-/// "+3°", "−3°", "0°".
-QString angleText(int degrees) {
-    const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
-    return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));
-}
-
-/// The angle at an end of the slider, as secondary text.
-QLabel* endLabel(int degrees) {
-    auto* label = new QLabel(angleText(degrees));
-    label->setProperty("secondary", true);
-    return label;
-}
-
 QIcon playIcon(bool playing, const QColor& colour) {
     QPixmap pixmap(32, 32);
     pixmap.fill(Qt::transparent);
@@ -157,9 +144,9 @@ void MotionPanel::arrange() {
     auto* first = new QHBoxLayout;
     first->setSpacing(5);
     first->addWidget(m_play);
-    first->addWidget(endLabel(firstMotionAngle));
+    first->addWidget(secondaryLabel(angleText(firstMotionAngle)));
     first->addWidget(m_angle, 1);
-    first->addWidget(endLabel(lastMotionAngle));
+    first->addWidget(secondaryLabel(angleText(lastMotionAngle)));
     first->addWidget(m_angleValue);
     first->addWidget(m_scenario);
     first->addWidget(m_axis);

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <cstdlib>
 
 namespace echolucent {
 
@@ -40,6 +41,17 @@ QLabel* labelFor(QWidget* control, const QString& text) {
     auto* label = new QLabel(text);
     label->setBuddy(control);
     return label;
+}
+
+QLabel* secondaryLabel(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("secondary", true);
+    return label;
+}
+
+QString angleText(int degrees) {
+    const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
+    return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));
 }
 
 void selectData(QComboBox* comboBox, int data) {

@@ -29,6 +29,12 @@ void wheelNeedsFocus(QWidget* control);
 /// A text in front of a control, which is its buddy.
 [[nodiscard]] QLabel* labelFor(QWidget* control, const QString& text);
 
+/// A text that stands back behind the others.
+[[nodiscard]] QLabel* secondaryLabel(const QString& text = {});
+
+/// "+3°", "−3°", "0°".
+[[nodiscard]] QString angleText(int degrees);
+
 /// Selects the entry with that data; emits nothing. The data must be there.
 void selectData(QComboBox* comboBox, int data);
 

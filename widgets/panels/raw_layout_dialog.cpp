@@ -123,26 +123,26 @@ void RawLayoutDialog::arrange(const QString& fileName) {
     grid->addWidget(m_buttons, 6, 0, 1, 5);
 }
 
-RawLayoutValues RawLayoutDialog::values() const {
-    RawLayoutValues values;
-    values.type = m_type->currentText();
+RawLayout RawLayoutDialog::values() const {
+    RawLayout values;
+    values.type = m_type->currentText().toStdString();
     values.bigEndian = m_byteOrder->currentData().toInt() == 1;
     values.headerBytes = static_cast<std::int64_t>(m_headerBytes->value());
     values.spacingKnown = !m_spacingUnknown->isChecked();
     for (std::size_t i = 0; i < 3; ++i) {
         values.size[i] = m_size[i]->value();
-        if (values.spacingKnown) values.spacing[i] = m_spacing[i]->value();
+        if (values.spacingKnown) values.spacing[static_cast<int>(i)] = m_spacing[i]->value();
     }
     return values;
 }
 
-void RawLayoutDialog::setValues(const RawLayoutValues& values) {
+void RawLayoutDialog::setValues(const RawLayout& values) {
     constexpr std::int64_t largest = std::numeric_limits<int>::max();
     for (std::size_t i = 0; i < 3; ++i) {
         m_size[i]->setValue(static_cast<int>(std::clamp<std::int64_t>(values.size[i], 0, largest)));
-        m_spacing[i]->setValue(values.spacing[i]);
+        m_spacing[i]->setValue(values.spacing[static_cast<int>(i)]);
     }
-    m_type->setCurrentText(values.type);
+    m_type->setCurrentText(QString::fromStdString(values.type));
     selectData(m_byteOrder, values.bigEndian ? 1 : 0);
     m_headerBytes->setValue(static_cast<double>(values.headerBytes));
     m_spacingUnknown->setChecked(!values.spacingKnown);
@@ -168,7 +168,7 @@ void RawLayoutDialog::fitHeader() {
 }
 
 QString RawLayoutDialog::fitSentence() const {
-    const RawLayoutValues layout = values();
+    const RawLayout layout = values();
     if (std::min({layout.size[0], layout.size[1], layout.size[2]}) < 1) {
         return tr("The file has %1 bytes. How many voxels are there along x, y and z?").arg(grouped(m_fileBytes));
     }

@@ -29,8 +29,8 @@ public:
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
     /// Spacing is 1, 1, 1 where it is said to be unknown.
-    [[nodiscard]] RawLayoutValues values() const;
-    void setValues(const RawLayoutValues& values);
+    [[nodiscard]] RawLayout values() const;
+    void setValues(const RawLayout& values);
     /// True where the file holds header and voxels; it may be longer.
     [[nodiscard]] bool fits() const;
 

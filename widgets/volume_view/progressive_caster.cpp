@@ -1,6 +1,7 @@
 #include "widgets/volume_view/progressive_caster.h"
 
 #include <chrono>
+#include <new>
 #include <utility>
 
 namespace echolucent {
@@ -67,7 +68,7 @@ void ProgressiveCaster::refine() {
 void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded) {
     m_startedQuality = quality;
     const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
-    auto job = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
+    auto make = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
         const PictureRequest atQuality{asked->volume, asked->curve, settingsAt(quality, asked->settings)};
         CastResult result = cast(atQuality, progress);
@@ -79,7 +80,20 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
             std::move(screen), taken.count(), followsHand});
         return [this, finished, samples = result.samples] { deliver(finished, samples); };
     };
+    auto job = [this, cast = m_cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
+        try {
+            return make(progress);
+        } catch (const std::bad_alloc&) {
+            cast({}, progress);  // a caster that was interrupted is not used again
+            return [this] { fail(); };
+        }
+    };
     m_thread.submit(std::move(job), whenSuperseded);
+}
+
+void ProgressiveCaster::fail() {
+    m_keptQuality.reset();
+    emit failed();
 }
 
 void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples) {

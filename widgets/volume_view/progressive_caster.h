@@ -52,12 +52,15 @@ public:
 
 signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
+    /// A picture needs more memory than there is. Nothing better follows before another request.
+    void failed();
     void busyChanged();
 
 private:
     [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);
     void refine();
     void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
+    void fail();
     void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples);
 
     Cast m_cast;

@@ -61,6 +61,7 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     });
     connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
+    connect(&parts.caster, &ProgressiveCaster::failed, this, &VolumeViewWidget::pictureFailed);
 }
 
 VolumeViewWidget::~VolumeViewWidget() {
@@ -82,7 +83,6 @@ void VolumeViewWidget::connectPointer() {
         if (m_parts->lightBeforeDrag != m_parts->look.light) {
             m_parts->look.light = m_parts->lightBeforeDrag;
             schedule();
-            emit lightChanged();
         }
         emit dragCancelled();
     });
@@ -146,11 +146,13 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume) {
 }
 
 void VolumeViewWidget::setCurve(const OpacityCurve& curve) {
+    if (curve == m_parts->curve) return;
     m_parts->curve = curve;
     schedule();
 }
 
 void VolumeViewWidget::setLook(const Look& look) {
+    if (look == m_parts->look) return;
     m_parts->look = look;
     schedule();
 }
@@ -158,6 +160,7 @@ void VolumeViewWidget::setLook(const Look& look) {
 const Look& VolumeViewWidget::look() const { return m_parts->look; }
 
 void VolumeViewWidget::setNearCut(double mm) {
+    if (mm == m_parts->nearCutMm) return;
     m_parts->nearCutMm = mm;
     schedule();
 }

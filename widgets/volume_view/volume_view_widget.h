@@ -131,6 +131,8 @@ signals:
     void pictureDelivered(const echolucent::PictureReport& report);
     /// It is on the screen.
     void pictureDrawn();
+    /// The newest picture needs more memory than there is; the one before stays, and every change tries again.
+    void pictureFailed();
     void busyChanged(bool busy);
     /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is,
     /// and no opacity in a mode in which the curve plays no part.

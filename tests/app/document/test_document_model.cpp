@@ -58,6 +58,26 @@ class TestDocumentModel : public QObject {
     Q_OBJECT
 
 private slots:
+    void aDragThatIsTakenBackLeavesAMotionThatGoesOn() {
+        DocumentModel model;
+        model.showMotionAngle(10);
+        Document next = model.document();
+        lookOf(next, 1).light.azimuthDegrees = 12;
+        model.preview(next, "move light");
+        model.showMotionAngle(11);
+        model.cancelPreview();
+        QCOMPARE(model.document().motionAngle, 11.0);
+        QVERIFY(lookOf(model.document(), 1).light == lookAtStart().light);
+
+        next = model.document();
+        poseOf(next, 1).direction.azimuth = 30;
+        next.motionAngle = 0;  // the hand on the camera ends the motion
+        model.preview(next, "turn view");
+        model.cancelPreview();
+        QCOMPARE(model.document().motionAngle, 11.0);
+        QVERIFY(poseOf(model.document(), 1) == Pose{});
+    }
+
     void randomActionsUndoneOneByOneGiveTheFirstDocument_data() {
         QTest::addColumn<unsigned>("seed");
         for (unsigned seed = 1; seed <= 20; ++seed) QTest::addRow("seed %u", seed) << seed;

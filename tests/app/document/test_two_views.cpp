@@ -137,6 +137,32 @@ private slots:
         QVERIFY(widget(0).pose() == Pose{});
     }
 
+    void theLightOnThePictureOfTheStudyBeforeIsNotTheDocuments() {
+        light();
+        const std::string document = jsonOf(m_model->document());
+        m_views[0]->hold();
+        drag(0, Qt::LeftButton, Qt::ControlModifier, {110, 100}, {151, 83});
+        QVERIFY(widget(0).look().light != lookOf(m_model->document(), 1).light);
+        QCOMPARE(jsonOf(m_model->document()), document);
+        QCOMPARE(m_model->steps().count(), 0);
+    }
+
+    void aLightDragThatIsTakenBackMakesNoStep() {
+        light();
+        QTest::mousePress(inner(0), Qt::LeftButton, Qt::ControlModifier, {110, 100});
+        moveTo(0, {150, 120}, Qt::LeftButton, Qt::ControlModifier);
+        const LightDirection moved = lookOf(m_model->document(), 1).light;
+        QVERIFY(moved != LightDirection{});
+        Document next = m_model->document();
+        cutOf(next, 1).nearCutMm = 3.0;
+        m_model->edit(next, "near cut");  // as where a search ends while the button is held
+        QTest::keyClick(&widget(0), Qt::Key_Escape);
+        QTest::mouseRelease(inner(0), Qt::LeftButton, Qt::ControlModifier, {150, 120});
+        QCOMPARE(m_model->steps().count(), 1);
+        QVERIFY(lookOf(m_model->document(), 1).light == moved);
+        QVERIFY(widget(0).look().light == moved);
+    }
+
     void anotherShapeOfAPictureLeavesThePoseAlone() {
         turnWheel(0);
         const Pose pose = widget(0).pose();
@@ -160,6 +186,11 @@ private slots:
     }
 
 private:
+    void light() {
+        Document lit = m_model->document();
+        lookOf(lit, 1).shaded = true;
+        m_model->begin(lit);
+    }
     VolumeViewWidget& widget(int i) { return *m_widgets[static_cast<std::size_t>(i)]; }
     QWindow* inner(int i) {
         // The native windows stand in the order of their widgets.

@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
@@ -14,9 +15,7 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
     for (int row = 0; row < 2; ++row) {
-        auto* heading = new QLabel(row == 0 ? tr("Render") : tr("Show"));
-        heading->setProperty("secondary", true);
-        grid->addWidget(heading, row, 0);
+        grid->addWidget(secondaryLabel(row == 0 ? tr("Render") : tr("Show")), row, 0);
     }
     for (const CurveKind kind : allCurveKinds) {
         const int column = static_cast<int>(indexOf(kind)) + 1;

@@ -7,12 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "widgets/panels/panel_controls.h"
+
 namespace echolucent {
 
 namespace {
 
 struct CurveStyle {
-    QString key;
     QString shortName;
     QString name;
     QColor color;
@@ -24,11 +25,11 @@ struct CurveStyle {
 const CurveStyle& styleOf(CurveKind kind) {
     const auto translated = [](const char* text) { return QCoreApplication::translate("CurveStyle", text); };
     static const std::array<CurveStyle, 5> styles{{
-        {"adaptive", translated("Adaptive"), translated("adaptive"), accentColor, 2.4, 3.2, {}},
-        {"manual", translated("Manual"), translated("manual"), QColor(0xe8, 0xb0, 0x4b), 1.4, 2.2, {}},
-        {"linear", translated("Linear"), translated("linear"), QColor(0x9a, 0xa5, 0xb1), 1.4, 2.2, {8, 5}},
-        {"parabolic", translated("x²"), translated("parabolic"), QColor(0xb4, 0x8e, 0xad), 1.6, 2.4, {2, 4}},
-        {"quartic", translated("x⁴"), translated("quartic"), QColor(0x8f, 0xbc, 0x8f), 1.4, 2.2, {9, 4, 2, 4}},
+        {translated("Adaptive"), translated("adaptive"), accentColor, 2.4, 3.2, {}},
+        {translated("Manual"), translated("manual"), QColor(0xe8, 0xb0, 0x4b), 1.4, 2.2, {}},
+        {translated("Linear"), translated("linear"), QColor(0x9a, 0xa5, 0xb1), 1.4, 2.2, {8, 5}},
+        {translated("x²"), translated("parabolic"), QColor(0xb4, 0x8e, 0xad), 1.6, 2.4, {2, 4}},
+        {translated("x⁴"), translated("quartic"), QColor(0x8f, 0xbc, 0x8f), 1.4, 2.2, {9, 4, 2, 4}},
     }};
     return styles.at(indexOf(kind));
 }
@@ -67,7 +68,7 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
     return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
 }
 
-QString curveKey(CurveKind kind) { return styleOf(kind).key; }
+QString curveKey(CurveKind kind) { return textOf(nameOf(kind)); }
 QString curveShortName(CurveKind kind) { return styleOf(kind).shortName; }
 QString curveName(CurveKind kind) { return styleOf(kind).name; }
 QColor curveColor(CurveKind kind) { return styleOf(kind).color; }

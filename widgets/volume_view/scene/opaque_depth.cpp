@@ -190,10 +190,4 @@ void OpaqueDepth::prepareBuffers(vtkOpenGLRenderWindow& window, int width, int h
     m_buffers->ActivateBuffer(0);
 }
 
-void OpaqueDepth::releaseGraphicsResources(vtkWindow* window) {
-    m_buffers->ReleaseGraphicsResources(window);
-    m_colour->ReleaseGraphicsResources(window);
-    m_depth->ReleaseGraphicsResources(window);
-}
-
 }  // namespace echolucent

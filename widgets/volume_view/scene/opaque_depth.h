@@ -14,7 +14,6 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkTextureObject;
-class vtkWindow;
 
 namespace echolucent {
 
@@ -38,7 +37,6 @@ public:
                                                        int height);
     /// How often a depth buffer was read back.
     [[nodiscard]] int reads() const { return m_reads; }
-    void releaseGraphicsResources(vtkWindow* window);
 
 private:
     /// What a map was made from.

@@ -1,6 +1,6 @@
 #include "widgets/volume_view/scene/picture_request.h"
 
-#include <algorithm>
+#include <opencv2/core/mat.hpp>
 
 namespace echolucent {
 
@@ -12,9 +12,9 @@ bool samePicture(const PictureRequest& a, const PictureRequest& b) {
 ScreenPicture screenPicture(const Picture& picture) {
     ScreenPicture screen{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size()), picture.depthMm,
                          false};
-    std::transform(picture.rgba.begin(), picture.rgba.end(), screen.rgba.begin(), [](float value) {
-        return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
-    });
+    const cv::Mat_<float> colours(1, static_cast<int>(picture.rgba.size()), const_cast<float*>(picture.rgba.data()));
+    cv::Mat_<std::uint8_t> bytes(1, colours.cols, screen.rgba.data());
+    colours.convertTo(bytes, CV_8U, 255.0);
     return screen;
 }
 

@@ -16,10 +16,10 @@ struct PointedSample {
 
 /// Follows the ray of the pixel at a point of the picture (pixels from the top left corner; pixel centres at halves)
 /// with the steps that castRays() takes there, and gives the sample at which the accumulated opacity reaches one half,
-/// or, on a ray that never does, the one that contributes most. Modes without a curve: the largest or the smallest
-/// sample; the mean, at the place of the first. Empty beside the picture and where the ray meets nothing that is
-/// visible. Takes one ray's time, well below a millisecond. The settings must be those with which the picture on the
-/// screen was made.
+/// or, on a ray that never does, the one that contributes most. In modes without a curve it is the largest or the
+/// smallest sample; in the mean it is the mean, at the place of the first sample. It is empty beside the picture and
+/// where the ray meets nothing that is visible. It takes one ray's time, well below a millisecond. The settings must be
+/// those with which the picture on the screen was made.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y);
 
 }  // namespace echolucent

@@ -11,7 +11,7 @@ constexpr double annotationMargin = 18.0;  ///< from the picture's edges, pixels
 constexpr int annotationFontSize = 14;     ///< pixels of a plain screen (72 dpi)
 constexpr Colour annotationColour{0xd8, 0xdd, 0xe2};
 
-/// Legible over black and over bright tissue.
+/// Makes a text legible over black and over bright tissue.
 void styleAnnotation(vtkTextActor& text, const Colour& colour);
 
 }  // namespace echolucent

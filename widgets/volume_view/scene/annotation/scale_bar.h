@@ -20,7 +20,8 @@ struct RoundLength {
 };
 [[nodiscard]] RoundLength roundLengthUpTo(double mm);
 
-/// Lower right corner of the picture. Where the volume's spacing is unknown no length is claimed: it says so instead.
+/// It stands in the lower right corner of the picture. Where the volume's spacing is unknown no length is claimed: it
+/// says so instead.
 class ScaleBar {
 public:
     ScaleBar();

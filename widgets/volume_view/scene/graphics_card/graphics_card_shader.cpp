@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string>
 
 namespace echolucent {
@@ -94,21 +93,6 @@ void setNumber(vtkUniforms& uniforms, const char* name, double value) {
     uniforms.SetUniformf(name, static_cast<float>(value));
 }
 
-/// Depths along the view of the foremost and hindmost corner of the volume's box, the near plane counted (see
-/// DepthColouring).
-std::array<double, 2> depthRange(const VolumeGeometry& geometry, const RayCastSettings& look) {
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-        const Vec3 point((corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]);
-        const double depth = look.camera.frame.forward.dot(point);
-        nearest = std::min(nearest, depth);
-        farthest = std::max(farthest, depth);
-    }
-    nearest = std::max(nearest, look.nearPlaneDepthMm);
-    return {nearest, std::max(farthest, nearest + 1e-6)};
-}
-
 void setLight(vtkUniforms& uniforms, const Volume& volume, const RayCastSettings& look, const Shading& shading) {
     const VolumeGeometry& geometry = volume.geometry();
     const ViewFrame& frame = look.camera.frame;
@@ -145,12 +129,13 @@ void GraphicsCardShader::set(vtkShaderProperty& shader, const Volume& volume, co
     }
     if (kind.shaded) setLight(uniforms, volume, look, *look.shading);
     const DepthColouring tints = look.depthColouring.value_or(DepthColouring{});
-    const auto [nearest, farthest] = depthRange(volume.geometry(), look);
+    const auto box = volume.geometry().depthsAlong(look.camera.frame.forward);
+    const double nearest = std::max(box.nearest, look.nearPlaneDepthMm);
     setVector(uniforms, "ecForward", look.camera.frame.forward);
     setVector(uniforms, "ecNearTint", tints.nearTint);
     setVector(uniforms, "ecFarTint", tints.farTint);
     setNumber(uniforms, "ecNearDepth", nearest);
-    setNumber(uniforms, "ecFarDepth", farthest);
+    setNumber(uniforms, "ecFarDepth", std::max(box.farthest, nearest + 1e-6));
 }
 
 void GraphicsCardShader::setSource(vtkShaderProperty& shader, const Kind& kind) {

@@ -151,9 +151,4 @@ void GraphicsCardVolume::noteError(vtkObject*, unsigned long, void* text) {
 
 double GraphicsCardVolume::milliseconds() const { return m_mapper->GetTimeToDraw() * 1000.0; }
 
-void GraphicsCardVolume::releaseGraphicsResources(vtkWindow* window) {
-    m_mapper->ReleaseGraphicsResources(window);
-    m_checked = false;
-}
-
 }  // namespace echolucent

@@ -19,15 +19,14 @@ class vtkPiecewiseFunction;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeProperty;
-class vtkWindow;
 
 namespace echolucent {
 
-/// Draws one volume through OpenGL with the camera of the renderer. Same box (half a voxel beyond the outermost voxel
-/// centres), step, interpolation, near cut, box, clipping planes, modes, curve, light and depth colouring as
-/// castRays(). Different: samples are counted from where each ray enters the box; rays end at an opacity of 254/255; a
-/// sample is transparent where its nearest voxel has no data; no pre-integration; nothing is written into the depth
-/// buffer.
+/// Draws one volume through OpenGL with the camera of the renderer. It has the box (half a voxel beyond the outermost
+/// voxel centres), step, interpolation, near cut, cropping, clipping planes, modes, curve, light and depth colouring of
+/// castRays(). It differs in this: samples are counted from where each ray enters the box; rays end at an opacity of
+/// 254/255; a sample is transparent where its nearest voxel has no data; opacity is not pre-integrated;
+/// nothing is written into the depth buffer.
 class GraphicsCardVolume {
 public:
     GraphicsCardVolume();
@@ -41,7 +40,6 @@ public:
     void setLook(const RayCastSettings& look, vtkVolumeProperty& transfer);
 
     void draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window);
-    void releaseGraphicsResources(vtkWindow* window);
 
     /// Why the last drawing failed, as a sentence; empty where it did not. Kept until the next setVolume().
     [[nodiscard]] const std::string& failure() const { return m_failure; }
