@@ -67,6 +67,7 @@ std::vector<SweptOtf> withOneOtf(const Study& study, const Viewpoint& start, con
     double sumOfD = 0.0;
     for (const TubeCore& tube : otf->tubes) sumOfD += tube.d;
     std::vector<SweptOtf> swept;
+    swept.reserve(frames.size());
     for (const SweepFrame& frame : frames)
         swept.push_back({frame, otf->curve, otf->curve, sumOfD, otf->tubesWithWeight});
     return swept;

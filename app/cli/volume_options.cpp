@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -76,8 +77,8 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
             if (!outputs[i].empty() && outputs[i] != "-" && !outputs[k].empty() && isSame(outputs[i], outputs[k]))
                 return fail(FailureKind::wrongUsage, outputs[k], "", "is named twice, and would be overwritten",
                             "Give each output a name of its own.");
-    std::vector<std::string> curves;
-    for (const std::string& name : curveNames) curves.push_back(curveFileOf(name));
+    std::vector<std::string> curves(curveNames.size());
+    std::transform(curveNames.begin(), curveNames.end(), curves.begin(), curveFileOf);
     return refuseToOverwrite(curves, outputs);
 }
 

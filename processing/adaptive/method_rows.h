@@ -126,12 +126,11 @@ bool setChoiceIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
     auto* field = fieldIn<member>(config);
     const auto* name = std::get_if<std::string>(&value);
     if (field == nullptr || name == nullptr) return false;
-    for (const auto& named : names)
-        if (named.name == *name) {
-            *field = named.value;
-            return true;
-        }
-    return false;
+    const auto found =
+        std::find_if(names.begin(), names.end(), [name](const auto& named) { return named.name == *name; });
+    if (found == names.end()) return false;
+    *field = found->value;
+    return true;
 }
 
 template <auto member, const auto& names>

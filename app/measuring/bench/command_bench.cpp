@@ -162,8 +162,8 @@ Result<void> bench(const BenchOptions& options) {
     }
     report["threads"] = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     report["sweep_views"] = sweepViews;
-    std::vector<double> sweeps;
-    for (int i = 0; i < 5; ++i) sweeps.push_back(sweepSeconds(*volume, axis, *config));
+    std::vector<double> sweeps(5);
+    for (double& seconds : sweeps) seconds = sweepSeconds(*volume, axis, *config);
     report["sweep_s"] = medianOf(sweeps);
 
     if (!options.json.empty())

@@ -23,6 +23,7 @@ RayCastSettings pictureSettings(int edge) {
 std::vector<SampledCurve> smoothed(const std::vector<SweptOtf>& frames, OtfSmoothing smoothing) {
     OtfHistory history(smoothing);
     std::vector<SampledCurve> shown;
+    shown.reserve(frames.size());
     for (const SweptOtf& frame : frames) shown.push_back(history.add(frame.frame.time, frame.unsmoothed));
     return shown;
 }

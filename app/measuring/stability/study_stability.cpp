@@ -95,6 +95,7 @@ void addCases(const std::vector<ExtremeResult>& results, HtmlPage& page) {
         "Each must end in a curve of opacities between 0 and 1, or in a sentence and the initial function; nothing may "
         "become NaN. The difference is the largest between the curve and the initial function.");
     std::vector<std::vector<std::string>> rows;
+    rows.reserve(results.size());
     for (const ExtremeResult& result : results)
         rows.push_back({result.name, result.reading, std::to_string(result.tubes), std::to_string(result.surfaces),
                         result.finite ? "yes" : "no",
