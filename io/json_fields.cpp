@@ -159,14 +159,14 @@ std::vector<JsonFields> JsonFields::list(const char* key) {
 }
 
 std::array<std::int64_t, 3> JsonFields::size(const char* key) {
-    constexpr double largest = 1e6;
+    constexpr double largest = 1e15;
     const Vec3 edges = vector(key);
     std::array<std::int64_t, 3> size{1, 1, 1};
     for (int axis = 0; axis < 3; ++axis) {
         if (edges[axis] >= 1 && edges[axis] <= largest && edges[axis] == std::floor(edges[axis]))
             size[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(edges[axis]);
         else
-            wrong(key, "must be three whole numbers from 1 to 1000000");
+            wrong(key, "must be three whole numbers from 1 on");
     }
     return size;
 }

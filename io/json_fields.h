@@ -57,7 +57,7 @@ public:
     JsonFields object(const char* key);
     /// The objects of a list.
     std::vector<JsonFields> list(const char* key);
-    /// Three whole numbers in [1, 10^6]: the size of a volume, voxels.
+    /// Three whole numbers in [1, 10^15]: the size of a volume, voxels. Whoever makes the volume checks the product.
     std::array<std::int64_t, 3> size(const char* key);
     /// A choice by name; `named` gives none for an unknown name.
     template <typename Choice>

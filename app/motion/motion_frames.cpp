@@ -111,10 +111,10 @@ void MotionFrames::showFrame(double angle, int phase) {
     m_parts.model.showPhase(m_parts.view.view(), phase);
     m_frameWaits = true;
     if (mode() == MotionOtf::oneOtf) {
-        // Before the first OTF of a study nothing of it is shown: the frame comes with that OTF.
+        // Where there is no OTF the frame comes with the one that is computed, or with the failure to compute it.
         if (m_otf && !overtaken)
             showFrameWithItsOtf();
-        else if (!sameVolume)
+        else if (!sameVolume || !m_parts.session.computingOtf())
             m_parts.computing.computeAgain();
     } else {
         // Under the hand the picture follows at once and its OTF after it; played, a frame is shown as a whole.

@@ -46,7 +46,8 @@ void NearCutFinder::take(const NearCutSuggestion& suggestion) {
         return;
     }
     const double cut = std::round(10 * suggestion.nearCutMm) / 10;  // as people set it
-    cutAt(cut, directionOf(m_looksFrom));
+    // No cut has no direction: what was computed for another view stays.
+    cutAt(cut, cut > 0 ? directionOf(m_looksFrom) : m_parts.model.document().method.direction);
     const QString said = cut > 0 ? tr("Near cut at %1 mm: %2 of %3 tube cores are in fluid there.")
                                        .arg(locale.toString(cut, 'f', 1))
                                        .arg(suggestion.tubesInFluid)

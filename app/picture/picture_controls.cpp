@@ -39,8 +39,12 @@ void PictureControls::connectPanel() {
     connect(panel, &ViewPanel::lookChanged, this, [this](const Look& look) {
         edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
              [this, &look](Document& next) { lookOf(next, view()) = look; });
+        keep();
     });
-    connect(panel, &ViewPanel::rendererChanged, this, &PictureControls::takeRenderer);
+    connect(panel, &ViewPanel::rendererChanged, this, [this] {
+        takeRenderer();
+        keep();
+    });
 }
 
 void PictureControls::connectPicture() {

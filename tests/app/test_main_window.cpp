@@ -239,6 +239,11 @@ private slots:
         waitUntilIdle();
         QVERIFY(coverage(shown()) > 0.1);
         QVERIFY(difference(shown(), cast(m_window->otfEditor().state().linear)) < differenceOfKeptSamples);
+        // The motion goes on without an OTF.
+        const Picture before = shown();
+        m_window->findChild<QSlider*>("motion.angle")->setValue(30);
+        waitUntilIdle();
+        QVERIFY(difference(shown(), before) > 0.01);
     }
 
     void aHeaderlessFileOffersToBeDescribed() {

@@ -111,6 +111,16 @@ private slots:
         QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
     }
 
+    void noCutTurnsNoTubeCores() {
+        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithWeight = 90, .tubesInFluid = 90, .message = {}}));
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
+        m_fixture.waitUntilIdle();
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
+        m_fixture.waitUntilIdle();
+        QCOMPARE(session().otf()->view.azimuthDegrees, 0.0);
+    }
+
     void theSearchOfTheProgramAgreesWithThePureFunction() {
         const auto expected = suggestNearCut(*session().volume(), Viewpoint{}, session().otf()->config);
         m_fixture.click("view.nearCut.suggest");
