@@ -158,15 +158,14 @@ std::vector<JsonFields> JsonFields::list(const char* key) {
     return entries;
 }
 
-std::array<std::int64_t, 3> JsonFields::size(const char* key) {
-    constexpr double largest = 1e15;
+std::array<std::int64_t, 3> JsonFields::size(const char* key, double largest) {
     const Vec3 edges = vector(key);
     std::array<std::int64_t, 3> size{1, 1, 1};
     for (int axis = 0; axis < 3; ++axis) {
         if (edges[axis] >= 1 && edges[axis] <= largest && edges[axis] == std::floor(edges[axis]))
             size[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(edges[axis]);
         else
-            wrong(key, "must be three whole numbers from 1 on");
+            wrong(key, "must be three whole numbers from 1 to " + textOf(largest));
     }
     return size;
 }

@@ -57,8 +57,9 @@ public:
     JsonFields object(const char* key);
     /// The objects of a list.
     std::vector<JsonFields> list(const char* key);
-    /// Three whole numbers in [1, 10^15]: the size of a volume, voxels. Whoever makes the volume checks the product.
-    std::array<std::int64_t, 3> size(const char* key);
+    /// Three whole numbers from 1 to `largest`: the size of a volume, voxels. Whoever makes the volume checks the
+    /// product.
+    std::array<std::int64_t, 3> size(const char* key, double largest = 1e6);
     /// A choice by name; `named` gives none for an unknown name.
     template <typename Choice>
     Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {

@@ -34,7 +34,8 @@ ordered_json rawLayoutJson(const RawLayout& layout) {
 
 RawLayout rawLayoutIn(JsonFields& fields) {
     RawLayout layout;
-    layout.size = fields.size("size");
+    constexpr double largestEdge = 1e15;  // as --raw-size; the file's own size limits the product
+    layout.size = fields.size("size", largestEdge);
     if (fields.has("type")) layout.type = fields.text("type");
     if (fields.has("byte_order")) {
         const std::string order = fields.text("byte_order");

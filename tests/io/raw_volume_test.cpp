@@ -91,6 +91,20 @@ TEST(RawVolume, WrongLayoutsAreRefusedWithTheNumbers) {
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.spacing = {1, 0, 1}; }), HasSubstr("--raw-spacing"));
 }
 
+TEST(RawVolume, ALayoutOfAnyEdgeIsRecalledAsItWasRemembered) {
+    const TemporaryFolder folder;
+    RawLayout layout = layoutOf("int16");
+    layout.size = {2'000'000, 3, 1};
+    layout.bigEndian = true;
+    layout.headerBytes = 12;
+    layout.spacing = {0.1, 1.0 / 3.0, 2};
+    layout.spacingKnown = true;
+    ASSERT_TRUE(rememberRawLayout(folder.file("v.raw"), layout));
+    const auto recalled = recalledRawLayout(folder.file("v.raw"));
+    ASSERT_TRUE(recalled) << recalled.error().sentence();
+    EXPECT_EQ(*recalled, std::optional(layout));
+}
+
 TEST(RawVolume, DamagedSideCarsAreRefusedByName) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", "abcd");
