@@ -1,9 +1,11 @@
-// From where the volume is looked at: beam axis, angles, near cut. Tube cores and rays share it.
+// From where the volume is looked at: beam axis, angles, cuts. Tube cores and rays share it.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
+#include "processing/cut_surface.h"
+#include "processing/view_frame.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
@@ -24,18 +26,11 @@ struct Viewpoint {
     double elevationDegrees = 0.0;
     double rollDegrees = 0.0;  ///< turn of the picture about the view direction; moves no tube core's axis direction
     double nearCutMm = 0.0;    ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
+    std::optional<CutSurface> cutSurface{};  ///< what lies before it is cut away too; it does not turn with the view
 
     friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
-/// The orthonormal frame of a view in grid mm: `forward` is the direction in which rays travel (from the probe into the
-/// volume), `right` and `down` span the picture; right x down = forward.
-struct ViewFrame {
-    Vec3 right;
-    Vec3 down;
-    Vec3 forward;
-    friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
-};
 [[nodiscard]] ViewFrame frameOf(const Viewpoint& view);
 
 /// The view whose frame's forward (and, through roll, down) is the given one, relative to a beam axis: what "compute

@@ -24,13 +24,12 @@ Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
     return moved;
 }
 
-struct Chord {
-    double begin, end;  ///< mm along the axis from its point
-};
+/// mm along the axis from its point.
+using Chord = CutSurface::Stretch;
 
-/// The part of a line inside the volume's box and behind the near cut; nothing where no part of it is.
-std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
-                             double nearDepth) {
+/// The part of a line inside the volume's box and behind the near plane; nothing where no part of it is.
+std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
+                                double nearDepth) {
     Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
     const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,6 +44,14 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, 
     }
     if (!(chord.end > chord.begin)) return std::nullopt;
     return chord;
+}
+
+/// The same, and behind the cut surface.
+std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Viewpoint& view,
+                             double nearDepth) {
+    const Vec3 direction = frameOf(view).forward;
+    const auto chord = chordInBox(geometry, point, direction, nearDepth);
+    return chord && view.cutSurface ? view.cutSurface->firstLeft(point, direction, *chord) : chord;
 }
 
 }  // namespace
@@ -89,7 +96,7 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
             if (onVoxels)
                 axis.pointMm = geometry.gridMmFromVoxel(
                     onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, cellSize));
-            if (const auto chord = chordOf(geometry, axis.pointMm, axis.directionMm, nearDepth)) {
+            if (const auto chord = chordOf(geometry, axis.pointMm, view, nearDepth)) {
                 axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
                 axis.lengthUnits = (chord->end - chord->begin) / unit;
             }

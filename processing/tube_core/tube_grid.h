@@ -26,10 +26,11 @@ struct TubeAxis {
     int row = 0;                ///< v: index along the view's down axis
     Vec3 pointMm{0, 0, 0};      ///< a point of the axis, grid mm: in the plane across the view through the centre
     Vec3 directionMm{0, 0, 1};  ///< unit, grid mm: the view's forward
-    /// Where the picture begins on the axis, voxel index space: entry into the volume's box or, if later, the near cut.
-    /// It is not set where the axis misses what the picture shows.
+    /// Where the picture begins on the axis, voxel index space: entry into the volume's box or, if later, the near cut
+    /// or the cut surface. It is not set where the axis misses what the picture shows.
     std::optional<Vec3> entryVoxel;
-    std::optional<double> lengthUnits;  ///< from there to where it leaves the box, units; set where entryVoxel is
+    /// From there to where it leaves the box or, from behind, the cut surface, units; set where entryVoxel is.
+    std::optional<double> lengthUnits;
 };
 
 /// Units between tube cores along the view's right and down axes: grid.spacing, or where that is 0 the extent of

@@ -1,0 +1,17 @@
+// The directions of a view.
+#pragma once
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// The orthonormal frame of a view in grid mm: `forward` is the direction in which rays travel (from the probe into the
+/// volume), `right` and `down` span the picture; right x down = forward.
+struct ViewFrame {
+    Vec3 right;
+    Vec3 down;
+    Vec3 forward;
+    friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
+};
+
+}  // namespace echolucent
