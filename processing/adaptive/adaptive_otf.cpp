@@ -18,6 +18,11 @@ namespace echolucent {
 
 namespace {
 
+void requireOneGrid(const Volume& volume, const QuietVoxels& shown) {
+    if (shown.volume != nullptr && shown.volume->geometry().size != volume.geometry().size)
+        throw std::invalid_argument("adaptOpacity: the shown voxels have another grid");
+}
+
 AdaptiveOtf unrun(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     AdaptiveOtf otf;
     otf.config = config;
@@ -42,6 +47,18 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
     return tube;
 }
 
+/// The curve for the voxels that are shown; nothing where the run was cancelled.
+std::optional<AdaptedCurve> curveFor(const QuietVoxels& shown, std::span<const TubeSamples> samples, AdaptiveOtf& otf,
+                                     const Progress& progress) {
+    const AdaptiveOtfConfig& config = otf.config;
+    if (shown.volume == nullptr || otf.tubesWithWeight == 0)
+        return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
+    const auto quiet = readQuiet(*shown.volume, config, samples, otf.tubes, progress);
+    if (!quiet) return std::nullopt;
+    otf.speckleLeft = quiet->speckleLeft;
+    return adaptedCurve(quiet->curve, config.initial, quiet->tubes, AdaptiveOtf::sampleCount);
+}
+
 /// Why the curve is the initial function, as a sentence; an empty text where it is not.
 std::string messageFor(const AdaptiveOtf& otf) {
     const std::string consequence = ": the initial function is used.";
@@ -63,9 +80,11 @@ std::string messageFor(const AdaptiveOtf& otf) {
 }  // namespace
 
 std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
-                                        const Progress& progress) {
+                                        const Progress& progress, const QuietVoxels& shown) {
+    requireOneGrid(volume, shown);
     if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
     AdaptiveOtf otf = unrun(volume.geometry(), view, config);
+    otf.reduction = shown.volume != nullptr ? shown.reduction : SpeckleReduction::off;
     StageRunner run(progress, otf.times);
 
     // Place the tube cores and read them.
@@ -106,12 +125,13 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     weighTubes(otf.tubes, otf.dMax, detection->leastEdgeToNoise(), config.weights);
     otf.tubesWithWeight = tubesWithWeight(otf.tubes);
 
-    // The curve (eqs. 4 to 7, or the mean ramp).
+    // The curve (eqs. 4 to 7, or the mean ramp), for the voxels that are shown.
     if (!run.begin(curveStage)) return std::nullopt;
-    AdaptedCurve adapted = adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
-    otf.logOpacity = std::move(adapted.logOpacity);
-    otf.curve = std::move(adapted.curve);
-    otf.trust = adapted.trust;
+    auto adapted = curveFor(shown, samples, otf, progress);
+    if (!adapted) return std::nullopt;
+    otf.logOpacity = std::move(adapted->logOpacity);
+    otf.curve = std::move(adapted->curve);
+    otf.trust = adapted->trust;
     otf.message = messageFor(otf);
     if (!run.end()) return std::nullopt;
     return otf;

@@ -6,6 +6,7 @@
 
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/adaptive/quiet_reading.h"
 #include "processing/progress.h"
 #include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
@@ -14,8 +15,11 @@ namespace echolucent {
 
 /// Runs the method on a volume, seen from a viewpoint. The result is empty only where progress.cancel was raised, and
 /// has the same bits for any number of threads.
-/// It throws std::invalid_argument where problemOf(config) is not empty.
+/// Where the picture is taken from other voxels than the volume's, `shown` is what they are, and the curve is meant for
+/// them; surfaces and weights are the volume's. Without them the result has the bits it always had.
+/// It throws std::invalid_argument where problemOf(config) is not empty, or where the shown voxels have another grid.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
-                                                      const AdaptiveOtfConfig& config, const Progress& progress = {});
+                                                      const AdaptiveOtfConfig& config, const Progress& progress = {},
+                                                      const QuietVoxels& shown = {});
 
 }  // namespace echolucent

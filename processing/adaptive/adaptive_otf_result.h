@@ -9,6 +9,7 @@
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/adaptive/stage_times.h"
 #include "processing/opacity_curve.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/tube_core/tube_core.h"
 #include "processing/viewpoint.h"
 
@@ -30,6 +31,8 @@ struct AdaptiveOtf {
     std::optional<double> leastContrast;  ///< with RatioRule: a boundary counted from this contrast on
     /// With RatioRule: means below it counted as fluid. It is not set where no boundary tells.
     std::optional<double> fluidIntensity;
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the curve is meant for
+    double speckleLeft = 1.0;                            ///< in these, see QuietReading; 1 where nothing was reduced
     double trust = 1.0;  ///< with RampRule the curve is trust * ramp + (1 - trust) * initial function, [0,1]
     /// sampleCount values: ln of the curve before any clamp; with ProductRule ln initial(x) + sum over the tubes of
     /// ln(1+d) g(x).

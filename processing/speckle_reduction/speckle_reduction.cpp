@@ -1,10 +1,19 @@
 #include "processing/speckle_reduction/speckle_reduction.h"
 
+#include <array>
 #include <stdexcept>
 
 #include "processing/speckle_reduction/gaussian_filter.h"
+#include "processing/speckle_reduction/joint_bilateral_filter.h"
 
 namespace echolucent {
+
+namespace {
+// docs/speckle.md says why.
+constexpr double lightSigma = 1.0;
+constexpr std::array mediumPasses{JointBilateralPass{}};
+constexpr std::array strongPasses{JointBilateralPass{}, JointBilateralPass{.guideSigma = 0.7}};
+}  // namespace
 
 std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
     switch (reduction) {
@@ -12,9 +21,9 @@ std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reducti
             if (progress.cancelled()) return std::nullopt;
             progress.at(1.0);
             return volume;
-        case SpeckleReduction::light: return gaussianFiltered(volume, 0.7, progress);
-        case SpeckleReduction::medium: return gaussianFiltered(volume, 1.0, progress);
-        case SpeckleReduction::strong: return gaussianFiltered(volume, 1.6, progress);
+        case SpeckleReduction::light: return gaussianFiltered(volume, lightSigma, progress);
+        case SpeckleReduction::medium: return jointBilateralFiltered(volume, mediumPasses, progress);
+        case SpeckleReduction::strong: return jointBilateralFiltered(volume, strongPasses, progress);
     }
     throw std::invalid_argument("quietVolume: no such reduction");
 }
