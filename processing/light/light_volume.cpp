@@ -1,42 +1,35 @@
 #include "processing/light/light_volume.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace echolucent {
 
-LightScene lightSceneOf(const RayCastSettings& settings) {
-    const ViewFrame& frame = settings.camera.frame;
-    const Vec3 light = settings.shading.value_or(Shading{}).towardsLight;
-    LightScene scene;
-    scene.towardsKey = frame.right * light[0] + frame.down * light[1] + frame.forward * light[2];
-    scene.towardsViewer = -frame.forward;
-    scene.rendered = {frame.forward, settings.nearPlaneDepthMm, settings.box, settings.clippingPlanes};
-    return scene;
-}
-
-class LightSweep::Parts {
-public:
-    std::shared_ptr<const Volume> volume;
-};
-
-LightSweep::LightSweep(std::shared_ptr<const Volume> volume) : m_parts(new Parts{std::move(volume)}) {}
-LightSweep::~LightSweep() = default;
-LightSweep::LightSweep(LightSweep&&) noexcept = default;
-LightSweep& LightSweep::operator=(LightSweep&&) noexcept = default;
-const std::shared_ptr<const Volume>& LightSweep::volume() const { return m_parts->volume; }
-
-/// All light reaches every place until the sweeps stand here.
-std::optional<LightVolume> LightSweep::lightVolume(const OpacityCurve&, const LightScene& scene, const Progress&) {
-    const VolumeGeometry& geometry = m_parts->volume->geometry();
-    LightVolume light;
-    std::size_t places = 1;
+ReachingShares reachingAt(const LightVolume& light, const Vec3& gridMm) {
+    std::array<int, 3> low{};
+    std::array<double, 3> share{};
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        light.size[i] = static_cast<int>((geometry.size[i] + scene.coarseness - 1) / scene.coarseness);
-        light.spacingMm[axis] = geometry.spacing[axis] * scene.coarseness;
-        light.firstMm[axis] = geometry.spacing[axis] * 0.5 * (scene.coarseness - 1);
-        places *= static_cast<std::size_t>(light.size[i]);
+        const double last = light.size[i] - 1;
+        const double at = std::clamp((gridMm[axis] - light.firstMm[axis]) / light.spacingMm[axis], 0.0, last);
+        low[i] = std::min(static_cast<int>(at), std::max(light.size[i] - 2, 0));
+        share[i] = at - low[i];
     }
-    light.reaching.assign(places * 2, 255);
-    return light;
+    double key = 0.0, around = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1.0;
+        std::size_t offset = 0;
+        for (std::size_t i = 3; i-- > 0;) {
+            const int up = (corner >> i) & 1;
+            weight *= up != 0 ? share[i] : 1.0 - share[i];
+            const int place = std::min(low[i] + up, light.size[i] - 1);
+            offset = offset * static_cast<std::size_t>(light.size[i]) + static_cast<std::size_t>(place);
+        }
+        key += weight * light.reaching[2 * offset];
+        around += weight * light.reaching[2 * offset + 1];
+    }
+    return {key / 255.0, around / 255.0};
 }
 
 }  // namespace echolucent

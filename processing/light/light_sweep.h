@@ -1,0 +1,63 @@
+// Light volumes: how much light reaches each place of a volume through the opacities before it (docs/light.md).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "processing/light/light_volume.h"
+#include "processing/light/rendered_part.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// What a light volume depends on beside voxels and curve.
+struct LightScene {
+    Vec3 towardsKey{0, 0, -1};         ///< grid mm, any length above 0
+    Vec3 towardsViewer{0, 0, -1};      ///< grid mm, any length above 0
+    double keyHalfAngleDegrees = 8.0;  ///< [0, 45]: half the angle under which the key light is seen; 0 has no penumbra
+    RenderedPart rendered;
+    /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis: 2 or 3 at
+    /// rest, 4 while the hand moves (coarsenessWithin() says it for large volumes).
+    int coarseness = 2;
+    friend bool operator==(const LightScene&, const LightScene&) = default;
+};
+
+/// The scene of a picture: its light (settings.shading, or the default light where it is not set), its viewer and what
+/// it renders. The two numbers are LightScene's own.
+[[nodiscard]] LightScene lightSceneOf(const RayCastSettings& settings);
+
+/// The least coarseness, from `finest` on, with which a light volume has at most `places` places, or the coarsest.
+[[nodiscard]] int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t places);
+
+/// Makes light volumes of one volume again and again, and keeps what they have in common: the coarse opacities while
+/// the curve stays, and, where only the key light changed, the light around the viewer. Only one thread at a time may
+/// use it.
+///
+/// A place's light is the mean over a fixed set of directions: for the key light directions within its half-angle, for
+/// the light around the viewer directions of the hemisphere before him, by the cosine. Along each the light is swept
+/// from slice to slice of the grid. Opacities are the curve's, per unit of length; no data and what lies outside the
+/// volume attenuate nothing, nor does what is cut away.
+class LightSweep {
+public:
+    explicit LightSweep(std::shared_ptr<const Volume> volume);
+    ~LightSweep();
+    LightSweep(LightSweep&&) noexcept;
+    LightSweep& operator=(LightSweep&&) noexcept;
+
+    [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
+    /// The result is empty only where progress.cancel was raised (it is polled in every slice). The work is done in the
+    /// calling thread's oneTBB arena, and the bytes are the same for any number of threads. Throws
+    /// std::invalid_argument for a scene out of range.
+    [[nodiscard]] std::optional<LightVolume> lightVolume(const OpacityCurve& curve, const LightScene& scene,
+                                                         const Progress& progress = {});
+
+private:
+    class Parts;
+    std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,43 @@
+#include "processing/light/rendered_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echolucent {
+
+RenderedShares::RenderedShares(const RenderedPart& part, const Vec3& placeMm) {
+    if (std::isfinite(part.nearPlaneDepthMm)) addFace(normalized(part.forward), part.nearPlaneDepthMm, placeMm);
+    for (const ClippingPlane& plane : part.clippingPlanes) {
+        const Vec3 normal = normalized(plane.normal);
+        addFace(normal, normal.dot(plane.point), placeMm);
+    }
+    for (int axis = 0; axis < 3 && part.box; ++axis) {
+        Vec3 normal{0, 0, 0};
+        normal[axis] = 1.0;
+        addFace(normal, part.box->low[axis], placeMm);
+        addFace(-normal, -part.box->high[axis], placeMm);
+    }
+}
+
+void RenderedShares::addFace(const Vec3& normal, double depth, const Vec3& placeMm) {
+    if (!std::isfinite(depth)) return;
+    double thickness = 0.0;
+    for (int axis = 0; axis < 3; ++axis) thickness += std::abs(normal[axis]) * placeMm[axis];
+    m_faces.push_back({normal, depth, thickness});
+}
+
+void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const {
+    for (const Face& face : m_faces) {
+        const auto first = static_cast<float>((face.normal.dot(firstMm) - face.depth) / face.thicknessMm + 0.5);
+        const auto step = static_cast<float>(face.normal[0] * stepMm / face.thicknessMm);
+        for (int x = 0; x < count; ++x)
+            values[x] *= std::min(std::max(first + step * static_cast<float>(x), 0.0f), 1.0f);
+    }
+}
+
+bool RenderedShares::contains(const Vec3& gridMm) const {
+    return std::all_of(m_faces.begin(), m_faces.end(),
+                       [&](const Face& face) { return face.normal.dot(gridMm) >= face.depth; });
+}
+
+}  // namespace echolucent
