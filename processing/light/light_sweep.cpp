@@ -1,6 +1,17 @@
 #include "processing/light/light_sweep.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "processing/light/coarse_extinction.h"
+#include "processing/light/grid_sweep.h"
 #include "processing/light/light_grid.h"
+#include "processing/light/slice_kernel.h"
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -22,23 +33,153 @@ int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t pl
     return coarseness;
 }
 
-class LightSweep::Parts {
-public:
-    std::shared_ptr<const Volume> volume;
+namespace {
+
+constexpr double hemisphereDegrees = 90.0;
+
+void check(const LightScene& scene) {
+    const auto isDirection = [](const Vec3& v) { return std::isfinite(length(v)) && length(v) > 0.0; };
+    if (!isDirection(scene.towardsKey) || !isDirection(scene.towardsViewer))
+        throw std::invalid_argument("LightScene: directions must have a length above 0");
+    if (!(scene.keyHalfAngleDegrees >= 0.0 && scene.keyHalfAngleDegrees <= 45.0))
+        throw std::invalid_argument("LightScene: keyHalfAngleDegrees must be within 0 and 45");
+    if (scene.coarseness < 1 || scene.coarseness > 16)
+        throw std::invalid_argument("LightScene: coarseness must be within 1 and 16");
+}
+
+/// One light's bundles, and what each has swept.
+struct SweptLight {
+    std::vector<light::DirectionBundle> bundles;
+    std::vector<std::vector<std::uint16_t>> reaching;
 };
 
-LightSweep::LightSweep(std::shared_ptr<const Volume> volume) : m_parts(new Parts{std::move(volume)}) {}
+/// The bundles' sum as bytes into every second byte from `bytes` on: an entry of their fixed point is a 256th of a
+/// level.
+void fill(std::uint8_t* bytes, const SweptLight& light, const light::LightGrid& grid) {
+    const auto columns = static_cast<std::size_t>(grid.size[0]), rows = static_cast<std::size_t>(grid.size[1]);
+    parallelFor(tbb::blocked_range<int>(0, grid.size[2]), [&](const auto& part) {
+        std::vector<std::uint32_t> sums(columns * rows);
+        for (int z = part.begin(); z < part.end(); ++z) {
+            const std::size_t plane = static_cast<std::size_t>(z) * columns * rows;
+            std::fill(sums.begin(), sums.end(), 128U);
+            for (std::size_t i = 0; i < light.bundles.size(); ++i) {
+                const std::uint16_t* swept = light.reaching[i].data() + plane;
+                if (!light.bundles[i].alongX())
+                    for (std::size_t at = 0; at < sums.size(); ++at) sums[at] += swept[at];
+                else
+                    for (std::size_t y = 0; y < rows; ++y)
+                        for (std::size_t x = 0; x < columns; ++x) sums[y * columns + x] += swept[x * rows + y];
+            }
+            for (std::size_t at = 0; at < sums.size(); ++at)
+                bytes[2 * (plane + at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(sums[at] >> 8, 255));
+        }
+    });
+}
+
+}  // namespace
+
+class LightSweep::Parts {
+public:
+    explicit Parts(std::shared_ptr<const Volume> given) : volume(std::move(given)), m_extinction(*volume) {}
+
+    std::shared_ptr<const Volume> volume;
+
+    std::optional<LightVolume> make(const OpacityCurve& curve, const LightScene& scene, const Progress& progress) {
+        const light::LightGrid grid(volume->geometry(), scene.coarseness);
+        if (!classify(curve, scene.coarseness, grid, progress)) return std::nullopt;
+        LightScene aroundScene = scene;
+        aroundScene.towardsKey = {0, 0, 1};
+        aroundScene.keyHalfAngleDegrees = 0.0;
+        aroundScene.keyDirections = light::DirectionRule::one;
+        const bool keptAround = m_aroundScene == aroundScene;
+        std::vector<SweptLight> lights{
+            {light::DirectionBundle::of(
+                 light::directionsWithin(scene.towardsKey, scene.keyHalfAngleDegrees, scene.keyDirections), grid),
+             {}}};
+        if (!keptAround)
+            lights.push_back(
+                {light::DirectionBundle::of(
+                     light::directionsWithin(scene.towardsViewer, hemisphereDegrees, scene.aroundDirections), grid),
+                 {}});
+        sweepAll(lights, scene.rendered, grid, progress);
+        if (progress.cancelled()) return std::nullopt;
+        if (!keptAround) m_newest.resize(2 * grid.places());
+        fill(m_newest.data(), lights[0], grid);
+        if (!keptAround) fill(m_newest.data() + 1, lights[1], grid);
+        m_aroundScene = aroundScene;
+        return LightVolume{grid.size, grid.firstMm, grid.spacingMm, m_newest};
+    }
+
+private:
+    /// Makes m_extinctions those of the curve. False where it was cancelled.
+    bool classify(const OpacityCurve& curve, int coarseness, const light::LightGrid& grid, const Progress& progress) {
+        if (m_curve == curve && m_coarseness == coarseness) return true;
+        m_curve.reset();
+        m_aroundScene.reset();
+        m_extinctions = m_extinction.of(curve, grid, progress);
+        if (progress.cancelled()) return false;
+        m_extinctions.resize(grid.places() + light::spareFloats);
+        m_curve = curve;
+        m_coarseness = coarseness;
+        return true;
+    }
+
+    void sweepAll(std::vector<SweptLight>& lights, const RenderedPart& rendered, const light::LightGrid& grid,
+                  const Progress& progress) {
+        light::GridExtinctions extinctions{grid, {}, {}};
+        const RenderedShares shares(rendered, grid.spacingMm);
+        extinctions.xFastest = shares.everywhere() ? std::move(m_extinctions) : cut(shares, grid);
+        std::vector<std::pair<const light::DirectionBundle*, std::vector<std::uint16_t>*>> jobs;
+        bool alongX = false;
+        for (SweptLight& light : lights) {
+            light.reaching.resize(light.bundles.size());
+            for (std::size_t i = 0; i < light.bundles.size(); ++i) {
+                jobs.emplace_back(&light.bundles[i], &light.reaching[i]);
+                alongX = alongX || light.bundles[i].alongX();
+            }
+        }
+        if (alongX) extinctions.yFastest = light::withYFastest(extinctions.xFastest, grid);
+        ProgressCount count(progress, jobs.size());
+        parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
+            for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                *jobs[i].second = jobs[i].first->sweep(extinctions, progress);
+                count.oneDone();
+            }
+        });
+        if (shares.everywhere()) m_extinctions = std::move(extinctions.xFastest);
+    }
+
+    [[nodiscard]] std::vector<float> cut(const RenderedShares& shares, const light::LightGrid& grid) const {
+        std::vector<float> rendered = m_extinctions;
+        parallelFor(0, grid.size[2], [&](int z) {
+            for (int y = 0; y < grid.size[1]; ++y) {
+                const auto row =
+                    static_cast<std::size_t>(z) * static_cast<std::size_t>(grid.size[1]) + static_cast<std::size_t>(y);
+                shares.multiplyRow(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0],
+                                   rendered.data() + row * static_cast<std::size_t>(grid.size[0]));
+            }
+        });
+        return rendered;
+    }
+
+    light::CoarseExtinction m_extinction;
+    std::optional<OpacityCurve> m_curve;  ///< that m_extinctions are of
+    int m_coarseness = 0;
+    std::vector<float> m_extinctions;         ///< of the whole volume, and spareFloats more
+    std::optional<LightScene> m_aroundScene;  ///< of the newest light around the viewer, without a key light
+    std::vector<std::uint8_t> m_newest;       ///< LightVolume::reaching of the newest call
+};
+
+LightSweep::LightSweep(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}
 LightSweep::~LightSweep() = default;
 LightSweep::LightSweep(LightSweep&&) noexcept = default;
 LightSweep& LightSweep::operator=(LightSweep&&) noexcept = default;
 const std::shared_ptr<const Volume>& LightSweep::volume() const { return m_parts->volume; }
 
-/// All light reaches every place until the sweeps stand here.
-std::optional<LightVolume> LightSweep::lightVolume(const OpacityCurve&, const LightScene& scene, const Progress&) {
-    const light::LightGrid grid(m_parts->volume->geometry(), scene.coarseness);
-    LightVolume light{grid.size, grid.firstMm, grid.spacingMm, {}};
-    light.reaching.assign(grid.places() * 2, 255);
-    return light;
+std::optional<LightVolume> LightSweep::lightVolume(const OpacityCurve& curve, const LightScene& scene,
+                                                   const Progress& progress) {
+    check(scene);
+    return m_parts->make(curve, scene, progress);
 }
 
 }  // namespace echolucent

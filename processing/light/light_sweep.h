@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "processing/light/light_directions.h"
 #include "processing/light/light_volume.h"
 #include "processing/light/rendered_part.h"
 #include "processing/opacity_curve.h"
@@ -23,11 +24,13 @@ struct LightScene {
     /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis: 2 or 3 at
     /// rest, 4 while the hand moves (coarsenessWithin() says it for large volumes).
     int coarseness = 2;
+    light::DirectionRule keyDirections = light::DirectionRule::four;      ///< that stand for the key light's cone
+    light::DirectionRule aroundDirections = light::DirectionRule::seven;  ///< that stand for the hemisphere
     friend bool operator==(const LightScene&, const LightScene&) = default;
 };
 
 /// The scene of a picture: its light (settings.shading, or the default light where it is not set), its viewer and what
-/// it renders. The two numbers are LightScene's own.
+/// it renders. Softness, coarseness and directions are LightScene's own.
 [[nodiscard]] LightScene lightSceneOf(const RayCastSettings& settings);
 
 /// The least coarseness, from `finest` on, with which a light volume has at most `places` places, or the coarsest.

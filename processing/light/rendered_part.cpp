@@ -30,6 +30,8 @@ void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, 
     for (const Face& face : m_faces) {
         const auto first = static_cast<float>((face.normal.dot(firstMm) - face.depth) / face.thicknessMm + 0.5);
         const auto step = static_cast<float>(face.normal[0] * stepMm / face.thicknessMm);
+        const auto last = first + step * static_cast<float>(count - 1);
+        if (std::min(first, last) >= 1.0f) continue;
         for (int x = 0; x < count; ++x)
             values[x] *= std::min(std::max(first + step * static_cast<float>(x), 0.0f), 1.0f);
     }

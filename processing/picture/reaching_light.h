@@ -1,26 +1,40 @@
 // What light that reaches a sample makes of its colour.
 #pragma once
 
+#include "processing/picture/shading.h"
 #include "processing/volume/geometry.h"
 
 namespace echolucent {
 
-/// How a picture uses a light volume (processing/light/light_volume.h). With k and o in [0,1] what reaches a sample of
-/// the key light and of the light around the viewer, and w, ambient, diffuse, ... of Shading:
-///     around = 1 - occlusion * (1 - o)
-///     key[c] = 1 - shadow * (1 - k ^ (1 + translucency * warmth[c]))       c: red, green, blue
-///     factor[c] = ambient * around + key[c] * (diffuse * (w * lambert + (1 - w) * evenLight) + w * specular *
-///     highlight)
-/// and the colour follows from factor[c] channel by channel as Shading says. With both strengths 0 that is Shading's
-/// own factor.
+/// How a picture uses a light volume (processing/light/light_volume.h).
 struct ReachingLight {
-    double shadow = 0.8;        ///< [0,1]: how dark it is where no key light reaches; 0 is no cast shadow
-    double occlusion = 0.8;     ///< [0,1]: how dark it is where no light around the viewer reaches
-    double translucency = 0.5;  ///< [0,1]: how warm the key light becomes on its way through tissue
+    double shadow = 0.75;       ///< [0,1]: how dark it is where no key light reaches; 0 is no cast shadow
+    double occlusion = 0.75;    ///< [0,1]: how dark it is where no light around the viewer reaches
+    double translucency = 0.3;  ///< [0,1]: how warm the key light becomes in thin tissue
     friend bool operator==(const ReachingLight&, const ReachingLight&) = default;
 };
 
-/// Light loses its blue first on its way through tissue: exponents' changes for red, green, blue.
-inline const Vec3 warmth{-0.5, 0.0, 0.3};
+/// What a sample's gradient says of the light on it (Shading): w, max(0, (n.l + wrap) / (1 + wrap)) and
+/// max(0, n.h)^specularPower.
+struct SurfaceLight {
+    double share = 0.0, diffuse = 0.0, highlight = 0.0;
+};
+/// `towardsLight` and `rayDirection` are unit; the gradient is in normalised intensity per unit.
+[[nodiscard]] SurfaceLight surfaceLight(const Shading& shading, const Vec3& gradient, const Vec3& towardsLight,
+                                        const Vec3& rayDirection);
+
+/// The factor of a sample's colour, for red, green and blue. With k and o in [0,1] what reaches the sample of the key
+/// light and of the light around the viewer:
+///     s      = (sqrt(k) + translucency (sqrt(sqrt(k)) - sqrt(k)),  sqrt(k),  sqrt(k) + translucency (k - sqrt(k)))
+///     k'     = 1 - shadow (1 - s)                  o' = 1 - occlusion (1 - sqrt(o))
+///     factor = ambient o' + k' (diffuse (w lambert + (1 - w) evenLight) + w specular highlight)
+/// With both strengths 0 that is the factor of Shading; what becomes of it stands there too, channel by channel.
+///
+/// The roots stand for light that is scattered forwards, which most light in tissue is: it is attenuated by half of
+/// the extinction. Without them a surface would be half dark before anything stood before it, because what is seen of
+/// it lies as deep as a ray sees. Red is scattered deepest and blue least, so that light that has gone through a little
+/// tissue is warm; full light is white, and where no light comes nothing glows.
+[[nodiscard]] Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double key, double around,
+                                  const SurfaceLight& surface);
 
 }  // namespace echolucent

@@ -1,0 +1,127 @@
+#include "processing/light/coarse_extinction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+#include "processing/parallel.h"
+
+namespace echolucent::light {
+
+namespace {
+
+constexpr double levelsAbove = 254.0;
+
+/// Opacity per unit of each level.
+using LevelOpacities = std::array<float, 256>;
+
+LevelOpacities levelOpacities(const OpacityCurve& curve) {
+    LevelOpacities opacities{};
+    for (std::size_t level = 1; level < opacities.size(); ++level)
+        opacities[level] = static_cast<float>(opacityAt(curve, static_cast<double>(level - 1) / levelsAbove));
+    return opacities;
+}
+
+/// Extinction per mm over opacity per unit, linear between entries. Opacity 1 counts as a little less: a place of it
+/// lets nothing through that a byte could hold.
+class ExtinctionTable {
+public:
+    explicit ExtinctionTable(double unitMm) {
+        constexpr double mostOpacity = 1.0 - 1e-6;
+        for (std::size_t i = 0; i < m_entries.size(); ++i) {
+            const double opacity = std::min(static_cast<double>(i) / intervals, mostOpacity);
+            m_entries[i] = static_cast<float>(-std::log1p(-opacity) / unitMm);
+        }
+    }
+    [[nodiscard]] float at(float opacity) const {
+        const float position = opacity * static_cast<float>(intervals);
+        const auto entry = static_cast<std::size_t>(position);
+        return m_entries[entry] + (position - static_cast<float>(entry)) * (m_entries[entry + 1] - m_entries[entry]);
+    }
+
+private:
+    static constexpr int intervals = 4096;
+    std::array<float, intervals + 2> m_entries{};  ///< the last one once more
+};
+
+/// Adds the opacities of a row of voxels to the sums of its places. A whole place of few voxels is added up in
+/// registers.
+template <int voxels>
+void addWholePlaces(const std::uint8_t* row, std::size_t places, const LevelOpacities& opacities, float* sums) {
+    for (std::size_t place = 0; place < places; ++place, row += voxels) {
+        float sum = opacities[row[0]];
+        for (int i = 1; i < voxels; ++i) sum += opacities[row[i]];
+        sums[place] += sum;
+    }
+}
+
+void addRow(const std::uint8_t* row, std::size_t count, std::size_t voxels, const LevelOpacities& opacities,
+            float* sums) {
+    const std::size_t whole = count / voxels;
+    std::size_t done = whole * voxels;
+    switch (voxels) {
+        case 1: addWholePlaces<1>(row, whole, opacities, sums); break;
+        case 2: addWholePlaces<2>(row, whole, opacities, sums); break;
+        case 3: addWholePlaces<3>(row, whole, opacities, sums); break;
+        case 4: addWholePlaces<4>(row, whole, opacities, sums); break;
+        default: done = 0;
+    }
+    for (std::size_t x = done; x < count; ++x) sums[x / voxels] += opacities[row[x]];
+}
+
+template <typename Voxel>
+std::uint8_t levelOf(Voxel value, float perWhite) {
+    // Written so that NaN becomes 0 intensity; no-data voxels are set apart by the caller.
+    const float share = static_cast<float>(value) * perWhite;
+    const float inside = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
+    return static_cast<std::uint8_t>(1.5f + inside * static_cast<float>(levelsAbove));
+}
+
+template <typename Voxel>
+void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, std::vector<std::uint8_t>& levels) {
+    const auto perWhite = static_cast<float>(1.0 / volume.whiteLevel());
+    const std::uint8_t* mask = volume.dataMaskOrNull();
+    parallelFor(tbb::blocked_range<std::size_t>(0, voxels.size(), 1 << 16), [&](const auto& part) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) levels[i] = levelOf(voxels[i], perWhite);
+        if (mask == nullptr) return;
+        for (std::size_t i = part.begin(); i < part.end(); ++i) levels[i] = mask[i] != 0 ? levels[i] : std::uint8_t{0};
+    });
+}
+
+}  // namespace
+
+CoarseExtinction::CoarseExtinction(const Volume& volume)
+    : m_size(volume.geometry().size),
+      m_unit(volume.geometry().unit()),
+      m_levels(static_cast<std::size_t>(volume.geometry().voxelCount())) {
+    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, m_levels); }, volume.voxels());
+}
+
+std::vector<float> CoarseExtinction::of(const OpacityCurve& curve, const LightGrid& grid,
+                                        const Progress& progress) const {
+    const LevelOpacities opacities = levelOpacities(curve);
+    const ExtinctionTable table(m_unit);
+    const auto columns = static_cast<std::size_t>(grid.size[0]);
+    const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
+    std::vector<float> extinctions(grid.places(), 0.0f);
+    parallelFor(0, grid.size[2], [&](int z) {
+        if (progress.cancelled()) return;
+        for (int y = 0; y < grid.size[1]; ++y) {
+            float* row = extinctions.data() + (static_cast<std::size_t>(z) * static_cast<std::size_t>(grid.size[1]) +
+                                               static_cast<std::size_t>(y)) *
+                                                  columns;
+            const std::int64_t lastY = std::min<std::int64_t>(m_size[1], (y + 1) * std::int64_t{grid.voxels[1]}),
+                               lastZ = std::min<std::int64_t>(m_size[2], (z + 1) * std::int64_t{grid.voxels[2]});
+            for (std::int64_t k = z * std::int64_t{grid.voxels[2]}; k < lastZ; ++k)
+                for (std::int64_t j = y * std::int64_t{grid.voxels[1]}; j < lastY; ++j)
+                    addRow(m_levels.data() + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(m_size[0]),
+                           static_cast<std::size_t>(grid.voxels[0]), opacities, row);
+            for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
+        }
+    });
+    return extinctions;
+}
+
+}  // namespace echolucent::light

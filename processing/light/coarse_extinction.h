@@ -1,0 +1,34 @@
+// How much the places of a coarse grid attenuate light under a curve.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "processing/light/light_grid.h"
+#include "processing/opacity_curve.h"
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent::light {
+
+/// Extinction (-log(1 - opacity)) per mm of each place of a grid, x fastest. A place has the mean opacity per unit of
+/// its voxels, so that a single opaque voxel in a place of eight takes an eighth of the light of each unit, and not all
+/// of it. No data and what lies beyond the volume has opacity 0.
+///
+/// The voxels are kept as one byte each: 0 is no data, 1 + 254 x is normalised intensity x.
+class CoarseExtinction {
+public:
+    explicit CoarseExtinction(const Volume& volume);
+    /// Where it was cancelled, nothing; the caller sees that from `progress`.
+    [[nodiscard]] std::vector<float> of(const OpacityCurve& curve, const LightGrid& grid,
+                                        const Progress& progress) const;
+
+private:
+    std::array<std::int64_t, 3> m_size;
+    double m_unit;  ///< mm
+    std::vector<std::uint8_t> m_levels;
+};
+
+}  // namespace echolucent::light

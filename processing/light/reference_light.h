@@ -1,0 +1,54 @@
+// The slow, obvious route to light: from every sample straight to the lights, in double. The sweeps are measured
+// against it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "processing/light/light_directions.h"
+#include "processing/light/light_sweep.h"
+#include "processing/light/light_volume.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/picture/reaching_light.h"
+#include "processing/progress.h"
+#include "processing/volume/sampler.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent::light {
+
+/// What reaches places by marching: along each of many directions within the lights' cones, not those that the sweeps
+/// take, the extinctions of trilinear samples add up until the volume ends.
+class ReferenceLight {
+public:
+    /// The volume and the curve must outlive it. `rings` as in denseDirectionsWithin(); `step` is the length between
+    /// samples in units, above 0.
+    ReferenceLight(const Volume& volume, const OpacityCurve& curve, const LightScene& scene, int rings = 4,
+                   double step = 0.5);
+    [[nodiscard]] ReachingShares at(const Vec3& gridMm) const;
+
+private:
+    [[nodiscard]] double along(const Vec3& gridMm, const std::vector<WeightedDirection>& directions) const;
+    [[nodiscard]] double extinctionPerUnit(const Vec3& voxel) const;
+
+    const VolumeGeometry& m_geometry;
+    VolumeSampler m_sampler;
+    RenderedShares m_rendered;
+    double m_step;
+    std::vector<double> m_extinctions;  ///< per unit, over normalised intensity
+    std::vector<WeightedDirection> m_key, m_around;
+};
+
+/// What reaches a place in grid mm.
+using Reaching = std::function<ReachingShares(const Vec3& gridMm)>;
+
+/// The plain route's picture (castRaysPlainly(), direct mode) with light that reaches, sample by sample in double.
+/// settings.shading must be set. Samples that add less than 1/2048 to their pixel are lit as if all light reached them.
+/// The result is empty only where progress.cancel was raised.
+[[nodiscard]] std::optional<Picture> castRaysInLight(const Volume& volume, const OpacityCurve& curve,
+                                                     const RayCastSettings& settings, const ReachingLight& light,
+                                                     const Reaching& reaching, const Progress& progress = {});
+
+}  // namespace echolucent::light
