@@ -90,12 +90,15 @@ std::vector<DirectionBundle> DirectionBundle::of(const std::vector<WeightedDirec
     return bundles;
 }
 
-std::vector<std::uint16_t> DirectionBundle::sweep(const GridExtinctions& extinctions, const Progress& progress) const {
+std::vector<std::uint16_t> DirectionBundle::sweep(const GridExtinctions& extinctions, double attenuation,
+                                                  const Progress& progress) const {
     const LightGrid& grid = extinctions.grid;
     const Slices slices(grid, m_axis);
     std::vector<SweptDirection> directions;
-    for (const WeightedDirection& direction : m_directions)
+    for (const WeightedDirection& direction : m_directions) {
         directions.push_back(swept(direction, slices, grid.spacingMm));
+        directions.back().halfLengthMm *= static_cast<float>(attenuation);
+    }
     std::vector<SweptPlanes> planes(directions.size(), SweptPlanes(slices));
     std::vector<float> sums(slices.planeStride());
     std::vector<std::uint16_t> reaching(grid.places());

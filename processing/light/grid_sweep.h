@@ -32,8 +32,9 @@ public:
 
     [[nodiscard]] bool alongX() const { return m_axis == 0; }
     /// What reaches the middle of each place, times the directions' weights and `fullLight`, in the order of the
-    /// extinctions that it was swept through. Cancel is polled in every slice.
-    [[nodiscard]] std::vector<std::uint16_t> sweep(const GridExtinctions& extinctions, const Progress& progress) const;
+    /// extinctions that it was swept through, times `attenuation`. Cancel is polled in every slice.
+    [[nodiscard]] std::vector<std::uint16_t> sweep(const GridExtinctions& extinctions, double attenuation,
+                                                   const Progress& progress) const;
 
     /// All light, where the weights sum to 1.
     static constexpr int fullLight = 255 * 256;

@@ -43,6 +43,8 @@ void check(const LightScene& scene) {
         throw std::invalid_argument("LightScene: directions must have a length above 0");
     if (!(scene.keyHalfAngleDegrees >= 0.0 && scene.keyHalfAngleDegrees <= 45.0))
         throw std::invalid_argument("LightScene: keyHalfAngleDegrees must be within 0 and 45");
+    if (!(scene.attenuation > 0.0 && scene.attenuation <= 1.0))
+        throw std::invalid_argument("LightScene: attenuation must be above 0 and at most 1");
     if (scene.coarseness < 1 || scene.coarseness > 16)
         throw std::invalid_argument("LightScene: coarseness must be within 1 and 16");
 }
@@ -101,7 +103,7 @@ public:
                 {light::DirectionBundle::of(
                      light::directionsWithin(scene.towardsViewer, hemisphereDegrees, scene.aroundDirections), grid),
                  {}});
-        sweepAll(lights, scene.rendered, grid, progress);
+        sweepAll(lights, scene, grid, progress);
         if (progress.cancelled()) return std::nullopt;
         if (!keptAround) m_newest.resize(2 * grid.places());
         fill(m_newest.data(), lights[0], grid);
@@ -124,10 +126,10 @@ private:
         return true;
     }
 
-    void sweepAll(std::vector<SweptLight>& lights, const RenderedPart& rendered, const light::LightGrid& grid,
+    void sweepAll(std::vector<SweptLight>& lights, const LightScene& scene, const light::LightGrid& grid,
                   const Progress& progress) {
         light::GridExtinctions extinctions{grid, {}, {}};
-        const RenderedShares shares(rendered, grid.spacingMm);
+        const RenderedShares shares(scene.rendered, grid.spacingMm);
         extinctions.xFastest = shares.everywhere() ? std::move(m_extinctions) : cut(shares, grid);
         std::vector<std::pair<const light::DirectionBundle*, std::vector<std::uint16_t>*>> jobs;
         bool alongX = false;
@@ -142,7 +144,7 @@ private:
         ProgressCount count(progress, jobs.size());
         parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
             for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                *jobs[i].second = jobs[i].first->sweep(extinctions, progress);
+                *jobs[i].second = jobs[i].first->sweep(extinctions, scene.attenuation, progress);
                 count.oneDone();
             }
         });

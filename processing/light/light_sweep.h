@@ -24,6 +24,10 @@ struct LightScene {
     /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis: 2 or 3 at
     /// rest, 4 while the hand moves (coarsenessWithin() says it for large volumes).
     int coarseness = 2;
+    /// (0,1]: the share of the curve's extinction that attenuates light. Below 1, because most light in tissue is
+    /// scattered forwards; with 1, what is seen of a surface would be half dark before anything stood before it: it
+    /// lies as deep as a ray sees.
+    double attenuation = 0.5;
     light::DirectionRule keyDirections = light::DirectionRule::four;      ///< that stand for the key light's cone
     light::DirectionRule aroundDirections = light::DirectionRule::seven;  ///< that stand for the hemisphere
     friend bool operator==(const LightScene&, const LightScene&) = default;
@@ -42,7 +46,8 @@ struct LightScene {
 ///
 /// A place's light is the mean over a fixed set of directions: for the key light directions within its half-angle, for
 /// the light around the viewer directions of the hemisphere before him, by the cosine. Along each the light is swept
-/// from slice to slice of the grid. Opacities are the curve's, per unit of length; no data and what lies outside the
+/// from slice to slice of the grid. Light is attenuated by the curve's opacities,
+/// per unit of length, by the share that LightScene::attenuation says; no data and what lies outside the
 /// volume attenuate nothing, nor does what is cut away.
 class LightSweep {
 public:

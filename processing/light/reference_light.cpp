@@ -91,6 +91,7 @@ ReferenceLight::ReferenceLight(const Volume& volume, const OpacityCurve& curve, 
       m_sampler(volume),
       m_rendered(scene.rendered, volume.geometry().spacing),
       m_step(step),
+      m_attenuation(scene.attenuation),
       m_extinctions(extinctionsOf(curve)),
       m_key(denseDirectionsWithin(scene.towardsKey, scene.keyHalfAngleDegrees, rings)),
       m_around(denseDirectionsWithin(scene.towardsViewer, hemisphereDegrees, rings)) {}
@@ -115,7 +116,7 @@ double ReferenceLight::along(const Vec3& gridMm, const std::vector<WeightedDirec
             const Vec3 place = gridMm + direction.towards * ((i + 0.5) * m_step * m_geometry.unit());
             const Vec3 voxel = m_geometry.voxelFromGridMm(place);
             if (!inBox(m_geometry, voxel)) break;
-            if (m_rendered.contains(place)) depth += m_step * extinctionPerUnit(voxel);
+            if (m_rendered.contains(place)) depth += m_attenuation * m_step * extinctionPerUnit(voxel);
         }
         sum += direction.weight * std::exp(-depth);
     }

@@ -36,7 +36,7 @@ private:
     const VolumeGeometry& m_geometry;
     VolumeSampler m_sampler;
     RenderedShares m_rendered;
-    double m_step;
+    double m_step, m_attenuation;
     std::vector<double> m_extinctions;  ///< per unit, over normalised intensity
     std::vector<WeightedDirection> m_key, m_around;
 };

@@ -22,10 +22,10 @@ Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double k
                     const SurfaceLight& surface) {
     const double even = surface.share * surface.diffuse + (1.0 - surface.share) * shading.evenLight;
     const double direct = shading.diffuse * even + surface.share * shading.specular * surface.highlight;
-    const double open = 1.0 - light.occlusion * (1.0 - std::sqrt(around));
-    const double half = std::sqrt(key), quarter = std::sqrt(half);
-    const Vec3 scattered{half + light.translucency * (quarter - half), half, half + light.translucency * (key - half)};
-    const Vec3 lit = Vec3::all(1.0 - light.shadow) + scattered * light.shadow;
+    const double open = 1.0 - light.occlusion * (1.0 - around);
+    const Vec3 warm{key + light.translucency * (std::sqrt(key) - key), key,
+                    key + light.translucency * (key * key - key)};
+    const Vec3 lit = Vec3::all(1.0 - light.shadow) + warm * light.shadow;
     return Vec3::all(shading.ambient * open) + lit * direct;
 }
 

@@ -25,15 +25,12 @@ struct SurfaceLight {
 
 /// The factor of a sample's colour, for red, green and blue. With k and o in [0,1] what reaches the sample of the key
 /// light and of the light around the viewer:
-///     s      = (sqrt(k) + translucency (sqrt(sqrt(k)) - sqrt(k)),  sqrt(k),  sqrt(k) + translucency (k - sqrt(k)))
-///     k'     = 1 - shadow (1 - s)                  o' = 1 - occlusion (1 - sqrt(o))
+///     c      = (k + translucency (sqrt(k) - k),  k,  k + translucency (k k - k))
+///     k'     = 1 - shadow (1 - c)                  o' = 1 - occlusion (1 - o)
 ///     factor = ambient o' + k' (diffuse (w lambert + (1 - w) evenLight) + w specular highlight)
-/// With both strengths 0 that is the factor of Shading; what becomes of it stands there too, channel by channel.
-///
-/// The roots stand for light that is scattered forwards, which most light in tissue is: it is attenuated by half of
-/// the extinction. Without them a surface would be half dark before anything stood before it, because what is seen of
-/// it lies as deep as a ray sees. Red is scattered deepest and blue least, so that light that has gone through a little
-/// tissue is warm; full light is white, and where no light comes nothing glows.
+/// With both strengths 0 that is the factor of Shading; what becomes of it stands there too, channel by channel. Red is
+/// scattered deepest and blue least, so that light that has gone through a little tissue is warm; full light is white,
+/// and where no light comes nothing glows. Shading's ambient 0.5 and diffuse 1.3 make up for what reaches no place.
 [[nodiscard]] Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double key, double around,
                                   const SurfaceLight& surface);
 
