@@ -12,14 +12,47 @@ namespace echolucent {
 
 namespace {
 
-/// A sentence where absurd voxels were left out of the white level; else empty.
-std::string absurdVoxelsWarning(const WhiteLevel& white) {
-    if (white.above == 0) return {};
-    return fmt::format(
-        "{} voxels hold values up to {:.3g}, beyond all reason beside the others: the white level is {:.6g} without "
-        "them, "
-        "and they are shown as white.",
-        white.above, white.largest, white.level);
+/// The stored value of white, where one is known, and what gave it.
+struct ChosenWhite {
+    std::optional<double> level;
+    std::string source;
+};
+
+std::string windowNotTaken(const WindowWhite& window, DeclaredWhite judged, const WhiteLevel& measured) {
+    const char* why = judged == DeclaredWhite::tooHigh
+                          ? "the values in the data lie so far below it that the picture would be black"
+                      : judged == DeclaredWhite::tooLow ? "most values in the data lie above it"
+                                                        : "it is not above 0";
+    return fmt::format("The window of the file ({}) puts white at {:.6g}, which is not taken: {} (they reach {:.6g}).",
+                       window.words, window.white, why, measured.level);
+}
+
+ChosenWhite whiteFromData(const WhiteLevel& measured, std::vector<std::string>& warnings) {
+    ChosenWhite white{std::nullopt, "largest value in the data"};
+    if (measured.level > 0) white.level = measured.level;
+    if (measured.above == 0) return white;
+    white.source = "largest value in the data but for hot voxels";
+    warnings.push_back(
+        fmt::format("{} voxels hold values up to {:.6g}, far above all others: the white level is {:.6g} without "
+                    "them, and they are shown as white.",
+                    measured.above, measured.largest, measured.level));
+    return white;
+}
+
+/// The white level of all phases: what the file declares as such, 255 for 8 bits, the file's window where it suits the
+/// voxels, else what the voxels say.
+ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warnings) {
+    if (parts.whiteLevel) return {parts.whiteLevel, parts.whiteLevelSource};
+    if (std::holds_alternative<std::vector<std::uint8_t>>(parts.voxels.phases.front()))
+        return {std::nullopt, "8-bit voxels"};
+    const WhiteLevel measured = whiteLevelOf(parts.voxels.phases);
+    if (parts.window) {
+        const DeclaredWhite judged = judgeDeclaredWhite(parts.window->white, measured);
+        if (judged == DeclaredWhite::suits)
+            return {parts.window->white, parts.window->source + ": " + parts.window->words};
+        warnings.push_back(windowNotTaken(*parts.window, judged, measured));
+    }
+    return whiteFromData(measured, warnings);
 }
 
 Volume withGuess(Volume volume, const ReadOptions& options) {
@@ -136,30 +169,17 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.facts = std::move(parts.facts);
     study.warnings = std::move(parts.warnings);
 
-    std::string whiteLevelSource = parts.whiteLevelSource;
-    auto whiteLevel = parts.whiteLevel;
-    if (!whiteLevel) {
-        const bool eightBit = std::holds_alternative<std::vector<std::uint8_t>>(parts.voxels.phases.front());
-        whiteLevelSource = eightBit ? "8-bit voxels" : "largest value in the data";
-        if (!eightBit) {
-            const WhiteLevel white = whiteLevelOf(parts.voxels.phases);
-            if (white.level > 0) whiteLevel = white.level;
-            if (std::string warning = absurdVoxelsWarning(white); !warning.empty()) {
-                whiteLevelSource = "largest value in the data that is not absurd";
-                study.warnings.push_back(std::move(warning));
-            }
-        }
-    }
+    const ChosenWhite white = chooseWhite(parts, study.warnings);
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
         study.phases.push_back(
-            std::make_shared<const Volume>(withGuess(Volume(parts.geometry, std::move(voxels), whiteLevel), options)));
+            std::make_shared<const Volume>(withGuess(Volume(parts.geometry, std::move(voxels), white.level), options)));
         progress.at(0.9 +
                     0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
     }
 
     addGeometryFacts(parts, study);
-    study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), whiteLevelSource});
+    study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
     addPhaseFacts(parts, study);
     study.facts.push_back({"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
                            options.guessNoData ? "guess: 0 and connected to the border; or not finite"

@@ -10,6 +10,13 @@
 
 namespace echolucent {
 
+/// What a file's display window says of white. It counts where it suits the voxels (judgeDeclaredWhite()).
+struct WindowWhite {
+    double white = 0.0;  ///< stored value that the window shows as white; finite
+    std::string words;   ///< the window as the file gives it: "centre 79, width 158"
+    std::string source;  ///< tags that gave it
+};
+
 /// What a reader has found out. Its own `facts` and `warnings` come first in the study's.
 struct StudyParts {
     std::string path;                ///< as the person gave it
@@ -18,7 +25,8 @@ struct StudyParts {
     std::string spacingSource;  ///< key or tag that gave the spacing; empty where the spacing is assumed
     ConvertedVoxels voxels;
     std::optional<double> whiteLevel;
-    std::string whiteLevelSource;  ///< key or tag that gave whiteLevel
+    std::string whiteLevelSource;       ///< key or tag that gave whiteLevel
+    std::optional<WindowWhite> window;  ///< asked where whiteLevel is not given and voxels have more than 8 bits
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< key or tag of the time between phases
     bool lossyCompressed = false;

@@ -84,7 +84,7 @@ std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const View
     const auto otf = adaptOpacity(volume, uncut, config, progress);
     if (!otf) return std::nullopt;
     const auto without = [&](const char* why) { return NearCutSuggestion{0.0, otf->tubesWithWeight, 0, why}; };
-    if (otf->tubesWithWeight == 0)
+    if (otf->tubesWithWeight == 0 || otf->surfacesWhereDataBegin)
         return without("No surface behind fluid was found that counts, so no near cut can be suggested.");
     const auto stretches = fluidStretches(*otf, volume.geometry());
     if (stretches.empty()) return without("No stretch of fluid is long enough to suggest a near cut.");

@@ -7,6 +7,7 @@
 #include "app/cli/picture_words.h"
 #include "io/output/picture_file.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/picture/empty_picture.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {
@@ -59,6 +60,15 @@ OpacityCurve curveFor(const Volume& volume, const Viewpoint& view, const std::op
     return otf->curve;
 }
 
+/// Says on stderr why nothing is seen, where the curve is the reason.
+void explainEmptiness(const Picture& picture, const OpacityCurve& curve, const Volume& volume) {
+    constexpr float leastSeen = 1.0f / 255.0f;
+    for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4)
+        if (picture.rgba[alpha] >= leastSeen) return;
+    const std::string why = whyNothingShows(curve, intensityHistogram(volume));
+    if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
+}
+
 Result<void> render(const RenderOptions& options) {
     if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked) return checked;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
@@ -83,7 +93,9 @@ Result<void> render(const RenderOptions& options) {
     settings->camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
-    const auto picture = castRays(**volume, curveFor(**volume, *view, *named, *config), *settings);
+    const OpacityCurve curve = curveFor(**volume, *view, *named, *config);
+    const auto picture = castRays(**volume, curve, *settings);
+    if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, **volume);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
     if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
     return writePng(options.output, picture->width, picture->height, rgb);

@@ -176,7 +176,7 @@ StoredType DicomPixelFormat::greyType() const {
     return isSigned ? StoredType::int16 : StoredType::uint16;
 }
 
-double DicomPixelFormat::whiteLevel() const {
+double DicomPixelFormat::largestValue() const {
     if (model == ColourModel::palette) return 255.0;
     return static_cast<double>((1 << (isSigned ? bitsStored - 1 : bitsStored)) - 1);
 }

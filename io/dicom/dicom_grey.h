@@ -39,7 +39,7 @@ struct DicomPixelFormat {
     /// The type that grey values of these pixels have.
     [[nodiscard]] StoredType greyType() const;
     /// The largest grey value that the stored bits can hold.
-    [[nodiscard]] double whiteLevel() const;
+    [[nodiscard]] double largestValue() const;
 };
 
 /// What is wrong with a description of pixels.

@@ -194,8 +194,7 @@ Result<Study> MultiframeReader::read() {
     parts.geometry = layout->geometry;
     parts.spacingSource = layout->spacingSource;
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
-    parts.whiteLevel = m_frames.whiteLevel();
-    parts.whiteLevelSource = m_frames.whiteLevelSource();
+    m_frames.sayWhite(parts);
     parts.phaseSeconds = layout->phaseSeconds;
     parts.phaseSource = "(0020,930d) Temporal Position Time Offset";
     parts.lossyCompressed = m_frames.lossyCompressed();

@@ -17,6 +17,7 @@
 #include "io/dicom/dicom_fragments.h"
 #include "io/dicom/dicom_grey.h"
 #include "io/dicom/dicom_rle.h"
+#include "io/dicom/dicom_window.h"
 #include "io/dicom/jpeg2000.h"
 #include "io/input_file.h"
 
@@ -71,6 +72,7 @@ struct DicomFrames::State {
     E_TransferSyntax syntax = EXS_Unknown;
     Coding coding = Coding::unknown;
     DicomPixelFormat format;
+    DicomWindow window;
 
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& problem, const std::string& element = "",
                                                 const std::string& remedy = copyAgain) const {
@@ -101,6 +103,7 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
     state->pixelData = static_cast<DcmPixelData*>(element);
     if (const auto problem = readPixelFormat(dataset, state->format))
         return state->wrong(problem->text, problem->element, "Export it again as 8- or 16-bit grey or colour.");
+    state->window = readWindow(dataset, state->format);
     state->syntax = dataset.getOriginalXfer();
     state->coding = codingOf(state->syntax);
     if (state->coding == Coding::unknown)
@@ -211,10 +214,14 @@ std::int64_t DicomFrames::rows() const { return m_state->format.rows; }
 std::int64_t DicomFrames::frames() const { return m_state->format.frames; }
 StoredType DicomFrames::type() const { return m_state->format.greyType(); }
 std::int64_t DicomFrames::frameBytes() const { return m_state->format.pixels() * bytesOf(type()); }
-double DicomFrames::whiteLevel() const { return m_state->format.whiteLevel(); }
+double DicomFrames::largestValue() const { return m_state->format.largestValue(); }
 
-std::string DicomFrames::whiteLevelSource() const {
-    return m_state->format.model == ColourModel::palette ? "(0028,1101) Palette Color" : "(0028,0101) Bits Stored";
+void DicomFrames::sayWhite(StudyParts& parts) const {
+    parts.window = m_state->window.white;
+    const bool palette = m_state->format.model == ColourModel::palette;
+    if (!palette && m_state->format.bitsStored > 8) return;
+    parts.whiteLevel = largestValue();
+    parts.whiteLevelSource = palette ? "(0028,1101) Palette Color" : "(0028,0101) Bits Stored";
 }
 
 bool DicomFrames::lossyCompressed() const {
@@ -237,9 +244,10 @@ std::vector<std::string> DicomFrames::warnings() const {
     if (model == ColourModel::palette || model == ColourModel::rgb || model == ColourModel::lumaFirst)
         sentences.push_back("The pixels are in colour (" + m_state->format.photometric +
                             "); they were reduced to luma.");
-    if (model == ColourModel::monochrome1) sentences.push_back("MONOCHROME1: the grey values were inverted.");
+    if (model == ColourModel::monochrome1) sentences.emplace_back("MONOCHROME1: the grey values were inverted.");
     if (lossyCompressed())
-        sentences.push_back("The pixels were compressed with loss, which changes their distribution and so the OTF.");
+        sentences.emplace_back("The pixels were compressed with loss, which changes their distribution and so the OTF.");
+    for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
     return sentences;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/dicom/dicom_scan.h"
-#include "io/study.h"
+#include "io/study_assembly.h"
 #include "io/voxel_types.h"
 
 class DcmDataset;
@@ -29,8 +29,10 @@ public:
     [[nodiscard]] std::int64_t frames() const;
     [[nodiscard]] StoredType type() const;          ///< of the grey values: uint8, int8, uint16 or int16
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
-    [[nodiscard]] double whiteLevel() const;        ///< the largest value that the stored bits can hold
-    [[nodiscard]] std::string whiteLevelSource() const;
+    [[nodiscard]] double largestValue() const;      ///< the largest grey value that the stored bits can hold
+    /// Sets white level, its source and window of `parts`: where 8 bits or fewer are stored, white is the largest value
+    /// that they can hold; files of more bits mostly use a small part of these and may declare a window.
+    void sayWhite(StudyParts& parts) const;
     [[nodiscard]] bool lossyCompressed() const;
     /// What the import report says of the pixels: transfer syntax, photometric interpretation, lossy compression.
     [[nodiscard]] std::vector<ImportFact> facts() const;

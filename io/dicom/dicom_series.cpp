@@ -172,6 +172,7 @@ public:
         m_parts.geometry = m_order.geometry;
         m_parts.spacingSource = m_order.spacingSource;
         m_parts.warnings.insert(m_parts.warnings.end(), m_order.warnings.begin(), m_order.warnings.end());
+        shareWindow();
         std::vector<std::vector<std::uint8_t>> phases;
         phases.push_back(std::move(m_voxels));
         m_parts.voxels = convertVoxels(std::move(phases), m_type);
@@ -189,11 +190,12 @@ private:
         if (const auto read = frames->readGrey(0, grey); !read) return read;
         if (slice == 0)
             if (const auto begun = begin(file->dataset(), *frames); !begun) return begun;
-        if (frames->type() != m_type || bytes != m_sliceBytes || frames->whiteLevel() != m_parts.whiteLevel)
+        if (frames->type() != m_type || bytes != m_sliceBytes || frames->largestValue() != m_largestValue)
             return fail(FailureKind::unreadable, file->path(), "(0028,0101) Bits Stored",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
         m_parts.lossyCompressed = m_parts.lossyCompressed || frames->lossyCompressed();
+        keepWindow(*frames);
         return {};
     }
 
@@ -207,14 +209,32 @@ private:
         if (!memory) return memory;
         m_voxels.resize(static_cast<std::size_t>(*total));
         m_order.geometry.size = {frames.columns(), frames.rows(), slices};
-        m_parts.whiteLevel = frames.whiteLevel();
-        m_parts.whiteLevelSource = frames.whiteLevelSource();
+        m_largestValue = frames.largestValue();
+        frames.sayWhite(m_parts);
         m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), ""}};
         for (auto&& fact : frames.facts()) m_parts.facts.push_back(std::move(fact));
         for (auto&& fact : equipmentFacts(dataset)) m_parts.facts.push_back(std::move(fact));
         for (auto&& warning : frames.warnings()) m_parts.warnings.push_back(std::move(warning));
         takeSpacing(dataset);
         return {};
+    }
+
+    void keepWindow(const DicomFrames& frames) {
+        StudyParts said;
+        frames.sayWhite(said);
+        if (said.window) m_windows.push_back(std::move(*said.window));
+    }
+
+    /// The slices share one white level: where their windows differ, the median of their whites.
+    void shareWindow() {
+        if (m_windows.empty()) return;
+        std::sort(m_windows.begin(), m_windows.end(),
+                  [](const WindowWhite& a, const WindowWhite& b) { return a.white < b.white; });
+        if (m_windows.front().white < m_windows.back().white)
+            m_parts.warnings.push_back(fmt::format(
+                "The slices declare windows with white from {:.6g} to {:.6g}; the one in their middle is asked.",
+                m_windows.front().white, m_windows.back().white));
+        m_parts.window = m_windows[m_windows.size() / 2];
     }
 
     void takeSpacing(DcmItem& dataset) {
@@ -236,6 +256,8 @@ private:
     StudyParts m_parts;
     StoredType m_type = StoredType::uint8;
     std::size_t m_sliceBytes = 0;
+    double m_largestValue = 0.0;
+    std::vector<WindowWhite> m_windows;  // of the slices that declare one
     std::vector<std::uint8_t> m_voxels;
 };
 

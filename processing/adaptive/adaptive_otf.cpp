@@ -77,12 +77,8 @@ std::string messageFor(const AdaptiveOtf& otf) {
     return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
 }
 
-}  // namespace
-
-std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
-                                        const Progress& progress, const QuietVoxels& shown) {
-    requireOneGrid(volume, shown);
-    if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
+std::optional<AdaptiveOtf> adaptToData(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
+                                       const Progress& progress, const QuietVoxels& shown) {
     AdaptiveOtf otf = unrun(volume.geometry(), view, config);
     otf.reduction = shown.volume != nullptr ? shown.reduction : SpeckleReduction::off;
     StageRunner run(progress, otf.times);
@@ -135,6 +131,33 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     otf.message = messageFor(otf);
     if (!run.end()) return std::nullopt;
     return otf;
+}
+
+bool findsNoSurface(const AdaptiveOtf& otf) {
+    return otf.tubesMeetingVolume > 0 && std::none_of(otf.tubes.begin(), otf.tubes.end(), [](const TubeCore& tube) {
+               return tube.status == TubeStatus::surface;
+           });
+}
+
+}  // namespace
+
+std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
+                                        const Progress& progress, const QuietVoxels& shown) {
+    requireOneGrid(volume, shown);
+    if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
+    auto otf = adaptToData(volume, view, config, progress, shown);
+    if (!otf || volume.dataMask().empty() || !findsNoSurface(*otf)) return otf;
+    auto mask = dataMaskWithoutGuess(volume);
+    if (mask == volume.dataMask()) return otf;
+
+    Progress silent = progress;  // it has been reported to its end, and never falls
+    silent.report = nullptr;
+    auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, shown);
+    if (!begun) return std::nullopt;
+    if (begun->tubesWithWeight == 0) return otf;
+    begun->surfacesWhereDataBegin = true;
+    begun->message = "No surface stands behind fluid: where the data begin is taken for the surface.";
+    return begun;
 }
 
 }  // namespace echolucent

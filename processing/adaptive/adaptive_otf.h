@@ -13,7 +13,9 @@
 
 namespace echolucent {
 
-/// Runs the method on a volume, seen from a viewpoint. The result is empty only where progress.cancel was raised, and
+/// Runs the method on a volume, seen from a viewpoint. Where no tube core finds a surface behind fluid, and a guess has
+/// taken zeros for no data, it looks once more with these zeros as data, dark as fluid: the surfaces are then where the
+/// data begin (AdaptiveOtf::surfacesWhereDataBegin). The result is empty only where progress.cancel was raised, and
 /// has the same bits for any number of threads.
 /// Where the picture is taken from other voxels than the volume's, `shown` is what they are, and the curve is meant for
 /// them; surfaces and weights are the volume's. Without them the result has the bits it always had.

@@ -22,10 +22,12 @@ struct AdaptiveOtf {
     AdaptiveOtfConfig config;                      ///< as asked for
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, units, along the view's right and down axes
     Viewpoint view;
-    Vec3 directionVoxel{0, 0, 1};         ///< unit, voxel index space
-    double tubeLengthUnit = 1.0;          ///< mm per unit
-    int tubesMeetingVolume = 0;           ///< T and N: tube cores that meet the volume's data
-    int tubesWithWeight = 0;              ///< status surface and d > 0
+    Vec3 directionVoxel{0, 0, 1};  ///< unit, voxel index space
+    double tubeLengthUnit = 1.0;   ///< mm per unit
+    int tubesMeetingVolume = 0;    ///< T and N: tube cores that meet the volume's data
+    int tubesWithWeight = 0;       ///< status surface and d > 0
+    /// No surface stands behind fluid: the surfaces are where the data begin, seen from outside the scanned sector.
+    bool surfacesWhereDataBegin = false;
     double dMax = 0.0;                    ///< strengthOf(config.curve) / T
     std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
     std::optional<double> leastContrast;  ///< with RatioRule: a boundary counted from this contrast on

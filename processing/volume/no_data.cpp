@@ -124,10 +124,22 @@ std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
     const auto solidCount = static_cast<double>(solid.count());
     if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid))
         return volume.dataMask();
-    // Lone echoes in the outside (compression noise, graphics painted over) and frayed edges belong to it.
+    // Echoes that are thinner than the outside between them are wires in water, no sector.
     const BitGrid closed = solid.dilated().eroded();
     if (static_cast<double>(closed.count()) == voxels) return volume.dataMask();
-    return maskWithout(closed, volume);
+    // Frayed edges belong to it, echoes never do.
+    return maskWithout(closed & outside, volume);
+}
+
+std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume) {
+    std::vector<std::uint8_t> mask = volume.dataMask();
+    std::visit(
+        [&](const auto& voxels) {
+            for (std::size_t i = 0; i < mask.size(); ++i) mask[i] |= voxels[i] == 0 ? 1 : 0;
+        },
+        volume.voxels());
+    if (std::find(mask.begin(), mask.end(), 0) == mask.end()) mask.clear();
+    return mask;
 }
 
 }  // namespace echolucent

@@ -52,8 +52,8 @@ struct VolumeGeometry {
 class Volume {
 public:
     /// Takes the voxels. whiteLevel is the stored value that is normalised intensity 1. Where none is given it is 255
-    /// for 8 bits, and for other types whiteLevelOf() these voxels, the largest but for absurd ones (1 where no voxel
-    /// is above 0). Float voxels that are not finite count as no data.
+    /// for 8 bits, and for other types whiteLevelOf() these voxels, the largest but for hot ones (1 where no voxel is
+    /// above 0). Float voxels that are not finite count as no data.
     /// Throws std::invalid_argument where sizes disagree or the geometry is not valid (readers check before).
     Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
 
@@ -89,10 +89,15 @@ private:
 
 /// Guesses which voxels lie outside the scanned sector. They are exactly 0 and connected over faces through such voxels
 /// to the border of the grid. Together they hold a corner of the grid, which a sector always leaves free, are at least
-/// 2 % of the grid, and thick (the zeros of speckle are not). Single noisy voxels in the midst of them belong to them.
+/// 2 % of the grid, and thick (the zeros of speckle are not). An echo is never guessed away: lone noisy voxels in the
+/// midst of the outside stay data, as wires do that are thinner than they.
 /// A pool of fluid that is 0 throughout and touches the border is taken for outside too, where corners are free.
 /// Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such region, the volume's
 /// own mask.
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
+
+/// The volume's mask with the guess taken back: every voxel that holds exactly 0 is data again, because a guess takes
+/// no other. It is empty where all voxels are data then.
+[[nodiscard]] std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume);
 
 }  // namespace echolucent

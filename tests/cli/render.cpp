@@ -30,6 +30,21 @@ TEST(Render, SaysWhatItCannotDo) {
               4);
 }
 
+TEST(Render, SaysThatTheCurveShowsNothing) {
+    const Folder folder;
+    writeConstantVolume(folder / "faint.mha", 20, 10);  // the linear curve begins at 20
+    const auto errorsWith = [&](const std::string& options) {
+        const Outcome outcome = runProgram("render \"" + folder / "faint.mha" + "\" --size 16x16 -o \"" +
+                                           folder / "p.png" + "\" " + options);
+        EXPECT_EQ(outcome.status, 0);
+        return outcome.errors;
+    };
+    EXPECT_NE(errorsWith("--otf linear").find("Nothing is shown: the curve is 0 over all intensities of the data"),
+              std::string::npos);
+    EXPECT_EQ(errorsWith("--otf parabolic").find("Nothing is shown"), std::string::npos);
+    EXPECT_EQ(errorsWith("--mode maximum").find("Nothing is shown"), std::string::npos);
+}
+
 /// The check sum of a picture made with these options: what differs is not worth printing.
 std::size_t rendered(const Folder& folder, const std::string& options) {
     const std::string path = folder / "picture.png";

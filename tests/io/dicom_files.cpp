@@ -126,6 +126,26 @@ void putFunctionalGroups(DcmDataset& dataset, const TestImage& image) {
     }
 }
 
+void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
+    if (!text.empty()) put(item, tag, text);
+}
+
+void putWindow(DcmDataset& dataset, const TestImage& image) {
+    if (image.windowCentre.empty() && image.lutFunction.empty()) return;
+    DcmItem* window = &dataset;
+    DcmItem* rescale = &dataset;
+    if (image.windowInGroups) {
+        DcmItem& shared = itemIn(dataset, DCM_SharedFunctionalGroupsSequence, 0);
+        window = &itemIn(shared, DCM_FrameVOILUTSequence, 0);
+        rescale = &itemIn(shared, DCM_PixelValueTransformationSequence, 0);
+    }
+    putText(*window, DCM_WindowCenter, image.windowCentre);
+    putText(*window, DCM_WindowWidth, image.windowWidth);
+    putText(*window, DCM_VOILUTFunction, image.lutFunction);
+    putText(*rescale, DCM_RescaleSlope, image.rescaleSlope);
+    putText(*rescale, DCM_RescaleIntercept, image.rescaleIntercept);
+}
+
 void putPalette(DcmDataset& dataset, const TestPalette& palette) {
     const std::array<DcmTagKey, 3> descriptors{DCM_RedPaletteColorLookupTableDescriptor,
                                                DCM_GreenPaletteColorLookupTableDescriptor,
@@ -151,6 +171,7 @@ void writeDicom(const std::string& path, const TestImage& image, TestSyntax synt
     putImageModule(dataset, image);
     putGeometry(dataset, image);
     putFunctionalGroups(dataset, image);
+    putWindow(dataset, image);
     if (image.palette) putPalette(dataset, *image.palette);
     if (!image.pixels16.empty())
         require(dataset.putAndInsertUint16Array(DCM_PixelData, image.pixels16.data(), image.pixels16.size()), "pixels");

@@ -59,7 +59,11 @@ struct TestImage {
     std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
     bool patientFrame = false;                ///< whether it is Plane Position (Patient) instead
     std::optional<TestPalette> palette;
-    bool frameTime = false;  ///< whether frames are said to follow each other in time
+    std::string windowCentre, windowWidth;       ///< as text, where not empty
+    std::string rescaleSlope, rescaleIntercept;  ///< as text, where not empty
+    std::string lutFunction;                     ///< VOI LUT Function, where not empty
+    bool windowInGroups = false;                 ///< whether window and rescaling stand in the shared functional groups
+    bool frameTime = false;                      ///< whether frames are said to follow each other in time
 };
 
 /// Throws std::runtime_error where DCMTK cannot write it.

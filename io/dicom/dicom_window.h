@@ -1,0 +1,25 @@
+// The display window that a DICOM data set declares, read as what is shown as white.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/dicom/dicom_grey.h"
+#include "io/study_assembly.h"
+
+namespace echolucent {
+
+/// What a data set says of its display window.
+struct DicomWindow {
+    std::optional<WindowWhite> white;   ///< no value where no window is declared, or none that can be read
+    std::vector<std::string> warnings;  ///< sentences: a window that cannot be read, a VOI LUT that is not applied
+};
+
+/// Reads Window Center and Width (of several the first) at top level, else in the functional groups that all frames
+/// share, else in those of the first frame. White is centre + width / 2, of MONOCHROME1 centre - width / 2, taken back
+/// through Rescale Slope and Intercept to the grey values that toGrey() writes. Only grey pixels of more than 8 stored
+/// bits have a window here; others say nothing.
+[[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format);
+
+}  // namespace echolucent

@@ -1,0 +1,155 @@
+// White from the display window that a DICOM file declares, or not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "dicom_files.h"
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+/// Two frames of 16 x 16 that hold 0 to 158 of 15 stored bits, with this window.
+TestImage small(const std::string& centre, const std::string& width) {
+    TestImage image;
+    image.columns = image.rows = 16;
+    image.frames = 2;
+    image.bitsAllocated = 16;
+    image.bitsStored = 15;
+    for (int i = 0; i < 512; ++i) image.pixels16.push_back(static_cast<std::uint16_t>(i % 159));
+    image.windowCentre = centre;
+    image.windowWidth = width;
+    return image;
+}
+
+Study readBack(const TestImage& image) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("image.dcm");
+    writeDicom(path, image);
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
+    auto study = readStudy(path, options);
+    EXPECT_TRUE(study) << study.error().sentence();
+    return study ? *study : Study{};
+}
+
+double whiteOf(const Study& study) { return study.phases.at(0)->whiteLevel(); }
+
+std::string sourceOfWhite(const Study& study) {
+    for (const ImportFact& fact : study.facts)
+        if (fact.name == "white level") return fact.source;
+    return "none";
+}
+
+TEST(DicomWindow, WhiteIsCentrePlusHalfTheWidth) {
+    const Study study = readBack(small("75", "120"));
+    EXPECT_EQ(whiteOf(study), 135);
+    EXPECT_EQ(sourceOfWhite(study), "(0028,1050) Window Center, (0028,1051) Width: centre 75, width 120");
+    EXPECT_EQ(whiteOf(readBack(small("75\\400", "120\\800"))), 135) << "of several windows the first";
+}
+
+TEST(DicomWindow, WithoutOneTheDataSay) {
+    const Study study = readBack(small("", ""));
+    EXPECT_EQ(whiteOf(study), 158) << "not 32767: the picture would be black";
+    EXPECT_EQ(sourceOfWhite(study), "largest value in the data");
+    TestImage hot = small("", "");
+    hot.pixels16[100] = 32767;
+    EXPECT_EQ(whiteOf(readBack(hot)), 158);
+    EXPECT_EQ(sourceOfWhite(readBack(hot)), "largest value in the data but for hot voxels");
+    EXPECT_TRUE(warnsOf(readBack(hot), "1 voxels hold values up to 32767"));
+}
+
+TEST(DicomWindow, IsTakenBackThroughTheRescaling) {
+    TestImage image = small("1000", "600");  // white is 1300 after 10 x + 100
+    image.rescaleSlope = "10";
+    image.rescaleIntercept = "100";
+    EXPECT_EQ(whiteOf(readBack(image)), 120);
+    image.rescaleSlope = "0";
+    EXPECT_EQ(whiteOf(readBack(image)), 158);
+    EXPECT_TRUE(warnsOf(readBack(image), "is not taken"));
+    image.rescaleSlope = "-1";
+    EXPECT_TRUE(warnsOf(readBack(image), "is not taken"));
+}
+
+TEST(DicomWindow, OfMonochrome1IsWhiteAtItsDarkEnd) {
+    TestImage image = small("32667", "60");  // white below 32637
+    for (std::uint16_t& pixel : image.pixels16) pixel = static_cast<std::uint16_t>(32767 - pixel);
+    image.photometric = "MONOCHROME1";
+    EXPECT_EQ(whiteOf(readBack(image)), 130);
+}
+
+TEST(DicomWindow, StandsInFunctionalGroupsToo) {
+    TestImage image = small("75", "120");
+    image.windowInGroups = true;
+    EXPECT_EQ(whiteOf(readBack(image)), 135);
+    EXPECT_THAT(sourceOfWhite(readBack(image)), testing::HasSubstr(", all frames"));
+    image.rescaleSlope = "0.5";
+    image.rescaleIntercept = "60";
+    EXPECT_EQ(whiteOf(readBack(image)), 150);
+}
+
+TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {
+    const std::vector<std::array<std::string, 3>> rows{
+        {"-200", "100", "it is not above 0"},
+        {"-50", "100", "it is not above 0"},
+        {"16384", "32768", "would be black"},
+        {"1e300", "10", "would be black"},
+        {"10", "20", "most values in the data"},
+        {"nan", "100", "are no window"},
+        {"75", "", "are no window"},
+        {"75", "0", "are no window"},
+        {"75", "-120", "are no window"},
+        {"seventy", "120", "are no window"},
+        {"75", "inf", "are no window"},
+        {"\\75", "120", "are no window"},
+    };
+    for (const auto& [centre, width, words] : rows) {
+        const Study study = readBack(small(centre, width));
+        EXPECT_EQ(whiteOf(study), 158) << centre << " " << width;
+        EXPECT_TRUE(warnsOf(study, words)) << centre << " " << width;
+        EXPECT_TRUE(warnsOf(study, "not taken")) << centre << " " << width;
+    }
+}
+
+TEST(DicomWindow, ALutIsNotAppliedAndSaid) {
+    TestImage image = small("75", "120");
+    image.lutFunction = "SIGMOID";
+    EXPECT_EQ(whiteOf(readBack(image)), 135);
+    EXPECT_TRUE(warnsOf(readBack(image), "VOI LUT of the file is not applied"));
+    image.lutFunction = "LINEAR";
+    EXPECT_FALSE(warnsOf(readBack(image), "VOI LUT"));
+}
+
+TEST(DicomWindow, EightBitsNeedNone) {
+    TestImage image = small("75", "120");
+    image.pixels8.assign(image.pixels16.begin(), image.pixels16.end());
+    image.pixels16.clear();
+    image.bitsAllocated = image.bitsStored = 8;
+    EXPECT_EQ(whiteOf(readBack(image)), 255);
+    image.pixels16.assign(image.pixels8.begin(), image.pixels8.end());
+    image.pixels8.clear();
+    image.bitsAllocated = 16;
+    EXPECT_EQ(whiteOf(readBack(image)), 255);
+    EXPECT_EQ(sourceOfWhite(readBack(image)), "(0028,0101) Bits Stored");
+}
+
+TEST(DicomWindow, SlicesShareTheOneInTheMiddle) {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 5; ++i) {
+        TestImage slice = small(std::to_string(70 + 7 * i * i), "120");
+        slice.frames = 0;
+        slice.pixels16.resize(256);
+        slice.position = Vec3(0, 0, i);
+        slice.orientation = {1, 0, 0, 0, 1, 0};
+        writeDicom(folder.file("IM" + std::to_string(i)), slice);
+    }
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(whiteOf(*study), 158) << "centre 98, width 120";
+    EXPECT_THAT(sourceOfWhite(*study), testing::HasSubstr("centre 98, width 120"));
+    EXPECT_TRUE(warnsOf(*study, "white from 130 to 242"));
+}
+
+}  // namespace
+}  // namespace echolucent
