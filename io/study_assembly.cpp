@@ -60,6 +60,14 @@ Volume withGuess(Volume volume, const ReadOptions& options) {
     return volume.withDataMask(guessDataMask(volume));
 }
 
+/// One box for all phases, so that the picture of a beating heart keeps still.
+void shareDataBox(std::vector<std::shared_ptr<const Volume>>& phases) {
+    if (phases.size() < 2) return;
+    DataBox box = phases.front()->dataBox();
+    for (const auto& phase : phases) box = box.joined(phase->dataBox());
+    for (auto& phase : phases) phase = std::make_shared<const Volume>(phase->withDataBox(box));
+}
+
 double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
     double outside = 0.0;
     double total = 0.0;
@@ -178,6 +186,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
                     0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
     }
 
+    shareDataBox(study.phases);
     addGeometryFacts(parts, study);
     study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
     addPhaseFacts(parts, study);

@@ -56,16 +56,32 @@ struct VolumeOptions {
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
 };
 
+/// The beam axis of a command, and where it is from.
+struct ChosenBeam {
+    BeamAxis axis = BeamAxis::plusZ;
+    std::string source = "assumed";    ///< "option", "sector shape", "echo" or "assumed"
+    std::optional<double> confidence;  ///< [0,1] of a guess; no value where nothing was guessed
+    std::string sentence;              ///< of a guess; else it is empty
+};
+
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
     Viewpoint view;
-    std::string beamAxis = "+z";
+    std::string beamAxis;  ///< empty where it is not given
     std::string near = "0";
     void addTo(CLI::App& command);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
     [[nodiscard]] Result<Viewpoint> get() const;
-    /// The view of a volume, the near cut suggested where that was asked for (and said on stderr).
+    /// The axis of --beam-axis, else +z: that of simulated scans. An option that is out of range counts as not given.
+    [[nodiscard]] ChosenBeam beam() const;
+    /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z where that is not sure.
+    [[nodiscard]] ChosenBeam beamOf(const Volume& volume) const;
+    /// The view of a volume with that beam, the near cut suggested where that was asked for. What was guessed or
+    /// suggested is said on stderr.
+    [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config,
+                                        const ChosenBeam& beam) const;
+    /// The same with the beam of beamOf().
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
 };
 

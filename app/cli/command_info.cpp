@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "io/output/atomic_file.h"
+#include "processing/beam/beam_guess.h"
 
 namespace echolucent::cli {
 
@@ -62,7 +63,12 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     entry["stored_range"] = range.dataVoxels > 0 ? ordered_json{range.low, range.high} : ordered_json();
     entry["no_data_share"] = 1.0 - static_cast<double>(range.dataVoxels) / static_cast<double>(geometry.voxelCount());
     entry["lossy_compressed"] = study.lossyCompressed;
-    object["view"] = {{"beam_axis", "+z"}};
+    const BeamGuess guess = *guessBeamAxis(volume);
+    object["view"] = {{"beam_axis", nameOf(guess.axis)}};
+    object["beam"] = {{"axis", nameOf(guess.axis)},
+                      {"source", guess.sure ? nameOf(guess.evidence) : "assumed"},
+                      {"confidence", guess.confidence},
+                      {"sentence", guess.sentence}};
     object["facts"] = ordered_json::array();
     for (const ImportFact& fact : study.facts)
         object["facts"].push_back({{"name", fact.name}, {"value", fact.value}, {"source", fact.source}});
@@ -80,7 +86,12 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     if (study.phases.size() > 1) line("phase shown below", std::to_string(phase), "--phase");
     line("stored values", range.dataVoxels > 0 ? fmt::format("{} to {}", range.low, range.high) : "none",
          "data voxels");
-    line("default view direction", "+z of the voxel grid", "--beam-axis changes it");
+    const BeamGuess guess = *guessBeamAxis(volume);
+    line("default view direction", std::string(nameOf(guess.axis)) + " of the voxel grid",
+         guess.sure
+             ? fmt::format("{}, confidence {:.2f}; --beam-axis changes it", nameOf(guess.evidence), guess.confidence)
+             : "assumed; --beam-axis changes it");
+    if (!guess.sure) text += "  Note: " + guess.sentence + "\n";
     for (const std::string& warning : study.warnings) text += "  Note: " + warning + "\n";
     for (char& character : text)
         if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';

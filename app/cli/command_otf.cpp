@@ -18,11 +18,11 @@ struct OtfOptions {
     std::string json, csv, tubesCsv;
 };
 
-Result<void> write(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf) {
+Result<void> write(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam) {
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
-        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, options.method.initial,
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, beam, options.method.initial,
                                                                      options.method.opacityScale.value_or(1.0)));
             !done)
             return done;
@@ -47,10 +47,11 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto volume = options.volume.readPhase(outputs);
     if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto cut = options.view.get(**volume, *config);
+    const ChosenBeam beam = options.view.beamOf(**volume);
+    const auto cut = options.view.get(**volume, *config, beam);
     if (!cut) return tl::unexpected<Failure>(cut.error());
     const auto otf = adaptOpacity(**volume, *cut, *config);
-    return write(options, **volume, *otf);
+    return write(options, **volume, *otf, beam);
 }
 
 }  // namespace

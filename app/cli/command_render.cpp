@@ -90,7 +90,8 @@ Result<void> render(const RenderOptions& options) {
     const auto view = options.view.get(**volume, *config);
     if (!view) return tl::unexpected<Failure>(view.error());
     const Projection projection = settings->camera.projection;
-    settings->camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
+    settings->camera =
+        defaultCamera((*volume)->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
     const OpacityCurve curve = curveFor(**volume, *view, *named, *config);

@@ -125,8 +125,8 @@ std::string cells(const std::optional<Vec3>& value) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName,
-                       double manualFactor) {
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam,
+                       const std::string& initialName, double manualFactor) {
     const VolumeGeometry& geometry = volume.geometry();
     const StageTimes& times = otf.times;
     Json report;
@@ -141,6 +141,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::
                       {"azimuth", otf.view.azimuthDegrees},
                       {"elevation", otf.view.elevationDegrees},
                       {"near_mm", otf.view.nearCutMm}};
+    report["beam"] = {
+        {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
     report["parameters"] = parameters(otf, initialName, manualFactor);
     report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};

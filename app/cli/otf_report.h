@@ -10,8 +10,8 @@
 namespace echolucent::cli {
 
 /// One JSON object, numbers round-trip, ends with a newline.
-[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const std::string& initialName,
-                                     double manualFactor);
+[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam,
+                                     const std::string& initialName, double manualFactor);
 /// intensity, opacity, log_opacity, initial_opacity: 256 rows and a header.
 [[nodiscard]] std::string curveTable(const AdaptiveOtf& otf);
 /// One row a tube core and a header, columns as in the JSON.

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
+#include "processing/beam/beam_guess.h"
 #include "processing/near_cut.h"
 
 namespace echolucent::cli {
@@ -12,9 +13,9 @@ namespace echolucent::cli {
 void ViewOptions::addTo(CLI::App& command) {
     command
         .add_option("--beam-axis", beamAxis,
-                    "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z")
-        ->type_name("AXIS")
-        ->capture_default_str();
+                    "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z [guessed from the "
+                    "scan; +z where that is not sure]")
+        ->type_name("AXIS");
     command
         .add_option("--view-azimuth", view.azimuthDegrees,
                     "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
@@ -31,14 +32,22 @@ void ViewOptions::addTo(CLI::App& command) {
         ->capture_default_str();
 }
 
+namespace {
+
+/// An axis without a sign is the positive one.
+std::optional<BeamAxis> axisNamed(const std::string& name) {
+    return beamAxisFromName(name.size() == 1 ? "+" + name : name);
+}
+
+}  // namespace
+
 Result<Viewpoint> ViewOptions::get() const {
-    const bool signMissing = beamAxis.size() == 1;
-    const auto axis = beamAxisFromName(signMissing ? "+" + beamAxis : beamAxis);
-    if (!axis) return wrongUsage("--beam-axis", "is \"" + beamAxis + "\"", "Use +x, -x, +y, -y, +z or -z.");
+    if (!beamAxis.empty() && !axisNamed(beamAxis))
+        return wrongUsage("--beam-axis", "is \"" + beamAxis + "\"", "Use +x, -x, +y, -y, +z or -z.");
     if (!isAngle(view.azimuthDegrees) || !isAngle(view.elevationDegrees))
         return wrongUsage("--view-azimuth and --view-elevation", mustBeAngles);
     Viewpoint chosen = view;
-    chosen.beamAxis = *axis;
+    chosen.beamAxis = beam().axis;
     if (nearCutSuggested()) return chosen;
     const auto cut = parseNumbers(near, 1, "--near", "18");
     if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
@@ -47,9 +56,29 @@ Result<Viewpoint> ViewOptions::get() const {
     return chosen;
 }
 
+ChosenBeam ViewOptions::beam() const {
+    if (const auto axis = axisNamed(beamAxis)) return {*axis, "option", std::nullopt, ""};
+    return {};
+}
+
+ChosenBeam ViewOptions::beamOf(const Volume& volume) const {
+    if (axisNamed(beamAxis)) return beam();
+    const auto guess = guessBeamAxis(volume);
+    if (!guess->sure) return {BeamAxis::plusZ, "assumed", guess->confidence, guess->sentence};
+    return {guess->axis, std::string(nameOf(guess->evidence)), guess->confidence, guess->sentence};
+}
+
 Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config) const {
+    return get(volume, config, beamOf(volume));
+}
+
+Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config,
+                                   const ChosenBeam& beam) const {
     auto chosen = get();
-    if (!chosen || !nearCutSuggested()) return chosen;
+    if (!chosen) return chosen;
+    chosen->beamAxis = beam.axis;
+    if (!beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
+    if (!nearCutSuggested()) return chosen;
     const auto suggestion = suggestNearCut(volume, *chosen, config);
     chosen->nearCutMm = suggestion->nearCutMm;
     std::string sentence = suggestion->message;

@@ -69,8 +69,8 @@ void ShownStudy::takeVolume() {
         m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
         m_parts.controls.setPhaseCount(phases);
         Document opened = openedDocument(m_parts.model.document(), session.reference());
-        const VolumeGeometry& geometry = session.volume()->geometry();
-        for (Shared<Pose>& pose : opened.poses) pose.value = m_parts.picture.wholeVolume(Viewpoint{}, geometry);
+        const DataBox& box = session.volume()->dataBox();
+        for (Shared<Pose>& pose : opened.poses) pose.value = m_parts.picture.wholeVolume(Viewpoint{}, box);
         if (phases < 2) opened.motion.scenario = MotionScenario::probe;
         m_parts.model.begin(opened);
         m_parts.motion.beginAtRest(phases);

@@ -8,8 +8,8 @@ namespace {
 constexpr ChoiceNames<2> beamSourceNames{"assumed", "person"};
 
 /// Height of the picture at magnification 1, mm.
-double fittedHeightMm(const VolumeGeometry& geometry, BeamAxis beam, double aspect) {
-    return fittedPose(geometry, Viewpoint{.beamAxis = beam}, Projection::parallel, aspect).heightMm;
+double fittedHeightMm(const DataBox& box, BeamAxis beam, double aspect) {
+    return fittedPose(box, Viewpoint{.beamAxis = beam}, Projection::parallel, aspect).heightMm;
 }
 
 }  // namespace
@@ -38,26 +38,25 @@ Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {
     return turned;
 }
 
-CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const VolumeGeometry& geometry,
-                        Projection projection, double aspect) {
-    return {viewpointOf(beam, pose.direction, nearCutMm), geometry.centreMm() + pose.offsetMm,
-            fittedHeightMm(geometry, beam, aspect) / pose.magnification, projection};
+CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const DataBox& box, Projection projection,
+                        double aspect) {
+    return {viewpointOf(beam, pose.direction, nearCutMm), box.centreMm() + pose.offsetMm,
+            fittedHeightMm(box, beam, aspect) / pose.magnification, projection};
 }
 
-Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const VolumeGeometry& geometry,
-               double aspect) {
+Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const DataBox& box, double aspect) {
     Pose moved = pose;
     moved.direction = directionOf(after.view);
-    if (after.focalPoint != before.focalPoint) moved.offsetMm = after.focalPoint - geometry.centreMm();
+    if (after.focalPoint != before.focalPoint) moved.offsetMm = after.focalPoint - box.centreMm();
     if (after.heightMm != before.heightMm)
-        moved.magnification = fittedHeightMm(geometry, after.view.beamAxis, aspect) / after.heightMm;
+        moved.magnification = fittedHeightMm(box, after.view.beamAxis, aspect) / after.heightMm;
     return moved;
 }
 
-Pose wholeVolumePose(const VolumeGeometry& geometry, const Viewpoint& viewpoint, Projection projection, double aspect) {
-    const CameraPose fitted = fittedPose(geometry, viewpoint, projection, aspect);
-    return {directionOf(viewpoint), fitted.focalPoint - geometry.centreMm(),
-            fittedHeightMm(geometry, viewpoint.beamAxis, aspect) / fitted.heightMm};
+Pose wholeVolumePose(const DataBox& box, const Viewpoint& viewpoint, Projection projection, double aspect) {
+    const CameraPose fitted = fittedPose(box, viewpoint, projection, aspect);
+    return {directionOf(viewpoint), fitted.focalPoint - box.centreMm(),
+            fittedHeightMm(box, viewpoint.beamAxis, aspect) / fitted.heightMm};
 }
 
 }  // namespace echolucent

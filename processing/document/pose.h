@@ -35,11 +35,12 @@ struct ViewDirection {
     friend bool operator==(const ViewDirection&, const ViewDirection&) = default;
 };
 
-/// A camera. The default shows the whole volume, seen along the beam.
+/// A camera. The default shows all data, seen along the beam. What is data is a box (Volume::dataBox()), and not the
+/// whole grid: a sector often leaves much of its grid empty.
 struct Pose {
     ViewDirection direction;
-    Vec3 offsetMm{0, 0, 0};      ///< from the volume's centre to the point seen at the picture's centre, grid mm
-    double magnification = 1.0;  ///< above 0; at 1 the whole volume, seen along the beam in parallel projection, fits
+    Vec3 offsetMm{0, 0, 0};      ///< from the data box's centre to the point seen at the picture's centre, grid mm
+    double magnification = 1.0;  ///< above 0; at 1 the whole box, seen along the beam in parallel projection, fits
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
@@ -47,18 +48,18 @@ struct Pose {
 [[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm);
 [[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);
 
-/// Looks from another direction; the volume's centre keeps its place in the picture.
+/// Looks from another direction; the data box's centre keeps its place in the picture.
 [[nodiscard]] Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction);
 
 /// The camera of a pose, for a picture of width / height `aspect` (> 0).
-[[nodiscard]] CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const VolumeGeometry& geometry,
+[[nodiscard]] CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const DataBox& box,
                                       Projection projection, double aspect);
 /// The pose after the hand has moved its camera from `before` (which cameraPoseOf() gave) to `after`, in a picture of
 /// that aspect. What the hand did not change keeps its bits.
-[[nodiscard]] Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after,
-                             const VolumeGeometry& geometry, double aspect);
-/// The pose of fittedPose(): the whole volume, seen from a viewpoint, fills the picture.
-[[nodiscard]] Pose wholeVolumePose(const VolumeGeometry& geometry, const Viewpoint& viewpoint, Projection projection,
+[[nodiscard]] Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const DataBox& box,
+                             double aspect);
+/// The pose of fittedPose(): the whole data box, seen from a viewpoint, fills the picture.
+[[nodiscard]] Pose wholeVolumePose(const DataBox& box, const Viewpoint& viewpoint, Projection projection,
                                    double aspect);
 
 }  // namespace echolucent

@@ -51,7 +51,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
     };
     double heightMm = 0.0;
     for (const SweepFrame& frame : frames)
-        heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).geometry(), frame.view, aspect).heightMm);
+        heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).dataBox(), frame.view, aspect).heightMm);
     // Casters are made where a frame first needs them; a caster keeps the samples of a view that is rendered with
     // several OTFs.
     auto casters = std::make_shared<std::vector<std::optional<RayCaster>>>(phases.size());
@@ -62,7 +62,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
         std::optional<RayCaster>& caster = (*casters)[phase];
         if (!caster) caster.emplace(volumes[phase]);
         RayCastSettings ofFrame = settings;
-        ofFrame.camera = defaultCamera(volume.geometry(), frame.view, aspect);
+        ofFrame.camera = defaultCamera(volume.dataBox(), frame.view, aspect);
         // A box that grew and shrank with its outline would seem to come and go.
         ofFrame.camera.heightMm = heightMm;
         ofFrame.nearPlaneDepthMm = nearPlaneDepthMm(frame.view, volume.geometry());

@@ -19,13 +19,13 @@ std::optional<Projection> projectionFromName(std::string_view name) {
     return choiceNamed<Projection>(projectionNames, name);
 }
 
-Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect) {
+Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect) {
     if (!(aspect > 0.0) || !std::isfinite(aspect)) throw std::invalid_argument("defaultCamera: aspect must be above 0");
     constexpr double margin = 1.04;
     Camera camera;
-    camera.focalPoint = geometry.centreMm();
+    camera.focalPoint = box.centreMm();
     camera.frame = frameOf(view);
-    const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
+    const Vec3 size = box.sizeMm();
     // The extent of a box along a direction is the sum of its edges' extents.
     const auto extent = [&](const Vec3& direction) {
         return std::abs(direction[0]) * size[0] + std::abs(direction[1]) * size[1] + std::abs(direction[2]) * size[2];

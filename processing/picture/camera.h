@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "processing/viewpoint.h"
-#include "processing/volume/geometry.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 
@@ -29,6 +29,6 @@ struct Camera {
 /// The camera of the default picture: parallel, looking along the view, the whole box in the picture with 4 % of its
 /// extent to spare, for a picture of that width / height (> 0). Its perspective values are set too: switching the
 /// projection keeps the whole box in the picture.
-[[nodiscard]] Camera defaultCamera(const VolumeGeometry& geometry, const Viewpoint& view, double aspect);
+[[nodiscard]] Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect);
 
 }  // namespace echolucent

@@ -28,9 +28,9 @@ Camera cameraFor(const CameraPose& pose) {
     return camera;
 }
 
-CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Projection projection, double aspect) {
-    const Camera fitted = defaultCamera(geometry, view, aspect);
-    // In perspective the volume's front is larger than its middle: the distance of the default camera allows for that.
+CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection projection, double aspect) {
+    const Camera fitted = defaultCamera(box, view, aspect);
+    // In perspective the box's front is larger than its middle: the distance of the default camera allows for that.
     const double height = projection == Projection::parallel
                               ? fitted.heightMm
                               : 2.0 * fitted.distanceMm * std::tan(halfAngle(fitted.viewAngleDegrees));

@@ -26,9 +26,8 @@ struct ZoomLimits {
 /// height.
 [[nodiscard]] Camera cameraFor(const CameraPose& pose);
 
-/// The whole volume in the picture, seen along a view (see defaultCamera()).
-[[nodiscard]] CameraPose fittedPose(const VolumeGeometry& geometry, const Viewpoint& view, Projection projection,
-                                    double aspect);
+/// The whole box in the picture, seen along a view (see defaultCamera()).
+[[nodiscard]] CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection projection, double aspect);
 
 /// The pose turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the
 /// hand. The height of the picture is half a turn. The axes are the picture's vertical of the beam axis's frame and the

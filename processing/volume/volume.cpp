@@ -67,6 +67,7 @@ Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whi
     else if (const double level = whiteLevelOf({m_voxels.get(), 1}).level; level > 0)
         m_whiteLevel = level;
     m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(finiteMask(*m_voxels));
+    m_dataBox = dataBoxOf(m_geometry, *m_dataMask);
 }
 
 std::string_view Volume::typeName() const {
@@ -89,7 +90,14 @@ Volume Volume::withDataMask(std::vector<std::uint8_t> mask) const {
         throw std::invalid_argument("Volume: the data mask does not match the size");
     Volume marked = *this;
     marked.m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(std::move(mask));
+    marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
     return marked;
+}
+
+Volume Volume::withDataBox(const DataBox& box) const {
+    Volume framed = *this;
+    framed.m_dataBox = box;
+    return framed;
 }
 
 }  // namespace echolucent

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -48,6 +49,29 @@ struct VolumeGeometry {
     [[nodiscard]] DepthRange depthsAlong(const Vec3& forward) const;
 };
 
+/// A box along the grid axes, in grid mm. A sector often leaves much of its grid empty; what lies in no data is no part
+/// of the picture.
+struct DataBox {
+    Vec3 lowMm{0, 0, 0};
+    Vec3 highMm{0, 0, 0};
+
+    DataBox() = default;
+    DataBox(const Vec3& low, const Vec3& high) : lowMm(low), highMm(high) {}
+    /// The whole grid, half a voxel beyond the outermost centres. It converts by itself, so that a grid stands wherever
+    /// no voxels are known.
+    DataBox(const VolumeGeometry& geometry);
+
+    [[nodiscard]] Vec3 centreMm() const { return (lowMm + highMm) * 0.5; }
+    [[nodiscard]] Vec3 sizeMm() const { return highMm - lowMm; }
+    /// The smallest box around both.
+    [[nodiscard]] DataBox joined(const DataBox& other) const;
+    friend bool operator==(const DataBox&, const DataBox&) = default;
+};
+
+/// The box around the voxels that a mask marks (one byte a voxel, x fastest, 0 is no data), half a voxel beyond their
+/// centres. It is the whole grid where the mask is empty or marks no voxel.
+[[nodiscard]] DataBox dataBoxOf(const VolumeGeometry& geometry, std::span<const std::uint8_t> mask);
+
 /// One volume (one phase of a 4D study).
 class Volume {
 public:
@@ -77,14 +101,21 @@ public:
     /// The stored value over the white level, clamped to [0,1]; 0 where the value is NaN.
     [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;
 
+    /// The box that pictures are fitted to: around the voxels that are data, where nobody set another.
+    [[nodiscard]] const DataBox& dataBox() const { return m_dataBox; }
+
     /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte a voxel.
+    /// The data box is made anew.
     [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
+    /// The same volume with another data box: the phases of a study share one, so that a picture keeps still.
+    [[nodiscard]] Volume withDataBox(const DataBox& box) const;
 
 private:
     VolumeGeometry m_geometry;
     std::shared_ptr<const Voxels> m_voxels;
     double m_whiteLevel = 1.0;
     std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
+    DataBox m_dataBox;
 };
 
 /// Guesses which voxels lie outside the scanned sector. They are exactly 0 and connected over faces through such voxels

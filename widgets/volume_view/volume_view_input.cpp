@@ -107,13 +107,13 @@ void VolumeViewWidget::connectPointer() {
 
 CameraPose VolumeViewWidget::camera() const {
     const Parts& parts = *m_parts;
-    const VolumeGeometry geometry = parts.volume ? parts.volume->geometry() : VolumeGeometry{};
-    return cameraPoseOf(parts.pose, parts.beam, parts.nearCutMm, geometry, parts.look.projection, aspect());
+    const DataBox box = parts.volume ? parts.volume->dataBox() : DataBox(VolumeGeometry{});
+    return cameraPoseOf(parts.pose, parts.beam, parts.nearCutMm, box, parts.look.projection, aspect());
 }
 
 void VolumeViewWidget::followHand(const CameraPose& camera) {
     if (!m_parts->volume) return;
-    const Pose moved = movedPose(m_parts->pose, this->camera(), camera, m_parts->volume->geometry(), aspect());
+    const Pose moved = movedPose(m_parts->pose, this->camera(), camera, m_parts->volume->dataBox(), aspect());
     if (moved == m_parts->pose) return;
     setPose(moved, m_parts->beam);
     emit cameraChanged();
@@ -205,11 +205,11 @@ void VolumeViewWidget::resetView(const Viewpoint& view) {
 
 Pose VolumeViewWidget::wholeVolume(const Viewpoint& view) const {
     if (!m_parts->volume) return {directionOf(view), {0, 0, 0}, 1.0};
-    return wholeVolume(view, m_parts->volume->geometry());
+    return wholeVolume(view, m_parts->volume->dataBox());
 }
 
-Pose VolumeViewWidget::wholeVolume(const Viewpoint& view, const VolumeGeometry& geometry) const {
-    return wholeVolumePose(geometry, view, m_parts->look.projection, aspect());
+Pose VolumeViewWidget::wholeVolume(const Viewpoint& view, const DataBox& box) const {
+    return wholeVolumePose(box, view, m_parts->look.projection, aspect());
 }
 
 void VolumeViewWidget::showEvent(QShowEvent* event) {

@@ -70,7 +70,7 @@ public:
     /// The pose of the default camera of a view: the whole volume fills this widget's picture. Also of a volume of
     /// another geometry, which is to be shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
-    [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const VolumeGeometry& geometry) const;
+    [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
     /// True while the hand drags; what it has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
     /// Tells the view in another beam axis's frame. The picture stays as it is.

@@ -84,10 +84,12 @@ Result<void> studyRendering(const RenderStudyOptions& options) {
         if (!volume) return tl::unexpected<Failure>(volume.error());
         one.volume = *volume;
     }
-    const auto view = options.view.get(*one.volume, *config);
+    const auto view = options.view.get(
+        *one.volume, *config, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(*one.volume));
     if (!view) return tl::unexpected<Failure>(view.error());
     const VolumeGeometry& geometry = one.volume->geometry();
-    one.reference.camera = defaultCamera(geometry, *view, static_cast<double>(settings->width) / settings->height);
+    one.reference.camera =
+        defaultCamera(one.volume->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
     one.reference.nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
     if (*named) {
         one.curve = **named;
