@@ -156,7 +156,14 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     if (!begun) return std::nullopt;
     if (begun->tubesWithWeight == 0) return otf;
     begun->surfacesWhereDataBegin = true;
-    begun->message = "No surface stands behind fluid: where the data begin is taken for the surface.";
+    // What they see before it is no fluid of the scan: its intensities make no curve.
+    begun->logOpacity = std::move(otf->logOpacity);
+    begun->curve = std::move(otf->curve);
+    begun->trust = otf->trust;
+    begun->fluidIntensity = otf->fluidIntensity;
+    begun->message =
+        "No surface stands behind fluid: where the data begin is taken for the surface, and the initial function is "
+        "used.";
     return begun;
 }
 

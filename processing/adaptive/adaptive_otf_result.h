@@ -26,7 +26,8 @@ struct AdaptiveOtf {
     double tubeLengthUnit = 1.0;   ///< mm per unit
     int tubesMeetingVolume = 0;    ///< T and N: tube cores that meet the volume's data
     int tubesWithWeight = 0;       ///< status surface and d > 0
-    /// No surface stands behind fluid: the surfaces are where the data begin, seen from outside the scanned sector.
+    /// No surface stands behind fluid: the surfaces are where the data begin, seen from outside the scanned sector, and
+    /// the curve is the initial function.
     bool surfacesWhereDataBegin = false;
     double dMax = 0.0;                    ///< strengthOf(config.curve) / T
     std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
