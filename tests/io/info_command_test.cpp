@@ -64,6 +64,8 @@ TEST(InfoCommand, JsonSaysWhatTheVolumeIs) {
     EXPECT_EQ(volume.at("stored_range"), json({3, 4}));
     EXPECT_EQ(volume.at("no_data_share"), 0);
     EXPECT_EQ(object.at("view").at("beam_axis"), "+z");
+    EXPECT_EQ(object.at("beam").at("axis"), "+z");
+    EXPECT_EQ(object.at("beam").at("source"), "assumed");
     EXPECT_EQ(object.at("facts").at(0), json({{"name", "format"}, {"value", "MetaImage"}, {"source", ""}}));
     EXPECT_TRUE(object.at("warnings").is_array());
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/beam/beam_guess.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -39,6 +40,29 @@ TEST_P(SharedVolumes, LoadWithTheirSizeAndSpacing) {
         EXPECT_LT(length(phase->geometry().spacing - row.spacing), 1e-9);
         EXPECT_TRUE(phase->geometry().spacingKnown);
         EXPECT_EQ(phase->typeName(), row.type);
+    }
+}
+
+struct BeamRow {
+    const char* name;
+    std::optional<BeamAxis> beam;  ///< empty where it cannot be known
+};
+
+/// docs/beam.md says how the truth is known.
+TEST(SharedVolumesBeam, IsFoundWhereItCanBeKnown) {
+    SKIP_WITHOUT_DATA();
+    for (const BeamRow& row :
+         {BeamRow{"fetal_chest_600x614x66.nrrd", BeamAxis::plusY}, BeamRow{"fetal_chest_iso0.3mm.mha", BeamAxis::plusY},
+          BeamRow{"fetal_heart_4d_128x128x128x20.nrrd", BeamAxis::plusZ},
+          BeamRow{"adult_heart_256.nrrd", BeamAxis::plusZ},
+          BeamRow{"adult_heart_4d_56x52x56x3_float.nrrd", BeamAxis::plusZ},
+          BeamRow{"spine_phantom_freehand.mha", BeamAxis::plusZ}, BeamRow{"reconstruction_lnmax.mha", BeamAxis::plusZ},
+          BeamRow{"prostate_trus.nrrd", std::nullopt}, BeamRow{"odd_nan.mha", std::nullopt}}) {
+        const auto study = readStudy(data + "/volumes/" + row.name);
+        ASSERT_TRUE(study) << study.error().sentence();
+        const auto guess = guessBeamAxis(*study->phases.front());
+        EXPECT_EQ(guess->sure, row.beam.has_value()) << row.name << " " << guess->confidence;
+        if (row.beam) EXPECT_EQ(guess->axis, *row.beam) << row.name;
     }
 }
 
