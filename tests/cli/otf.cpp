@@ -84,6 +84,18 @@ void expectWeightsFollowFromTubes(const json& otf) {
     EXPECT_GT(surfaces, 20);
 }
 
+TEST(OtfJson, SaysWhereTheBeamIsFrom) {
+    const json assumed = otfOf(shapesFile());
+    EXPECT_EQ(assumed["beam"]["axis"], "+z");
+    EXPECT_EQ(assumed["beam"]["source"], "assumed") << "nothing in this scan tells its beam";
+    EXPECT_LT(assumed["beam"]["confidence"], 0.5);
+    const json given = otfOf(shapesFile(), "--beam-axis -y");
+    EXPECT_EQ(given["beam"]["axis"], "-y");
+    EXPECT_EQ(given["beam"]["source"], "option");
+    EXPECT_TRUE(given["beam"]["confidence"].is_null());
+    EXPECT_EQ(given["view"]["beam_axis"], "-y");
+}
+
 TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
     const json otf = otfOf(shapesFile());
     EXPECT_EQ(otf["message"], "");
