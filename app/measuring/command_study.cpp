@@ -14,6 +14,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyMotionCommand(study, action);
     addStudyStabilityCommand(study, action);
     addStudyRenderCommand(study, action);
+    addStudyLightCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

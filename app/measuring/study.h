@@ -18,6 +18,7 @@ void addStudyContrastCommand(CLI::App& study, Action& action);
 void addStudyMotionCommand(CLI::App& study, Action& action);
 void addStudyStabilityCommand(CLI::App& study, Action& action);
 void addStudyRenderCommand(CLI::App& study, Action& action);
+void addStudyLightCommand(CLI::App& study, Action& action);
 
 /// Where a study writes its files.
 class StudyFolder {

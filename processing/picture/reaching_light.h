@@ -14,6 +14,10 @@ struct ReachingLight {
     friend bool operator==(const ReachingLight&, const ReachingLight&) = default;
 };
 
+/// Shading's ambient and diffuse light in a picture that uses a light volume: they make up for what reaches no place.
+/// Chosen by looking.
+inline constexpr double ambientWithReachingLight = 0.5, diffuseWithReachingLight = 1.3;
+
 /// What a sample's gradient says of the light on it (Shading): w, max(0, (n.l + wrap) / (1 + wrap)) and
 /// max(0, n.h)^specularPower.
 struct SurfaceLight {
@@ -30,7 +34,7 @@ struct SurfaceLight {
 ///     factor = ambient o' + k' (diffuse (w lambert + (1 - w) evenLight) + w specular highlight)
 /// With both strengths 0 that is the factor of Shading; what becomes of it stands there too, channel by channel. Red is
 /// scattered deepest and blue least, so that light that has gone through a little tissue is warm; full light is white,
-/// and where no light comes nothing glows. Shading's ambient 0.5 and diffuse 1.3 make up for what reaches no place.
+/// and where no light comes nothing glows.
 [[nodiscard]] Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double key, double around,
                                   const SurfaceLight& surface);
 

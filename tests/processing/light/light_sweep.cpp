@@ -235,7 +235,9 @@ TEST(LightDirections, StandForTheCosineOfAHemisphere) {
         }
         EXPECT_NEAR(all, 1.0, 1e-12);
         EXPECT_NEAR(second, 0.25, 1e-12);
-        if (rule != light::DirectionRule::four) EXPECT_NEAR(fourth, 0.125, 1e-12);
+        if (rule != light::DirectionRule::four) {
+            EXPECT_NEAR(fourth, 0.125, 1e-12);
+        }
     }
     const auto cone = light::directionsWithin(axis, 10.0, light::DirectionRule::seven);
     for (const auto& direction : cone) EXPECT_GT(direction.towards.dot(axis), std::cos(10.0 * 3.1416 / 180.0));

@@ -1,0 +1,57 @@
+// The parts of `study light`: which light volumes are compared with the reference, what is measured, and the page.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/measuring/measures/picture_difference.h"
+#include "app/measuring/pages/html_page.h"
+#include "processing/light/light_sweep.h"
+#include "processing/light/reference_light.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent::cli {
+
+/// What is lit.
+struct LightCase {
+    std::string name;
+    std::shared_ptr<const Volume> volume;
+    OpacityCurve curve;
+    RayCastSettings settings;
+};
+
+/// One way to make a light volume.
+struct LightVariant {
+    std::string parameter, value;
+    LightScene scene;
+};
+/// The default first, then one parameter at a time: coarseness, directions of the key light, directions around.
+[[nodiscard]] std::vector<LightVariant> lightVariants(const LightScene& usual);
+
+/// What is known of a variant.
+struct LightResult {
+    LightVariant variant;
+    PictureError error;               ///< of the picture, from that with the reference's light
+    double milliseconds = 0.0;        ///< median; a new camera and a new curve
+    double turnedMilliseconds = 0.0;  ///< median; a new camera alone
+    double keyMilliseconds = 0.0;     ///< median; a new key light alone
+};
+
+struct LightStudy {
+    std::string name;
+    double referenceSeconds = 0.0;
+    Picture reference, usual;      ///< with the reference's light, and with the default light volume
+    PictureError withoutReaching;  ///< gradient light alone, from the reference: how much is at stake
+    std::vector<LightResult> results;
+};
+/// `rings` as ReferenceLight has it.
+[[nodiscard]] LightStudy measureLight(const LightCase& one, int repeats, int rings);
+
+[[nodiscard]] std::string lightCsv(const std::vector<LightStudy>& studies);
+[[nodiscard]] std::string lightPage(const std::vector<LightStudy>& studies, int repeats, int rings);
+[[nodiscard]] std::string lightSummary(const std::vector<LightStudy>& studies);
+
+}  // namespace echolucent::cli
