@@ -55,27 +55,43 @@ struct SweptLight {
     std::vector<std::vector<std::uint16_t>> reaching;
 };
 
-/// The bundles' sum as bytes into every second byte from `bytes` on: an entry of their fixed point is a 256th of a
-/// level.
-void fill(std::uint8_t* bytes, const SweptLight& light, const light::LightGrid& grid) {
+/// The sum of what the bundles have swept, x fastest. It fits: all light is 255 * 256, and a bundle rounds by half at
+/// most. Sums of slices along x are turned once.
+std::vector<std::uint16_t> sumOf(const SweptLight& light, const light::LightGrid& grid) {
     const auto columns = static_cast<std::size_t>(grid.size[0]), rows = static_cast<std::size_t>(grid.size[1]);
+    std::vector<std::uint16_t> sums(grid.places());
     parallelFor(tbb::blocked_range<int>(0, grid.size[2]), [&](const auto& part) {
-        std::vector<std::uint32_t> sums(columns * rows);
+        std::vector<std::uint16_t> turned(columns * rows);
         for (int z = part.begin(); z < part.end(); ++z) {
             const std::size_t plane = static_cast<std::size_t>(z) * columns * rows;
-            std::fill(sums.begin(), sums.end(), 128U);
+            std::uint16_t* sum = sums.data() + plane;
+            bool anyTurned = false;
+            std::fill(turned.begin(), turned.end(), std::uint16_t{0});
             for (std::size_t i = 0; i < light.bundles.size(); ++i) {
                 const std::uint16_t* swept = light.reaching[i].data() + plane;
-                if (!light.bundles[i].alongX())
-                    for (std::size_t at = 0; at < sums.size(); ++at) sums[at] += swept[at];
-                else
-                    for (std::size_t y = 0; y < rows; ++y)
-                        for (std::size_t x = 0; x < columns; ++x) sums[y * columns + x] += swept[x * rows + y];
+                std::uint16_t* into = light.bundles[i].alongX() ? turned.data() : sum;
+                anyTurned = anyTurned || light.bundles[i].alongX();
+                for (std::size_t at = 0; at < turned.size(); ++at)
+                    into[at] = static_cast<std::uint16_t>(into[at] + swept[at]);
             }
-            for (std::size_t at = 0; at < sums.size(); ++at)
-                bytes[2 * (plane + at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(sums[at] >> 8, 255));
+            for (std::size_t y = 0; y < rows && anyTurned; ++y)
+                for (std::size_t x = 0; x < columns; ++x)
+                    sum[y * columns + x] = static_cast<std::uint16_t>(sum[y * columns + x] + turned[x * rows + y]);
         }
     });
+    return sums;
+}
+
+/// Both lights as bytes, rounded from 256ths.
+std::vector<std::uint8_t> bytesOf(const std::vector<std::uint16_t>& key, const std::vector<std::uint16_t>& around) {
+    std::vector<std::uint8_t> bytes(2 * key.size());
+    parallelFor(tbb::blocked_range<std::size_t>(0, key.size(), 1 << 15), [&](const auto& part) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+            bytes[2 * i] = static_cast<std::uint8_t>((key[i] + 128U) >> 8);
+            bytes[2 * i + 1] = static_cast<std::uint8_t>((around[i] + 128U) >> 8);
+        }
+    });
+    return bytes;
 }
 
 }  // namespace
@@ -105,11 +121,9 @@ public:
                  {}});
         sweepAll(lights, scene, grid, progress);
         if (progress.cancelled()) return std::nullopt;
-        if (!keptAround) m_newest.resize(2 * grid.places());
-        fill(m_newest.data(), lights[0], grid);
-        if (!keptAround) fill(m_newest.data() + 1, lights[1], grid);
+        if (!keptAround) m_around = sumOf(lights[1], grid);
         m_aroundScene = aroundScene;
-        return LightVolume{grid.size, grid.firstMm, grid.spacingMm, m_newest};
+        return LightVolume{grid.size, grid.firstMm, grid.spacingMm, bytesOf(sumOf(lights[0], grid), m_around)};
     }
 
 private:
@@ -168,8 +182,8 @@ private:
     std::optional<OpacityCurve> m_curve;  ///< that m_extinctions are of
     int m_coarseness = 0;
     std::vector<float> m_extinctions;         ///< of the whole volume, and spareFloats more
-    std::optional<LightScene> m_aroundScene;  ///< of the newest light around the viewer, without a key light
-    std::vector<std::uint8_t> m_newest;       ///< LightVolume::reaching of the newest call
+    std::optional<LightScene> m_aroundScene;  ///< that m_around is of, without a key light
+    std::vector<std::uint16_t> m_around;      ///< 256ths of a level
 };
 
 LightSweep::LightSweep(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}
