@@ -36,6 +36,7 @@ void addOtfCommand(CLI::App& program, Action& action);
 void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
+void addQuietCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action);

@@ -71,6 +71,7 @@ int main(int count, char** arguments) {
     addOtfCommand(program, action);
     addParametersCommand(program, action);
     addRenderCommand(program, action);
+    addQuietCommand(program, action);
     addPhantomCommand(program, action);
     addBenchCommand(program, action);
     addStudyCommand(program, action);

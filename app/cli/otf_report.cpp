@@ -143,6 +143,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
                       {"near_mm", otf.view.nearCutMm}};
     report["beam"] = {
         {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
+    report["reduction"] = echolucent::nameOf(otf.reduction);
+    report["speckle_left"] = otf.speckleLeft;
     report["parameters"] = parameters(otf, initialName, manualFactor);
     report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};

@@ -15,6 +15,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyStabilityCommand(study, action);
     addStudyRenderCommand(study, action);
     addStudyLightCommand(study, action);
+    addStudyQuietCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

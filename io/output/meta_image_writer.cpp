@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -56,6 +57,17 @@ private:
     std::string m_output;
 };
 
+std::string plain(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    std::string bytes;
+    for (const auto& phase : phases)
+        std::visit(
+            [&](const auto& values) {
+                bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+            },
+            phase->voxels());
+    return bytes;
+}
+
 std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases) {
     Compressor compressor;
     for (const auto& phase : phases)
@@ -78,15 +90,16 @@ std::string matrixText(const Mat3& direction, int dimensions) {
     return text;
 }
 
-std::string headerText(const Volume& volume, std::size_t phases, std::size_t compressedBytes) {
+/// `compressedBytes` is not set where the voxels are plain.
+std::string headerText(const Volume& volume, std::size_t phases, std::optional<std::size_t> compressedBytes) {
     constexpr std::array<const char*, 3> types{"MET_UCHAR", "MET_USHORT", "MET_FLOAT"};
     const VolumeGeometry& geometry = volume.geometry();
     const bool moving = phases > 1;
     const int dimensions = moving ? 4 : 3;
     std::string text = "ObjectType = Image\n";
-    text += fmt::format("NDims = {}\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = True\n",
-                        dimensions);
-    text += fmt::format("CompressedDataSize = {}\n", compressedBytes);
+    text += fmt::format("NDims = {}\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n",
+                        dimensions, compressedBytes ? "True" : "False");
+    if (compressedBytes) text += fmt::format("CompressedDataSize = {}\n", *compressedBytes);
     text += fmt::format("TransformMatrix ={}\n", matrixText(geometry.direction, dimensions));
     text += fmt::format("Offset = {} {} {}{}\n", geometry.origin[0], geometry.origin[1], geometry.origin[2],
                         moving ? " 0" : "");
@@ -101,15 +114,18 @@ std::string headerText(const Volume& volume, std::size_t phases, std::size_t com
 
 }  // namespace
 
-Result<void> writeMetaImage(const std::string& path, const std::vector<std::shared_ptr<const Volume>>& phases) {
+Result<void> writeMetaImage(const std::string& path, const std::vector<std::shared_ptr<const Volume>>& phases,
+                            MetaImageVoxels voxels) {
     if (phases.empty()) throw std::invalid_argument("writeMetaImage: no volume");
     for (const auto& phase : phases)
         if (phase->geometry().size != phases.front()->geometry().size ||
             phase->voxels().index() != phases.front()->voxels().index())
             throw std::invalid_argument("writeMetaImage: phases of different size or type");
-    std::string voxels = compressed(phases);
-    std::string bytes = headerText(*phases.front(), phases.size(), voxels.size());
-    bytes += voxels;
+    const bool isPlain = voxels == MetaImageVoxels::plain;
+    const std::string body = isPlain ? plain(phases) : compressed(phases);
+    std::string bytes =
+        headerText(*phases.front(), phases.size(), isPlain ? std::nullopt : std::optional<std::size_t>(body.size()));
+    bytes += body;
     return writeFileAtomically(path, bytes);
 }
 

@@ -11,6 +11,7 @@
 #include "app/measuring/measures/detection_quality.h"
 #include "app/measuring/measures/surface_contrast.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/adaptive/quiet_reading.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
@@ -42,12 +43,15 @@ struct StudyPhantom {
 inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
                                                           MethodReading::standard};
 /// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings.
-[[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view);
+/// The adaptive ones are meant for the voxels that are shown.
+[[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
+                                                         const QuietVoxels& shown = {});
 /// Their names, in the same order.
 [[nodiscard]] std::vector<std::string> contrastCurveNames();
 
-/// CNR_S of each of these curves.
-[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view);
+/// CNR_S of each of these curves, on voxels made quiet by this reduction.
+[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view,
+                                                             SpeckleReduction reduction = SpeckleReduction::off);
 
 /// The mean of those values that are there; nothing where none is.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);

@@ -1,0 +1,44 @@
+// `quiet`: the voxels that a picture is taken from, as a file.
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/reduction_option.h"
+#include "io/output/meta_image_writer.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct QuietOptions {
+    VolumeOptions volume;
+    ReductionOption reduction;
+    std::string output;
+};
+
+Result<void> writeQuiet(const QuietOptions& options) {
+    const auto reduction = options.reduction.get();
+    if (!reduction) return tl::unexpected<Failure>(reduction.error());
+    const auto volume = options.volume.readPhase({options.output});
+    if (!volume) return tl::unexpected<Failure>(volume.error());
+    const auto quiet = std::make_shared<const Volume>(*quietVolume(**volume, *reduction));
+    return writeMetaImage(options.output, {quiet}, MetaImageVoxels::plain);
+}
+
+}  // namespace
+
+void addQuietCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<QuietOptions>();
+    CLI::App& command =
+        *program.add_subcommand("quiet", "Writes a volume with less speckle: the voxels a picture is taken from");
+    options->volume.addTo(command);
+    options->reduction.addTo(command, "How much speckle is taken out");
+    command.add_option("-o,--output", options->output, "MetaImage file to write (.mha), not compressed")
+        ->type_name("OUT.mha")
+        ->required();
+    command.footer("Example: echolucent-cli quiet chest.mha --reduction strong -o quiet.mha");
+    command.callback([options, &action] { action = [options] { return writeQuiet(*options); }; });
+}
+
+}  // namespace echolucent::cli

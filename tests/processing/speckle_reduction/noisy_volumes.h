@@ -1,0 +1,68 @@
+// Small volumes for the tests of speckle reduction.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+inline VolumeGeometry gridOf(std::array<std::int64_t, 3> size, const Vec3& spacing = {1, 1, 1}) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    return geometry;
+}
+
+/// Voxels whose values follow from their place, times 1 + noise * (a uniform number in [-1,1]).
+template <typename Voxel>
+Volume noisyVolume(const VolumeGeometry& geometry, double noise,
+                   const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& valueAt,
+                   std::optional<double> white = std::nullopt) {
+    std::mt19937 random(7);
+    std::vector<Voxel> voxels;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                const double uniform = static_cast<double>(random()) / 2147483648.0 - 1.0;
+                voxels.push_back(static_cast<Voxel>(valueAt(x, y, z) * (1.0 + noise * uniform)));
+            }
+    return Volume(geometry, std::move(voxels), white);
+}
+
+/// A mask without the voxels for which `outside` is true.
+inline std::vector<std::uint8_t> maskWithout(
+    const VolumeGeometry& geometry, const std::function<bool(std::int64_t, std::int64_t, std::int64_t)>& outside) {
+    std::vector<std::uint8_t> mask;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) mask.push_back(outside(x, y, z) ? 0 : 1);
+    return mask;
+}
+
+struct Moments {
+    double mean = 0.0, deviation = 0.0;
+};
+
+/// Of the voxels for which `counts` is true.
+inline Moments momentsOf(const Volume& volume,
+                         const std::function<bool(std::int64_t, std::int64_t, std::int64_t)>& counts) {
+    const VolumeGeometry& geometry = volume.geometry();
+    double n = 0, sum = 0, squares = 0;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                if (!counts(x, y, z)) continue;
+                const double value = volume.storedValue(geometry.offset(x, y, z));
+                n += 1;
+                sum += value;
+                squares += value * value;
+            }
+    return {sum / n, std::sqrt(std::max(0.0, squares / n - sum / n * sum / n))};
+}
+
+}  // namespace echolucent
