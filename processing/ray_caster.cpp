@@ -8,6 +8,7 @@
 #include "processing/ray_caster/empty_space.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
+#include "processing/ray_caster/light_reaching.h"
 
 namespace echolucent {
 
@@ -56,11 +57,11 @@ DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geome
 
 class RayCaster::Parts {
 public:
-    explicit Parts(std::shared_ptr<const Volume> given)
-        : volume(std::move(given)), m_ranges(*volume), m_empty(m_ranges.grid()), m_packed(pack(*volume)) {}
+    explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVolume(*given)) {}
 
     std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
         const RayGeometry rays(volume->geometry(), settings);
+        if (!m_reaching.update(curve, settings, progress)) return std::nullopt;
         Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
         const bool finished = std::visit(
             [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
@@ -75,10 +76,17 @@ public:
 private:
     using Packed = std::variant<PackedVoxels<std::uint8_t>, PackedVoxels<std::uint16_t>, PackedVoxels<float>>;
 
-    static Packed pack(const Volume& volume) {
+    Parts(std::shared_ptr<const Volume> given, const FilledVolume& filled)
+        : volume(std::move(given)),
+          m_ranges(filled),
+          m_empty(m_ranges.grid()),
+          m_packed(pack(filled)),
+          m_reaching(volume) {}
+
+    static Packed pack(const FilledVolume& filled) {
         return std::visit(
-            [&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(volume)); },
-            volume.voxels());
+            [&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(filled)); },
+            filled.voxels.voxels());
     }
 
     template <typename Voxel>
@@ -94,7 +102,8 @@ private:
         job.table = &table;
         job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
-        job.missing = m_ranges.missing().empty() ? nullptr : m_ranges.missing().data();
+        job.bordering = m_ranges.bordering().empty() ? nullptr : m_ranges.bordering().data();
+        job.stepUnits = static_cast<float>(settings.step);
         job.mode = settings.mode;
         job.colourMap = settings.colourMap;
         job.nearest = settings.interpolation == Interpolation::nearest;
@@ -106,9 +115,11 @@ private:
         std::optional<ByteOpacities> byteOpacities;
         std::optional<ColourBends> colourBends;
         if (direct) {
-            if (settings.shading)
+            if (settings.shading) {
                 job.light = &light.emplace(
                     lightSource(*settings.shading, job.geometry, settings.camera.frame, settings.colourMap));
+                job.reaching = m_reaching.packed();
+            }
             if (settings.depthColouring)
                 job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, job.geometry, settings));
         }
@@ -130,6 +141,7 @@ private:
     BrickRanges m_ranges;
     EmptySpace m_empty;
     Packed m_packed;
+    LightReaching m_reaching;
 };
 
 RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "processing/cut_surface.h"
 #include "processing/picture/camera.h"
 #include "processing/picture/colour_map.h"
 #include "processing/picture/render_mode.h"
@@ -46,9 +47,11 @@ struct RayCastSettings {
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
     std::optional<Shading> shading;                ///< where it is not set, no gradient is computed; direct mode only
+    int lightCoarseness = 2;                       ///< LightScene::coarseness; plays a part where light volumes do
     std::optional<DepthColouring> depthColouring;  ///< where it is not set, it costs nothing; direct mode only
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
+    std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera
     std::shared_ptr<const DepthMap> opaqueDepth;  ///< where it is null, rays end at the volume's box only
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
     bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner

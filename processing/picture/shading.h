@@ -6,15 +6,22 @@
 
 namespace echolucent {
 
-/// Gradient (Blinn-Phong) shading by one directional light. The gradient is a central difference of trilinear samples
-/// in normalised intensity per unit; the surface's normal points to the darker side. Speckle has gradients too, so a
-/// weak gradient counts for less: with m its magnitude, a sample is lit as a surface with the share
-/// w = m^2 / (m^2 + gradientFloor^2) and evenly with the rest. Samples whose gradient touches no data have w = 0. With
-/// n the normal, l towards the light, h halfway between light and eye, per channel:
-///     factor = ambient + diffuse * (w * max(0, (n.l + wrap) / (1 + wrap)) + (1 - w) * evenLight)
-///              + w * specular * max(0, n.h)^specularPower
-///     colour = min(1, colour * factor * (t + (1 - t) * min(1, factor)))        t: shadowTintOf(colour map)
-/// Highlights have the colour of what they lie on: white ones turn haze into grey fog.
+/// Light on what is shown: gradient (Blinn-Phong) shading by one directional key light, how much of that light reaches
+/// a place, and how much of the light around the viewer does.
+///
+/// The gradient is a central difference of trilinear samples in normalised intensity per unit; the surface's normal
+/// points to the darker side. Speckle has gradients too, so a weak gradient counts for less: with m its magnitude, a
+/// sample is lit as a surface with the share w = m^2 / (m^2 + gradientFloor^2) and evenly with the rest. With n the
+/// normal, l towards the light, h halfway between light and eye, k and o the shares of the key light and of the light
+/// around the viewer that reach the place (LightVolume; 1 where nothing asks for them), k' = 1 - shadow (1 - k) and
+/// o' = 1 - occlusion (1 - o), per channel:
+///     factor = ambient o' + diffuse k' (w max(0, (n.l + wrap) / (1 + wrap)) + (1 - w) evenLight)
+///              + w specular k' max(0, n.h)^specularPower + translucency glow 4 (sqrt(k) - k)
+///     lit    = (1 - u) factor + u
+///     colour = min(1, colour * lit * (t + (1 - t) min(1, lit)))        t: shadowTintOf(colour map), glow:
+///     translucentGlow
+/// Highlights have the colour of what they lie on: white ones turn haze into grey fog. u is the share of a cut's face
+/// (CutFace), which shows grey values as they are.
 struct Shading {
     Vec3 towardsLight =
         echolucent::towardsLight(LightDirection{});  ///< any length above 0, in camera axes (right, down, forward)
@@ -22,11 +29,32 @@ struct Shading {
     double diffuse = 0.85;
     double specular = 0.2;
     double specularPower = 20.0;
-    double gradientReach = 2.0;   ///< units from the sample to each sample of the difference, > 0
-    double gradientFloor = 0.01;  ///< normalised intensity per unit, >= 0: about the gradient of speckle
-    double wrap = 0.4;            ///< [0,1]: how far light reaches around, 0 is Lambert's law
-    double evenLight = 0.5;       ///< [0,1]: the light where there is no surface
+    double gradientReach = 2.0;        ///< units from the sample to each sample of the difference, > 0
+    double gradientFloor = 0.01;       ///< normalised intensity per unit, >= 0: about the gradient of speckle
+    double wrap = 0.4;                 ///< [0,1]: how far light reaches around, 0 is Lambert's law
+    double evenLight = 0.5;            ///< [0,1]: the light where there is no surface
+    double keyHalfAngleDegrees = 8.0;  ///< [0,45]: how soft the key light's shadows are; 0 has no penumbra
+    double shadow = 0.0;               ///< [0,1]: how dark it is where no key light reaches
+    double occlusion = 0.0;            ///< [0,1]: how dark it is where no light around the viewer reaches
+    double translucency = 0.0;         ///< [0,1]: how warm thin tissue glows that stands before the key light
+
+    /// Whether a light volume is asked for.
+    [[nodiscard]] bool asksWhatReaches() const { return shadow > 0.0 || occlusion > 0.0 || translucency > 0.0; }
     friend bool operator==(const Shading&, const Shading&) = default;
+};
+
+/// What translucency 1 adds at most to the factor of each channel.
+inline const Vec3 translucentGlow{0.5, 0.2, 0.08};
+
+/// Where what is rendered begins within tissue, a picture shows the face of a cut: its gradients belong to speckle, not
+/// to surfaces. A ray's share u of a cut's face is 1 where the ray begins, and wherever data ends (1 up to presence
+/// 1/2, 0 from 7/8; PresenceUse::border). Along s units u falls by 1 / (1 + r s), half of it before a sample and half
+/// behind, with r = 1 / tissueDepth + (1 - min(1, a / tissueOpacity)) / fluidDepth, a the opacity of the step over its
+/// length: slowly within tissue, at once in fluid.
+struct CutFace {
+    static constexpr double tissueOpacity = 1.0 / 16;  ///< per unit: what is more opaque is tissue
+    static constexpr double tissueDepth = 16.0;        ///< units
+    static constexpr double fluidDepth = 1.0;          ///< units
 };
 
 /// Colours change with depth along `forward`: a sample's colour is multiplied by a mix of the two tints, linear from

@@ -20,40 +20,49 @@ std::pair<std::int64_t, std::int64_t> voxelsOf(std::int64_t brick, std::int64_t 
 template <typename Voxel>
 struct RangeOf {
     Voxel lowest = std::numeric_limits<Voxel>::max(), highest = std::numeric_limits<Voxel>::lowest();
-    bool anyMissing = false;
 
-    void addComplete(const Voxel* row, std::int64_t count) {
+    void add(const Voxel* row, std::int64_t count) {
         for (std::int64_t x = 0; x < count; ++x) {
             lowest = std::min(lowest, row[x]);
             highest = std::max(highest, row[x]);
         }
     }
-    void addMasked(const Voxel* row, const std::uint8_t* mask, std::int64_t count) {
-        for (std::int64_t x = 0; x < count; ++x) {
-            bool data = mask == nullptr || mask[x] != 0;
-            if constexpr (std::is_same_v<Voxel, float>) data = data && std::isfinite(row[x]);
-            anyMissing = anyMissing || !data;
-            if (data) addComplete(row + x, 1);
-        }
+    void addKnown(const Voxel* row, const std::uint8_t* known, std::int64_t count) {
+        for (std::int64_t x = 0; x < count; ++x)
+            if (known[x] != 0) add(row + x, 1);
     }
 };
 
-template <typename Voxel>
-RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
-    const VolumeGeometry& geometry = volume.geometry();
-    const std::uint8_t* mask = volume.dataMaskOrNull();
+/// Calls visit(offset of the first voxel, count) for each row of voxels around the cubes of a brick.
+template <typename Visit>
+void forEachRowOf(const VolumeGeometry& geometry, const std::array<std::int64_t, 3>& brick, const Visit& visit) {
     const auto [x, endX] = voxelsOf(brick[0], geometry.size[0]);
     const auto [y, endY] = voxelsOf(brick[1], geometry.size[1]);
     const auto [z, endZ] = voxelsOf(brick[2], geometry.size[2]);
-    RangeOf<Voxel> range;
     for (std::int64_t slice = z; slice < endZ; ++slice)
-        for (std::int64_t row = y; row < endY; ++row) {
-            const std::int64_t offset = geometry.offset(x, row, slice);
-            if (mask == nullptr && !std::is_same_v<Voxel, float>)
-                range.addComplete(voxels + offset, endX - x);
-            else
-                range.addMasked(voxels + offset, mask == nullptr ? nullptr : mask + offset, endX - x);
-        }
+        for (std::int64_t row = y; row < endY; ++row) visit(geometry.offset(x, row, slice), endX - x);
+}
+
+/// Of the voxels that hold a value.
+template <typename Voxel>
+RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
+    const std::uint8_t* known = volume.dataMaskOrNull();
+    RangeOf<Voxel> range;
+    forEachRowOf(volume.geometry(), brick, [&](std::int64_t first, std::int64_t count) {
+        if (known == nullptr)
+            range.add(voxels + first, count);
+        else
+            range.addKnown(voxels + first, known + first, count);
+    });
+    return range;
+}
+
+RangeOf<std::uint8_t> presenceIn(const FilledVolume& volume, const std::array<std::int64_t, 3>& brick) {
+    RangeOf<std::uint8_t> range;
+    if (!volume.presence) return {255, 255};
+    const auto& presence = std::get<std::vector<std::uint8_t>>(volume.presence->voxels());
+    forEachRowOf(volume.presence->geometry(), brick,
+                 [&](std::int64_t first, std::int64_t count) { range.add(presence.data() + first, count); });
     return range;
 }
 
@@ -64,12 +73,12 @@ BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = geometry.size[axis] / edge + 1;
 }
 
-BrickRanges::BrickRanges(const Volume& volume)
-    : m_grid(volume.geometry()),
+BrickRanges::BrickRanges(const FilledVolume& filled)
+    : m_grid(filled.voxels.geometry()),
       m_lowest(static_cast<std::size_t>(m_grid.count())),
       m_highest(m_lowest.size()),
-      m_missing(m_lowest.size()) {
-    const double toTable = TransferTable::intervals / volume.whiteLevel();
+      m_bordering(m_lowest.size()) {
+    const double toTable = TransferTable::intervals / filled.voxels.whiteLevel();
     const auto position = [&](auto value) {
         return static_cast<float>(
             std::clamp(static_cast<double>(value) * toTable, 0.0, static_cast<double>(TransferTable::intervals)));
@@ -80,20 +89,22 @@ BrickRanges::BrickRanges(const Volume& volume)
             parallelFor(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
                 for (std::int64_t row = range.begin(); row < range.end(); ++row)
                     for (std::int64_t x = 0; x < columns; ++x) {
-                        const auto found = rangeOf(volume, voxels.data(), {x, row % rows, row / rows});
+                        const std::array<std::int64_t, 3> at{x, row % rows, row / rows};
+                        const auto found = rangeOf(filled.voxels, voxels.data(), at);
+                        const auto presence = presenceIn(filled, at);
                         const auto brick = static_cast<std::size_t>(row * columns + x);
-                        const bool anyData = found.lowest <= found.highest;
+                        const bool anyData = found.lowest <= found.highest && presence.highest > PresenceUse::noneUpTo;
                         // Rounding in the kernel may leave the range of the voxels by a hair.
                         m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
                         m_highest[brick] = anyData ? std::min(static_cast<float>(TransferTable::intervals),
                                                               position(found.highest) + 0.125f)
                                                    : 0.0f;
-                        m_missing[brick] = found.anyMissing ? 1 : 0;
+                        m_bordering[brick] = presence.lowest < PresenceUse::allFrom ? 1 : 0;
                     }
             });
         },
-        volume.voxels());
-    if (std::find(m_missing.begin(), m_missing.end(), 1) == m_missing.end()) m_missing.clear();
+        filled.voxels.voxels());
+    if (std::find(m_bordering.begin(), m_bordering.end(), 1) == m_bordering.end()) m_bordering.clear();
 }
 
 EmptySpace::EmptySpace(const BrickGrid& grid)

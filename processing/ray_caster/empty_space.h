@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/ray_caster/transfer_table.h"
-#include "processing/volume/volume.h"
+#include "processing/volume/filled_volume.h"
 
 namespace echolucent::ray_casting {
 
@@ -22,23 +22,24 @@ struct BrickGrid {
     }
 };
 
-/// The smallest and largest intensity around the cubes of each brick, and whether voxels there lack data. One
-/// pass over the volume finds them.
+/// The smallest and largest intensity around the cubes of each brick, and whether data ends near there. One pass over
+/// the volume finds them.
 class BrickRanges {
 public:
-    explicit BrickRanges(const Volume& volume);
+    explicit BrickRanges(const FilledVolume& volume);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Table positions. In a brick without any data the lowest is above the highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
-    /// 1 where a voxel of the brick's cubes carries no data; empty where all do.
-    [[nodiscard]] const std::vector<std::uint8_t>& missing() const { return m_missing; }
+    /// 1 where the presence of data around the brick's cubes matters (below PresenceUse::allFrom); empty where it
+    /// matters nowhere.
+    [[nodiscard]] const std::vector<std::uint8_t>& bordering() const { return m_bordering; }
 
 private:
     BrickGrid m_grid;
     std::vector<float> m_lowest, m_highest;
-    std::vector<std::uint8_t> m_missing;
+    std::vector<std::uint8_t> m_bordering;
 };
 
 /// How far away the next brick is that shows something.

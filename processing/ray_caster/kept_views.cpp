@@ -11,6 +11,7 @@ RayCastSettings keyOf(RayCastSettings settings) {
     const RayCastSettings standard;
     settings.colourMap = standard.colourMap;
     settings.shading = standard.shading;
+    settings.lightCoarseness = standard.lightCoarseness;
     settings.depthColouring = standard.depthColouring;
     settings.terminationTransmittance = standard.terminationTransmittance;
     settings.skipEmptySpace = standard.skipEmptySpace;

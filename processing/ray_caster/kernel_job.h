@@ -9,6 +9,7 @@
 #include "processing/picture/picture.h"
 #include "processing/picture/render_mode.h"
 #include "processing/ray_caster/light_source.h"
+#include "processing/ray_caster/packed_light.h"
 #include "processing/ray_caster/packed_voxels.h"
 #include "processing/ray_caster/ray_geometry.h"
 #include "processing/ray_caster/transfer_table.h"
@@ -23,9 +24,9 @@ struct DepthTint {
 
 /// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
 /// follow each other: all rays' first samples, then all rays' second samples and so on. Each is the table position
-/// times KernelJob::keptPerPosition, or noData, in a shaded picture as in a plain one.
+/// times KernelJob::keptPerPosition, in a shaded picture as in a plain one. What the presence of data leaves of them is
+/// looked up anew.
 struct KeptSamples {
-    static constexpr std::uint16_t noData = 0xFFFF;
     static constexpr float perTablePosition = 32.0f;
     static constexpr float perByte = 256.0f;
     struct Packet {
@@ -45,11 +46,13 @@ struct KernelJob {
     const ColourBends* colourBends = nullptr;  ///< null where the picture has light, depth colours or depths
     /// For bytes of a white level of at least ByteOpacities::leastWhite; where it is null, `table` is read.
     const ByteOpacities* byteOpacities = nullptr;
-    const LightSource* light = nullptr;  ///< null where no gradient is computed
-    float worthGradient = 0.0f;          ///< LightSource::worthGradient for the step
+    const LightSource* light = nullptr;     ///< null where no gradient is computed
+    const PackedLight* reaching = nullptr;  ///< null where the light asks for none
+    float stepUnits = 1.0f;                 ///< RayCastSettings::step
+    float worthGradient = 0.0f;             ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
-    const std::uint8_t* missing = nullptr;    ///< BrickRanges; null where all voxels carry data
+    const std::uint8_t* bordering = nullptr;  ///< BrickRanges; null where data ends nowhere
     std::array<std::int64_t, 3> bricks{};
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;

@@ -18,11 +18,14 @@ LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, 
         source.unitsPerVoxel[i] = static_cast<float>(units);
         source.reach[i] = shading.gradientReach / units;
         source.shadowTint[i] = static_cast<float>(tint[axis]);
+        source.glow[i] = static_cast<float>(shading.translucency * translucentGlow[axis]);
     }
     source.ambient = static_cast<float>(shading.ambient);
     source.diffuse = static_cast<float>(shading.diffuse);
     source.evenLight = static_cast<float>(shading.evenLight);
     source.wrap = static_cast<float>(shading.wrap);
+    source.shadow = static_cast<float>(shading.shadow);
+    source.occlusion = static_cast<float>(shading.occlusion);
     source.floorSquare = static_cast<float>(shading.gradientFloor * shading.gradientFloor);
     for (std::size_t i = 0; i < source.highlight.size(); ++i) {
         const double cosine = std::min(1.0, static_cast<double>(i) / LightSource::highlightIntervals);

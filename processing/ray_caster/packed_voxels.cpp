@@ -12,20 +12,13 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// What the kernel may interpolate: 0 in place of what carries no data.
+/// What the kernel may interpolate: 0 in place of what holds no value.
 template <typename Voxel>
 struct Source {
     const Voxel* voxels;
-    const std::uint8_t* mask;  ///< null where all are data
     std::array<std::int64_t, 3> size;
     double floatsToTable;
 
-    [[nodiscard]] bool hasData(std::int64_t offset) const {
-        if (mask != nullptr && mask[offset] == 0) return false;
-        if constexpr (std::is_same_v<Voxel, float>) return std::isfinite(voxels[offset]);
-        return true;
-    }
-    [[nodiscard]] Voxel value(std::int64_t offset) const { return hasData(offset) ? packed(offset) : Voxel{}; }
     [[nodiscard]] Voxel packed(std::int64_t offset) const {
         if constexpr (!std::is_same_v<Voxel, float>)
             return voxels[offset];
@@ -73,14 +66,6 @@ std::unique_ptr<Out[]> packAll(const Source<Voxel>& source, const Read& read) {
     return cubes;
 }
 
-template <typename Voxel>
-bool anyMissing(const Source<Voxel>& source, std::int64_t count) {
-    if (source.mask != nullptr && std::find(source.mask, source.mask + count, 0) != source.mask + count) return true;
-    if constexpr (std::is_same_v<Voxel, float>)
-        return !std::all_of(source.voxels, source.voxels + count, [](float value) { return std::isfinite(value); });
-    return false;
-}
-
 }  // namespace
 
 template <typename Voxel>
@@ -92,18 +77,17 @@ float PackedVoxels<Voxel>::toTable(double whiteLevel) {
 }
 
 template <typename Voxel>
-PackedVoxels<Voxel>::PackedVoxels(const Volume& volume)
-    : m_rowStride(strideOf(volume.geometry().size[0])),
-      m_sliceStride(m_rowStride * (volume.geometry().size[1] + extraCubes)) {
-    const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels()).data(), volume.dataMaskOrNull(),
-                               volume.geometry().size, TransferTable::intervals / volume.whiteLevel()};
-    if (!anyMissing(source, volume.geometry().voxelCount())) {
-        m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
-        return;
-    }
-    m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.value(offset); });
-    m_mask = packAll<std::uint8_t>(
-        source, [&](std::int64_t offset) { return static_cast<std::uint8_t>(source.hasData(offset) ? 255 : 0); });
+PackedVoxels<Voxel>::PackedVoxels(const FilledVolume& volume)
+    : m_rowStride(strideOf(volume.voxels.geometry().size[0])),
+      m_sliceStride(m_rowStride * (volume.voxels.geometry().size[1] + extraCubes)) {
+    const auto& size = volume.voxels.geometry().size;
+    const Source<Voxel> source{std::get<std::vector<Voxel>>(volume.voxels.voxels()).data(), size,
+                               TransferTable::intervals / volume.voxels.whiteLevel()};
+    m_cubes = packAll<Voxel>(source, [&](std::int64_t offset) { return source.packed(offset); });
+    if (!volume.presence) return;
+    const auto& presence = std::get<std::vector<std::uint8_t>>(volume.presence->voxels());
+    m_presence =
+        packAll<std::uint8_t>(source, [&](std::int64_t offset) { return presence[static_cast<std::size_t>(offset)]; });
 }
 
 template class PackedVoxels<std::uint8_t>;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "processing/volume/volume.h"
+#include "processing/volume/filled_volume.h"
 
 namespace echolucent::ray_casting {
 
@@ -23,25 +23,25 @@ inline constexpr int voxelsPerCube = 2;
 /// Rows of cubes are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
 inline constexpr int rowAlignment = 16;
 
-/// Makes one pass over the volume. Voxels without data, or not finite, are stored as 0 and marked in the mask. Floats
-/// are stored as table positions (see transfer_table.h): their white level may be of any magnitude.
+/// Makes one pass over the volume. Floats are stored as table positions (see transfer_table.h): their white level may
+/// be of any magnitude.
 template <typename Voxel>
 class PackedVoxels {
 public:
-    explicit PackedVoxels(const Volume& volume);
+    explicit PackedVoxels(const FilledVolume& volume);
 
     [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
     /// The factor from a packed value to its table position.
     [[nodiscard]] static float toTable(double whiteLevel);
-    /// Packed like bytes: 255 where there is data, else 0. It is null where all voxels carry data.
-    [[nodiscard]] const std::uint8_t* mask() const { return m_mask.get(); }
+    /// The presence of data, packed like bytes. It is null where all voxels carry data.
+    [[nodiscard]] const std::uint8_t* presence() const { return m_presence.get(); }
     [[nodiscard]] std::int64_t rowStride() const { return m_rowStride; }      ///< cubes
     [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cubes
 
 private:
     std::int64_t m_rowStride, m_sliceStride;
     std::unique_ptr<Voxel[]> m_cubes;
-    std::unique_ptr<std::uint8_t[]> m_mask;
+    std::unique_ptr<std::uint8_t[]> m_presence;
 };
 
 }  // namespace echolucent::ray_casting

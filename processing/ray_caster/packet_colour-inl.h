@@ -1,5 +1,5 @@
 // What a sample shows: opacity, colour, light.
-#include "processing/ray_caster/packet_run-inl.h"
+#include "processing/ray_caster/packet_reaching-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_COLOUR_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ECHOLUCENT_PACKET_COLOUR_INL
@@ -63,12 +63,17 @@ private:
     Lanes m_base[3], m_slope[3];
 };
 
+/// What light makes of a colour: a factor for all channels, and how much of the glow comes to it.
+struct LitBy {
+    FloatVector factor, glow;
+};
+
 /// Gradients and light of the samples of one packet.
 template <typename Voxel>
 class Light {
 public:
     Light(const KernelJob<Voxel>& job, const RayBundle<lanes>& rays)
-        : m_source(*job.light), m_geometry(job.geometry), m_toTable(job.toTable) {
+        : m_source(*job.light), m_reaching(job.reaching), m_geometry(job.geometry), m_toTable(job.toTable) {
         for (int i = 0; i < lanes; ++i) {
             double half[3], square = 0.0;
             const double stepMm = job.rays->stepMm();
@@ -84,15 +89,14 @@ public:
 
     [[nodiscard]] float even() const { return m_source.ambient + m_source.diffuse * m_source.evenLight; }
 
-    /// The factor on the colours of samples seen well enough to be worth a gradient.
-    HWY_INLINE FloatVector factorAt(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+    /// The light on samples seen well enough to be worth a gradient.
+    HWY_INLINE LitBy at(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         const auto zero = set(0.0f), one = set(1.0f);
-        auto complete = one;
-        const auto x = differenceAlong<0>(run, at, active, complete);
-        const auto y = differenceAlong<1>(run, at, active, complete);
-        const auto z = differenceAlong<2>(run, at, active, complete);
+        const auto x = differenceAlong<0>(run, at, active);
+        const auto y = differenceAlong<1>(run, at, active);
+        const auto z = differenceAlong<2>(run, at, active);
         const auto square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-        const auto hasGradient = hn::And(hn::Gt(square, zero), hn::Gt(complete, set(1.0f - missingWeight)));
+        const auto hasGradient = hn::Gt(square, zero);
         const auto safeSquare = hn::IfThenElse(hasGradient, square, one);
         // The normal points against the gradient, to the darker side.
         const auto perLength = hn::Neg(hn::Div(one, hn::Sqrt(safeSquare)));
@@ -107,21 +111,30 @@ public:
         const auto diffuse = hn::MulAdd(share, facing, hn::Mul(hn::Sub(one, share), set(m_source.evenLight)));
         const Floats floats;
         const auto cosine = dot(hn::Load(floats, m_half[0]), hn::Load(floats, m_half[1]), hn::Load(floats, m_half[2]));
-        return hn::MulAdd(share, highlightAt(cosine),
-                          hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient)));
+        const auto highlight = highlightAt(cosine);
+        if (m_reaching == nullptr)
+            return {hn::MulAdd(share, highlight, hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient))),
+                    zero};
+        const Reaching reaching = reachingAt(*m_reaching, run, at);
+        const auto left = [&](FloatVector reached, float strength) {
+            return hn::MulAdd(reached, set(strength), set(1.0f - strength));
+        };
+        const auto key = hn::MulAdd(share, highlight, hn::Mul(set(m_source.diffuse), diffuse));
+        return {hn::MulAdd(left(reaching.key, m_source.shadow), key,
+                           hn::Mul(left(reaching.around, m_source.occlusion), set(m_source.ambient))),
+                hn::Mul(set(4.0f), hn::Sub(hn::Sqrt(reaching.key), reaching.key))};
     }
 
-    /// Nothing is brighter than white.
-    HWY_INLINE FloatVector lit(FloatVector colour, FloatVector factor, std::size_t channel) const {
+    /// `unlit` is the share that keeps its colour (CutFace). Nothing is brighter than white.
+    HWY_INLINE FloatVector lit(FloatVector colour, const LitBy& light, FloatVector unlit, std::size_t channel) const {
         const auto one = set(1.0f), tint = set(m_source.shadowTint[channel]);
+        const auto bare = hn::MulAdd(light.glow, set(m_source.glow[channel]), light.factor);
+        const auto factor = hn::MulAdd(unlit, hn::Sub(one, bare), bare);
         const auto shadow = hn::MulAdd(hn::Sub(one, tint), hn::Min(one, factor), tint);
         return hn::Min(one, hn::Mul(hn::Mul(colour, factor), shadow));
     }
 
 private:
-    /// A gradient may lack data of this trilinear weight, because less is the rounding of positions.
-    static constexpr float missingWeight = 2e-5f;
-
     template <int axis>
     static HWY_INLINE IntVector& componentOf(Position& at) {
         if constexpr (axis == 0) return at.x;
@@ -131,8 +144,7 @@ private:
 
     /// Derivative along an axis, normalised intensity per unit: a central difference between the outermost voxels.
     template <int axis>
-    HWY_INLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active,
-                                           FloatVector& complete) const {
+    HWY_INLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         Position before = at, after = at;
         IntVector& low = componentOf<axis>(before);
         IntVector& high = componentOf<axis>(after);
@@ -145,12 +157,11 @@ private:
         const auto reach = set(static_cast<std::int32_t>(std::min(m_source.reach[axis], farthest) * oneCube));
         low = hn::Min(hn::Max(hn::Sub(low, reach), first), last);
         high = hn::Min(hn::Max(hn::Add(high, reach), first), last);
-        const Sample a = sampleAt(run.volume, before, active), b = sampleAt(run.volume, after, active);
-        complete = hn::Min(complete, hn::Min(a.weight, b.weight));
+        const auto a = meanOf(run.volume, run.volume.offsetOf(before), before, active),
+                   b = meanOf(run.volume, run.volume.offsetOf(after), after, active);
         const auto units =
             hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)), set(m_source.unitsPerVoxel[axis] / oneCube));
-        const auto difference =
-            hn::Mul(hn::Sub(b.value, a.value), set(m_toTable / static_cast<float>(TransferTable::intervals)));
+        const auto difference = hn::Mul(hn::Sub(b, a), set(m_toTable / static_cast<float>(TransferTable::intervals)));
         const auto some = hn::Gt(units, set(0.0f));
         return hn::IfThenElseZero(some, hn::Div(difference, hn::IfThenElse(some, units, set(1.0f))));
     }
@@ -161,6 +172,7 @@ private:
     }
 
     const LightSource& m_source;
+    const PackedLight* m_reaching;  ///< null where all light reaches all places
     const VolumeGeometry& m_geometry;
     float m_toTable;
     alignas(64) float m_half[3][lanes];

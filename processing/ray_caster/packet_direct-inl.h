@@ -37,6 +37,7 @@ public:
         for (std::int64_t next = packet.first(); next < packet.last();) {
             const std::int64_t empty = mayJump() ? packet.emptyFrom(next) : 0;
             if (empty > 0) {
+                if (rays.light) passEmpty(next, empty, common > 0);
                 next += empty;
             } else if (common > 0) {
                 const std::int64_t done = castRun(packet.run(next, common, -1));
@@ -79,7 +80,10 @@ private:
         const auto number = set(0.0f);
         const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        blendRich(run, number, position, opacityOfPart(hn::Max(position, number), cut), alive, blend);
+        const auto length = inFloats([&](Doubles, int i) { return load(cut.length + i); });
+        const RichStep step{number, position, opacityOfPart(position, cut), hn::Mul(length, set(m_job.stepUnits)),
+                            run.volume.presence != nullptr};
+        blendRich(run, step, alive, blend);
         add(blend);
     }
 
@@ -108,10 +112,11 @@ private:
             if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
             if (endsAt(run, block)) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
+            const bool borders = bordersOn(run, block);
             for (std::int64_t i = block; i < last; ++i) {
                 const auto number = set(static_cast<float>(i));
                 const auto position = positionOf(run, i, number, stored);
-                blendRich(run, number, position, opacityAt(hn::Max(position, set(0.0f))), alive, blend);
+                blendRich(run, {number, position, opacityAt(position), set(m_job.stepUnits), borders}, alive, blend);
             }
         }
         add(blend);
@@ -123,6 +128,11 @@ private:
         if (m_rays->kept != nullptr && !stored)
             m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + samples - m_rays->kept->first) * lanes));
         return samples;
+    }
+    /// Whether data may end in the block from a sample of a run on.
+    [[nodiscard]] bool bordersOn(const Run<Voxel>& run, std::int64_t sample) const {
+        if (run.volume.presence == nullptr) return false;
+        return m_rays->packet.bordersOn(run.first + sample, blockSize);
     }
     [[nodiscard]] bool endsAt(const Run<Voxel>& run, std::int64_t sample) const {
         // Shorter jumps cost more than they save.
@@ -156,8 +166,10 @@ private:
     HWY_INLINE Blend plainCut(const Run<Voxel>& run, const CutSteps<lanes>& cut) const {
         const auto zero = set(0.0f);
         const auto present = run.inRange(zero);
-        const auto known = sampled(run, run.at(zero), present), position = hn::Max(known, zero);
-        const auto opacity = hn::IfThenElseZero(hn::And(present, hn::Ge(known, zero)), opacityOfPart(position, cut));
+        const auto position = sampled(run, run.at(zero), present);
+        auto opacity = hn::IfThenElseZero(present, opacityOfPart(position, cut));
+        if (run.volume.presence != nullptr)
+            opacity = hn::Mul(opacity, coverageOf(presenceOf(run, zero, present), m_job.nearest));
         constexpr float white = TransferTable::intervals;
         PlainSums sums{opacity, hn::Mul(opacity, position), {zero, zero, zero}};
         for (int i = 0; i < ColourBends::count; ++i)
@@ -192,8 +204,9 @@ private:
         const auto zero = set(0.0f);
         PlainSums sums{zero, zero, {zero, zero, zero}};
         const Keeping keeping = !keeps ? Keeping::none : stored ? Keeping::reuse : Keeping::keep;
-        const std::int64_t behind = run.volume.mask == nullptr ? blendRun<false>(from, keeping, ends, sums)
-                                                               : blendRun<true>(from, keeping, ends, sums);
+        const auto borders = [&](std::int64_t sample) { return bordersOn(run, sample); };
+        const std::int64_t behind = run.volume.presence == nullptr ? blendRun<false>(from, keeping, ends, borders, sums)
+                                                                   : blendRun<true>(from, keeping, ends, borders, sums);
         add(blendOf(*m_job.colourBends, sums, white));
         return done(run, behind, stored);
     }
@@ -250,16 +263,15 @@ private:
     HWY_INLINE FloatVector sampled(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         return tablePositionAt(run.volume, m_job.nearest ? nearestVoxel(at) : at, m_job.toTable, active);
     }
-    /// The table positions of sample i, -1 where there is no data.
+    /// The table positions of sample i.
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
         if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
         std::uint16_t* const kept = keptAt(run, i);
         // Plain pictures keep what is brighter than white as it is.
         if (stored)
-            return hn::Min(keptValue<true>(kept, m_job.keptPerPosition),
-                           set(static_cast<float>(TransferTable::intervals)));
+            return hn::Min(keptValue(kept, m_job.keptPerPosition), set(static_cast<float>(TransferTable::intervals)));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        keepValue<true>(position, m_job.keptPerPosition, kept);
+        keepValue(position, m_job.keptPerPosition, kept);
         return position;
     }
 
@@ -271,27 +283,99 @@ private:
         return entryAt(m_job.table->opacities(), position);
     }
 
-    /// Adds samples with light, tint and depth, and where some voxels carry no data.
-    HWY_INLINE void blendRich(const Run<Voxel>& run, FloatVector number, FloatVector position, FloatVector stepOpacity,
-                              LaneMask alive, Blend& blend) {
+    /// The presence of data at sample `number` of a run.
+    HWY_INLINE FloatVector presenceOf(const Run<Voxel>& run, FloatVector number, LaneMask active) const {
+        const Position exact = run.at(number), place = m_job.nearest ? nearestVoxel(exact) : exact;
+        return presenceAt(run.volume, run.volume.offsetOf(place), place, active);
+    }
+
+    /// A sample of each ray.
+    struct RichStep {
+        FloatVector number, position, opacity;
+        FloatVector units;  ///< its length
+        bool borders;       ///< whether data may end near it
+    };
+
+    /// Adds samples with light, tint and depth.
+    HWY_INLINE void blendRich(const Run<Voxel>& run, const RichStep& step, LaneMask alive, Blend& blend) {
         const Floats floats;
-        const auto active = hn::And(hn::And(alive, run.inRange(number)), hn::Ge(position, set(0.0f)));
-        position = hn::Max(position, set(0.0f));
-        const auto opacity = hn::IfThenElseZero(active, stepOpacity);
-        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
-        Colour colour = m_colours.at(position);
-        if (m_rays->light) {
-            const Light<Voxel>& light = *m_rays->light;
-            const auto seen = hn::Mul(added, hn::Load(floats, m_before));
-            const auto worth = hn::Ge(seen, set(m_job.worthGradient));
-            auto factor = set(light.even());
-            if (!hn::AllFalse(floats, worth))
-                factor = hn::IfThenElse(worth, light.factorAt(run, run.at(number), worth), factor);
-            colour = {light.lit(colour.red, factor, 0), light.lit(colour.green, factor, 1),
-                      light.lit(colour.blue, factor, 2)};
+        const auto inRange = run.inRange(step.number);
+        auto opacity = hn::IfThenElseZero(hn::And(alive, inRange), step.opacity);
+        auto border = set(0.0f);
+        if (step.borders) {
+            const auto presence = presenceOf(run, step.number, inRange);
+            opacity = hn::Mul(opacity, coverageOf(presence, m_job.nearest));
+            border = borderOf(presence);
         }
-        if (m_job.depthTint != nullptr) tint(number, colour);
-        addSample(added, colour, number, blend);
+        const auto unlit = m_rays->light ? passCutFace(step, border, inRange) : border;
+        // Half of the samples of a curve that clears fluid show nothing.
+        if (hn::AllFalse(floats, hn::Gt(opacity, set(0.0f)))) return;
+        const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
+        Colour colour = m_colours.at(step.position);
+        if (m_rays->light) light(run, step.number, hn::Mul(added, hn::Load(floats, m_before)), unlit, colour);
+        if (m_job.depthTint != nullptr) tint(step.number, colour);
+        addSample(added, colour, step.number, blend);
+    }
+
+    /// `seen` is what the samples add to their pixels' opacity.
+    HWY_INLINE void light(const Run<Voxel>& run, FloatVector number, FloatVector seen, FloatVector unlit,
+                          Colour& colour) const {
+        const Light<Voxel>& light = *m_rays->light;
+        const auto worth = hn::Ge(seen, set(m_job.worthGradient));
+        LitBy by{set(light.even()), set(0.0f)};
+        if (!hn::AllFalse(Floats(), worth)) {
+            const LitBy found = light.at(run, run.at(number), worth);
+            by = {hn::IfThenElse(worth, found.factor, by.factor), hn::IfThenElseZero(worth, found.glow)};
+        }
+        colour = {light.lit(colour.red, by, unlit, 0), light.lit(colour.green, by, unlit, 1),
+                  light.lit(colour.blue, by, unlit, 2)};
+    }
+
+    /// The share of a cut's face (CutFace) in a sample; rays are then behind it.
+    HWY_INLINE FloatVector passCutFace(const RichStep& step, FloatVector border, LaneMask inRange) {
+        constexpr auto fluid = static_cast<float>(1.0 / CutFace::fluidDepth);
+        constexpr auto all = static_cast<float>(1.0 / CutFace::tissueDepth + 1.0 / CutFace::fluidDepth);
+        constexpr auto perOpacity = static_cast<float>(1.0 / CutFace::tissueOpacity);
+        const auto tissue = hn::Min(step.units, hn::Mul(step.opacity, set(perOpacity)));
+        const auto rate = hn::NegMulAdd(tissue, set(fluid), hn::Mul(step.units, set(all)));
+        const auto one = set(1.0f), left = hn::Div(one, hn::MulAdd(rate, set(0.5f), one));
+        const Floats floats;
+        const auto before = hn::Load(floats, m_rays->unlit);
+        const auto unlit = hn::Max(hn::Mul(before, left), border);
+        hn::Store(hn::IfThenElse(inRange, hn::Mul(unlit, left), before), floats, m_rays->unlit);
+        return unlit;
+    }
+
+    /// Passes `count` samples from `first` on, all of which show nothing. Where data may end, only the last ones are
+    /// looked at: what lies farther behind a ray no longer matters.
+    HWY_NOINLINE void passEmpty(std::int64_t first, std::int64_t count, bool together) {
+        const Floats floats;
+        const std::int64_t looked = m_job.bordering != nullptr ? blockSize : 0, behind = first + count - looked;
+        const RayBundle<lanes>& rays = m_rays->packet.rays();
+        const auto samples = inFloats([&](Doubles, int i) {
+            const auto limited = [&](const double* number) {
+                return hn::Min(hn::Max(load(number + i), setDouble(static_cast<double>(first))),
+                               setDouble(static_cast<double>(behind)));
+            };
+            return hn::Sub(limited(rays.last), limited(rays.first));
+        });
+        const double rate =
+            (1.0 / CutFace::tissueDepth + 1.0 / CutFace::fluidDepth) * static_cast<double>(m_job.stepUnits);
+        const auto left = hn::Exp(floats, hn::Mul(samples, set(static_cast<float>(-2.0 * std::log1p(0.5 * rate)))));
+        hn::Store(hn::Mul(hn::Load(floats, m_rays->unlit), left), floats, m_rays->unlit);
+        if (looked == 0 || behind + looked > m_rays->packet.last()) return;
+        if (together) return passEmpty(m_rays->packet.run(behind, looked, -1));
+        for (int lane = 0; lane < lanes; ++lane)
+            for (std::int64_t i = 0; i < looked; ++i) passEmpty(m_rays->packet.run(behind + i, 1, lane));
+    }
+    void passEmpty(const Run<Voxel>& run) {
+        const bool borders = run.volume.presence != nullptr;
+        for (std::int64_t i = 0; i < run.count; ++i) {
+            const auto number = set(static_cast<float>(i)), zero = set(0.0f);
+            const auto inRange = run.inRange(number);
+            const RichStep step{number, zero, zero, set(m_job.stepUnits), borders};
+            (void)passCutFace(step, borders ? borderOf(presenceOf(run, number, inRange)) : zero, inRange);
+        }
     }
 
     HWY_INLINE void addSample(FloatVector added, const Colour& colour, FloatVector number, Blend& blend) {

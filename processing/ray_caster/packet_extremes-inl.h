@@ -76,10 +76,13 @@ private:
         for (std::int64_t i = 0; i < run.count; ++i) {
             const auto number = set(static_cast<float>(i));
             const auto inRange = run.inRange(number);
-            const Position place = run.at(number);
-            const auto position =
-                tablePositionAt(run.volume, m_job.nearest ? nearestVoxel(place) : place, m_job.toTable, inRange);
-            const auto active = hn::And(inRange, hn::Ge(position, set(0.0f)));
+            const Position exact = run.at(number), place = m_job.nearest ? nearestVoxel(exact) : exact;
+            const auto position = tablePositionAt(run.volume, place, m_job.toTable, inRange);
+            auto active = inRange;
+            if (run.volume.presence != nullptr) {
+                const auto presence = presenceAt(run.volume, run.volume.offsetOf(place), place, inRange);
+                active = hn::And(inRange, hn::Ge(presence, set(0.5f)));
+            }
             const auto signedPosition = hn::Mul(position, set(sign));
             const auto better = hn::And(active, sums ? hn::Eq(count, set(0.0f)) : hn::Gt(signedPosition, best));
             best = hn::IfThenElse(better, signedPosition, best);

@@ -43,9 +43,11 @@ struct DirectRays {
     KeptSamples::Packet* kept;  ///< null where samples are not kept
     std::optional<Light<Voxel>> light;
     Gathered gathered;
+    alignas(64) float unlit[lanes];  ///< shares of a cut's face (CutFace) behind the newest sample
 
     DirectRays(const KernelJob<Voxel>& job, int column, int row, KeptSamples::Packet* keptSamples)
         : packet(job, column, row), kept(keptSamples) {
+        std::fill_n(unlit, lanes, 1.0f);
         if (job.light != nullptr && !packet.empty()) light.emplace(job, packet.rays());
     }
 };

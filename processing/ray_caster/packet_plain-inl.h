@@ -14,8 +14,7 @@ namespace echolucent::ray_casting::HWY_NAMESPACE {
 /// What happens to the samples of a run besides their being shown.
 enum class Keeping { none, keep, reuse };
 
-/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions; below 0
-/// where there is no data.
+/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions.
 template <typename Voxel>
 struct PlainRun {
     const Run<Voxel>& run;
@@ -71,24 +70,14 @@ HWY_INLINE FloatVector opacityOf(const PlainRun<Voxel>& from, FloatVector value,
     }
 }
 
-template <bool masked>
 HWY_INLINE void keepValue(FloatVector value, float keptPerValue, std::uint16_t* kept) {
     const hn::Rebind<std::uint16_t, Floats> words;
-    auto number = rounded(hn::Mul(value, set(keptPerValue)));
-    if constexpr (masked) {
-        const auto none = hn::RebindMask(Ints(), hn::Lt(value, set(0.0f)));
-        number = hn::IfThenElse(none, set(std::int32_t{KeptSamples::noData}), number);
-    }
-    hn::StoreU(hn::DemoteTo(words, number), words, kept);
+    hn::StoreU(hn::DemoteTo(words, rounded(hn::Mul(value, set(keptPerValue)))), words, kept);
 }
-template <bool masked>
 HWY_INLINE FloatVector keptValue(const std::uint16_t* kept, float keptPerValue) {
     const hn::Rebind<std::uint16_t, Floats> words;
     const auto number = hn::PromoteTo(Ints(), hn::LoadU(words, kept));
-    const auto value = hn::Mul(hn::ConvertTo(Floats(), number), set(1.0f / keptPerValue));
-    if constexpr (!masked) return value;
-    const auto none = hn::Eq(number, set(std::int32_t{KeptSamples::noData}));
-    return hn::IfThenElse(hn::RebindMask(Floats(), none), set(-1.0f), value);
+    return hn::Mul(hn::ConvertTo(Floats(), number), set(1.0f / keptPerValue));
 }
 
 /// Which lanes have the samples of a block.
@@ -118,10 +107,9 @@ HWY_INLINE FloatVector limited(FloatVector value) {
 
 /// Values of samples i ... i + group - 1 from `at` on, which is moved behind them. Each stage is done for all samples
 /// before the next one: while one waits for its voxels, the processor has others to begin.
-template <bool all, bool masked, int group, bool cut, typename Voxel>
+template <bool all, int group, bool cut, typename Voxel>
 HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                           Position& at, FloatVector (&value)[group]) {
-    const Position begin = at;
     const Cubes<Voxel>& volume = from.run.volume;
     const auto lanesToRead = [&](int k) {
         const auto present = in.template present<cut>(from.run, i + k);
@@ -140,45 +128,49 @@ HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std
             value[k] = hn::Mul(meanOf(volume, volume.offsetOf(place), place, lanesToRead(k)), set(from.toTable));
         }
     }
-    if constexpr (masked) {
-        // The mean of those voxels that are data.
-        Position next = begin;
-        for (int k = 0; k < group; ++k, next = next + step) {
-            const Position place = placeOf(from, i + k, next);
-            const auto weight = weightAt(volume, volume.offsetOf(place), place, lanesToRead(k));
-            const auto enough = hn::Ge(weight, set(0.5f));
-            value[k] = hn::Div(value[k], hn::IfThenElse(enough, weight, set(1.0f)));
-            value[k] = hn::IfThenElse(enough, limited<Voxel>(value[k]), set(-1.0f));
-        }
-    } else if constexpr (!std::is_same_v<Voxel, std::uint8_t>) {
+    if constexpr (!std::is_same_v<Voxel, std::uint8_t>)
         for (int k = 0; k < group; ++k) value[k] = limited<Voxel>(value[k]);
+}
+
+/// Takes from opacities what is not covered by data.
+template <bool cut, int group, typename Voxel>
+HWY_INLINE void coverGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
+                           Position at, FloatVector (&opacity)[group]) {
+    const Cubes<Voxel>& volume = from.run.volume;
+    FloatVector presence[group];
+    for (int k = 0; k < group; ++k, at = at + step) {
+        const Position place = placeOf(from, i + k, at);
+        const auto active = hn::And(in.template present<cut>(from.run, i + k), in.alive);
+        presence[k] = presenceAt(volume, volume.offsetOf(place), place, active);
     }
+    for (int k = 0; k < group; ++k) opacity[k] = hn::Mul(opacity[k], coverageOf(presence[k], from.nearest));
 }
 
 /// Adds `group` samples to the sums. Where `cut`, some lanes do not have all of them.
-template <Keeping keeping, bool masked, int group, bool cut, typename Voxel>
+template <Keeping keeping, bool bordering, int group, bool cut, typename Voxel>
 HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                            Position& at, PlainSums& sums) {
     const Floats floats;
     FloatVector value[group];
+    const Position first = at;
     std::uint16_t* const kept = keeping == Keeping::none ? nullptr : from.kept + i * lanes;
     if constexpr (keeping == Keeping::reuse)
-        for (int k = 0; k < group; ++k) value[k] = keptValue<masked>(kept + k * lanes, from.keptPerValue);
+        for (int k = 0; k < group; ++k, at = at + step) value[k] = keptValue(kept + k * lanes, from.keptPerValue);
     else
         // What is kept is kept of rays that have ended too: another curve may let more light through.
-        readGroup<keeping == Keeping::keep, masked, group, cut>(from, in, i, step, at, value);
+        readGroup<keeping == Keeping::keep, group, cut>(from, in, i, step, at, value);
     if constexpr (keeping == Keeping::keep)
-        for (int k = 0; k < group; ++k) keepValue<masked>(value[k], from.keptPerValue, kept + k * lanes);
+        for (int k = 0; k < group; ++k) keepValue(value[k], from.keptPerValue, kept + k * lanes);
     auto most = value[0];
     for (int k = 1; k < group; ++k) most = hn::Max(most, value[k]);
     // Half of the samples of a curve that clears fluid show nothing.
     if (hn::AllFalse(floats, hn::Ge(most, set(from.firstVisible)))) return;
     FloatVector opacity[group];
     for (int k = 0; k < group; ++k) {
-        auto active = hn::And(in.template present<cut>(from.run, i + k), in.alive);
-        if constexpr (masked) active = hn::And(active, hn::Ge(value[k], set(0.0f)));
-        opacity[k] = opacityOf(from, masked ? hn::Max(value[k], set(0.0f)) : value[k], active);
+        const auto active = hn::And(in.template present<cut>(from.run, i + k), in.alive);
+        opacity[k] = opacityOf(from, value[k], active);
     }
+    if constexpr (bordering) coverGroup<cut>(from, in, i, step, first, opacity);
     for (int k = 0; k < group; ++k) {
         const auto added = hn::NegMulAdd(opacity[k], sums.opacity, opacity[k]);
         sums.opacity = hn::Add(sums.opacity, added);
@@ -200,7 +192,7 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
 constexpr int wholeGroup = 8, cutGroup = 4;
 
 /// Composites the samples from `block` to `last` - 1.
-template <Keeping keeping, bool masked, typename Voxel>
+template <Keeping keeping, bool bordering, typename Voxel>
 HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std::int64_t last, LaneMask alive,
                            PlainSums& sums) {
     const Floats floats;
@@ -218,22 +210,24 @@ HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std:
     std::int64_t i = block;
     if (!cut)
         for (; i + wholeGroup <= last; i += wholeGroup)
-            blendGroup<keeping, masked, wholeGroup, false>(from, in, i, step, at, sums);
+            blendGroup<keeping, bordering, wholeGroup, false>(from, in, i, step, at, sums);
     else
         for (; i + cutGroup <= last; i += cutGroup) {
             if (!hn::AllFalse(floats, someOf(i, i + cutGroup)))
-                blendGroup<keeping, masked, cutGroup, true>(from, in, i, step, at, sums);
+                blendGroup<keeping, bordering, cutGroup, true>(from, in, i, step, at, sums);
             else
                 at = run.at(set(static_cast<float>(i + cutGroup)));
         }
     // Runs of single rays may be shorter than a block.
-    for (; i < last; ++i) blendGroup<keeping, masked, 1, true>(from, in, i, step, at, sums);
+    for (; i < last; ++i) blendGroup<keeping, bordering, 1, true>(from, in, i, step, at, sums);
 }
 
-/// endsAt(sample): nothing more is to be shown of the run from there on. Returns the number of samples done, as
+/// endsAt(sample): nothing more is to be shown of the run from there on. bordersOn(sample): data may end in the block
+/// from there on; asked only where `bordering`. Returns the number of samples done, as
 /// DirectKernel::castRun.
-template <Keeping keeping, bool masked, typename Voxel, typename EndsAt>
-HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& endsAt, PlainSums& result) {
+template <Keeping keeping, bool bordering, typename Voxel, typename EndsAt, typename BordersOn>
+HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& endsAt, const BordersOn& bordersOn,
+                                   PlainSums& result) {
     const Floats floats;
     const auto zero = set(0.0f);
     PlainSums sums{zero, zero, {zero, zero, zero}};
@@ -242,20 +236,25 @@ HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& en
         const auto alive = hn::Lt(sums.opacity, from.limit);
         if (hn::AllFalse(floats, hn::And(alive, hn::Gt(from.run.end, set(static_cast<float>(block)))))) break;
         if (endsAt(block)) break;
-        blendBlock<keeping, masked>(from, block, std::min(from.run.count, block + blockSize), alive, sums);
+        const std::int64_t last = std::min(from.run.count, block + blockSize);
+        if (bordering && bordersOn(block))
+            blendBlock<keeping, true>(from, block, last, alive, sums);
+        else
+            blendBlock<keeping, false>(from, block, last, alive, sums);
     }
     result = sums;
     return block;
 }
 
-template <bool masked, typename Voxel, typename EndsAt>
-std::int64_t blendRun(const PlainRun<Voxel>& from, Keeping keeping, const EndsAt& endsAt, PlainSums& result) {
+template <bool bordering, typename Voxel, typename EndsAt, typename BordersOn>
+std::int64_t blendRun(const PlainRun<Voxel>& from, Keeping keeping, const EndsAt& endsAt, const BordersOn& bordersOn,
+                      PlainSums& result) {
     switch (keeping) {
         case Keeping::none: break;
-        case Keeping::keep: return blendRun<Keeping::keep, masked>(from, endsAt, result);
-        case Keeping::reuse: return blendRun<Keeping::reuse, masked>(from, endsAt, result);
+        case Keeping::keep: return blendRun<Keeping::keep, bordering>(from, endsAt, bordersOn, result);
+        case Keeping::reuse: return blendRun<Keeping::reuse, bordering>(from, endsAt, bordersOn, result);
     }
-    return blendRun<Keeping::none, masked>(from, endsAt, result);
+    return blendRun<Keeping::none, bordering>(from, endsAt, bordersOn, result);
 }
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

@@ -155,6 +155,13 @@ public:
         return static_cast<std::int64_t>(steps) / blockSize * blockSize;
     }
 
+    /// Whether data may end on the rays in `count` samples from `first` on.
+    [[nodiscard]] bool bordersOn(std::int64_t first, std::int64_t count) const {
+        double low[3], high[3];
+        findBox(first, -1, count, low, high);
+        return touchesBorder(low, high);
+    }
+
     /// The run from `first`, a multiple of blockSize, of `count` samples at most; of the ray of `lane` alone, or of all
     /// where lane is -1.
     [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
@@ -294,8 +301,8 @@ private:
         const std::int64_t offset =
             run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
         run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
-        if (m_job.missing != nullptr && touchesMissing(low, high))
-            run.volume.mask = voxels.mask() + offset * voxelsPerCube;
+        if (m_job.bordering != nullptr && touchesBorder(low, high))
+            run.volume.presence = voxels.presence() + offset * voxelsPerCube;
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {
@@ -329,23 +336,22 @@ private:
             run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
     }
 
-    [[nodiscard]] bool touchesMissing(const double (&low)[3], const double (&high)[3]) const {
+    /// Whether data may end in the bricks of a box, in cubes.
+    [[nodiscard]] bool touchesBorder(const double (&low)[3], const double (&high)[3]) const {
         std::int64_t first[3], last[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const auto i = static_cast<std::size_t>(axis);
-            // A gradient reads farther, and one cube is for rounding.
-            const double reach = (m_job.light != nullptr ? m_job.light->reach[i] : 0.0) + 1.0;
+            constexpr double rounding = 0.01;
             const auto brick = [&](double cube) {
-                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(cube)) >> BrickGrid::shift, 0,
-                                                m_job.bricks[i] - 1);
+                return std::clamp<std::int64_t>(static_cast<std::int64_t>(cube) >> BrickGrid::shift, 0,
+                                                m_job.bricks[static_cast<std::size_t>(axis)] - 1);
             };
-            first[axis] = brick(low[axis] - reach);
-            last[axis] = brick(high[axis] + reach);
+            first[axis] = brick(std::max(low[axis] - rounding, 0.0));
+            last[axis] = brick(high[axis] + rounding);
         }
         for (std::int64_t z = first[2]; z <= last[2]; ++z)
             for (std::int64_t y = first[1]; y <= last[1]; ++y)
                 for (std::int64_t x = first[0]; x <= last[0]; ++x)
-                    if (m_job.missing[x + m_job.bricks[0] * (y + m_job.bricks[1] * z)] != 0) return true;
+                    if (m_job.bordering[x + m_job.bricks[0] * (y + m_job.bricks[1] * z)] != 0) return true;
         return false;
     }
 

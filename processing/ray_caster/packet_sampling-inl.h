@@ -211,15 +211,19 @@ struct CubeOfBytes {
     hn::Vec<Bytes> near, far, shareY;
     hn::Vec<Words> shareX, shareZ;
 };
-HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
-                                   const Position& at, LaneMask active) {
-    static_assert(voxelsPerCube == 2);
+HWY_INLINE CubeOfBytes sharesOf(const Position& at) {
     CubeOfBytes cube;
-    cube.near = gatherCubes(cubes, offset, active);
-    cube.far = gatherCubes(cubes + sliceStride * voxelsPerCube, offset, active);
     cube.shareX = hn::Xor(wordShares(at.x), hn::BitCast(Words(), hn::Set(Ints(), 0x00007FFF)));
     cube.shareY = byteShares(at.y);
     cube.shareZ = wordShares(at.z);
+    return cube;
+}
+HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
+                                   const Position& at, LaneMask active) {
+    static_assert(voxelsPerCube == 2);
+    CubeOfBytes cube = sharesOf(at);
+    cube.near = gatherCubes(cubes, offset, active);
+    cube.far = gatherCubes(cubes + sliceStride * voxelsPerCube, offset, active);
     return cube;
 }
 HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
@@ -255,7 +259,7 @@ HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t s
 template <typename Voxel>
 struct Cubes {
     const Voxel* cubes;
-    const std::uint8_t* mask;  ///< null where all voxels around carry data
+    const std::uint8_t* presence;  ///< of data; null where it is everywhere around
     std::int64_t rowStride, sliceStride;
 
     HWY_INLINE IntVector offsetOf(const Position& at) const {
@@ -313,25 +317,24 @@ HWY_INLINE FloatVector meanOf(const Cubes<float>& volume, IntVector offset, cons
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
 
-/// The share of the weight that is on voxels with data, from the same shares as the mean.
+/// The presence of data at a place where it may end, 0 to 1, from the same shares as the mean.
 template <typename Voxel>
-HWY_INLINE FloatVector weightAt(const Cubes<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
+HWY_INLINE FloatVector presenceAt(const Cubes<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
-    const auto sum = bytes ? meanOfBytes(volume.mask, volume.sliceStride, offset, at, active)
-                           : fineMeanOfBytes(volume.mask, volume.sliceStride, offset, at, active);
+    const auto sum = bytes ? meanOfBytes(volume.presence, volume.sliceStride, offset, at, active)
+                           : fineMeanOfBytes(volume.presence, volume.sliceStride, offset, at, active);
     return hn::Mul(sum, set(1.0f / (byteScale * 255.0f)));
 }
-
-/// The stored values at a place, 0 where there is no data, and the share of the weight that is on data.
-struct Sample {
-    FloatVector value, weight;
-};
-template <typename Voxel>
-HWY_INLINE Sample sampleAt(const Cubes<Voxel>& volume, const Position& at, LaneMask active) {
-    const auto offset = volume.offsetOf(at);
-    Sample sample{meanOf(volume, offset, at, active), set(1.0f)};
-    if (volume.mask != nullptr) sample.weight = weightAt(volume, offset, at, active);
-    return sample;
+/// PresenceUse::coverage(); of the nearest voxel all or nothing.
+HWY_INLINE FloatVector coverageOf(FloatVector presence, bool nearest) {
+    const auto zero = set(0.0f), one = set(1.0f);
+    if (nearest) return hn::IfThenElseZero(hn::Ge(presence, set(0.5f)), one);
+    return hn::Min(hn::Max(hn::MulAdd(presence, set(2.0f), set(-0.5f)), zero), one);
+}
+/// PresenceUse::border().
+HWY_INLINE FloatVector borderOf(FloatVector presence) {
+    const auto share = hn::Mul(hn::Sub(set(0.875f), presence), set(1.0f / 0.375f));
+    return hn::Min(hn::Max(share, set(0.0f)), set(1.0f));
 }
 
 /// Moves each component to the nearest voxel, which is the lower one in the cube of its number.
@@ -340,20 +343,12 @@ HWY_INLINE Position nearestVoxel(const Position& at) {
     return {round(at.x), round(at.y), round(at.z)};
 }
 
-/// Table positions; -1 where less than half the weight is on voxels with data.
+/// Table positions, 0 ... intervals.
 template <typename Voxel>
 HWY_INLINE FloatVector tablePositionAt(const Cubes<Voxel>& volume, const Position& at, float toTable, LaneMask active) {
-    Sample sample = sampleAt(volume, at, active);
-    const auto highest = set(static_cast<float>(TransferTable::intervals));
-    if (volume.mask == nullptr) {
-        auto position = hn::Min(hn::Mul(sample.value, set(toTable)), highest);
-        if constexpr (std::is_same_v<Voxel, float>) position = hn::Max(position, set(0.0f));
-        return position;
-    }
-    const auto enough = hn::Ge(sample.weight, set(0.5f));
-    const auto mean = hn::Div(sample.value, hn::IfThenElse(enough, sample.weight, set(1.0f)));
-    const auto position = hn::Max(hn::Min(hn::Mul(mean, set(toTable)), highest), set(0.0f));
-    return hn::IfThenElse(enough, position, set(-1.0f));
+    const auto value = meanOf(volume, volume.offsetOf(at), at, active);
+    const auto position = hn::Min(hn::Mul(value, set(toTable)), set(static_cast<float>(TransferTable::intervals)));
+    return std::is_same_v<Voxel, float> ? hn::Max(position, set(0.0f)) : position;
 }
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

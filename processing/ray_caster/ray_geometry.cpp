@@ -13,6 +13,13 @@ bool isFinite(const Vec3& vector) {
     return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
+void requireSensible(const Shading& shading) {
+    if (!(shading.gradientReach > 0.0)) throw std::invalid_argument("castRays: the gradient's reach must be above 0");
+    for (const double strength : {shading.shadow, shading.occlusion, shading.translucency})
+        if (!(strength >= 0.0 && strength <= 1.0))
+            throw std::invalid_argument("castRays: strengths of light must lie between 0 and 1");
+}
+
 void requireSensible(const RayCastSettings& settings) {
     if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("castRays: the picture has no pixel");
     if (!std::isfinite(settings.step) || !(settings.step > 0.0))
@@ -36,8 +43,9 @@ void requireSensible(const RayCastSettings& settings) {
             throw std::invalid_argument("castRays: a clipping plane needs a finite point and a normal");
     if (std::isnan(settings.terminationTransmittance))
         throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
-    if (settings.shading && !(settings.shading->gradientReach > 0.0))
-        throw std::invalid_argument("castRays: the gradient's reach must be above 0");
+    if (settings.cutSurface && !problemOf(*settings.cutSurface).empty())
+        throw std::invalid_argument("castRays: the cut surface " + problemOf(*settings.cutSurface));
+    if (settings.shading) requireSensible(*settings.shading);
     if (settings.opaqueDepth) {
         const DepthMap& map = *settings.opaqueDepth;
         if (map.width < 1 || map.height < 1 ||
@@ -57,6 +65,7 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_forward(settings.camera.frame.forward),
       m_right(settings.camera.frame.right),
       m_down(settings.camera.frame.down),
+      m_cutSurface(settings.cutSurface),
       m_opaqueDepth(settings.opaqueDepth) {
     requireSensible(settings);
     const Camera& camera = settings.camera;

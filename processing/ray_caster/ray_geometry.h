@@ -115,6 +115,9 @@ private:
     template <int lanes>
     void endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 
+    template <int lanes>
+    void cutAtSurface(RayBundle<lanes>& bundle) const;
+
     static constexpr double endless = 1e15;  ///< steps
 
     bool m_parallel;
@@ -131,6 +134,7 @@ private:
     Vec3 m_step, m_perStep;  ///< the step of every parallel ray, voxels, and 1 / step
     Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
     std::vector<HalfSpace> m_halfSpaces;
+    std::optional<CutSurface> m_cutSurface;
     std::shared_ptr<const DepthMap> m_opaqueDepth;
 };
 
@@ -182,6 +186,7 @@ inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int
         aimPerspective(bundle, column, row, columns);
     clip(bundle);
     if (!m_halfSpaces.empty()) clipAtHalfSpaces(bundle);
+    if (m_cutSurface) cutAtSurface(bundle);
     if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);
     bundle.cut();
 }
@@ -229,6 +234,22 @@ inline void RayGeometry::clipAtHalfSpaces(RayBundle<lanes>& bundle) const {
             if (slope < 0.0) bundle.leave[i] = std::min(bundle.leave[i], crossing);
             if (slope == 0.0 && value < 0.0) bundle.leave[i] = -endless;
         }
+}
+
+template <int lanes>
+void RayGeometry::cutAtSurface(RayBundle<lanes>& bundle) const {
+    for (int i = 0; i < lanes; ++i) {
+        if (!(bundle.enter[i] < bundle.leave[i])) continue;
+        Vec3 point, direction;
+        for (int axis = 0; axis < 3; ++axis) {
+            point[axis] = bundle.origin[axis][i] / m_inverseSpacing[axis];
+            direction[axis] = bundle.step[axis][i] / (m_inverseSpacing[axis] * m_stepMm);
+        }
+        const auto left =
+            m_cutSurface->firstLeft(point, direction, {bundle.enter[i] * m_stepMm, bundle.leave[i] * m_stepMm});
+        bundle.leave[i] = left ? left->end / m_stepMm : -endless;
+        if (left) bundle.enter[i] = left->begin / m_stepMm;
+    }
 }
 
 template <int lanes>

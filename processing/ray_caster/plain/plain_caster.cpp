@@ -1,6 +1,7 @@
 #include "processing/ray_caster/plain/plain_caster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,8 +36,17 @@ double stored(double value, CompositingPrecision precision) {
 
 /// What one step of a ray shows.
 struct PlainCaster::Step {
-    double alpha = 0.0;
+    double opacity = 0.0;  ///< of the intensity
+    double alpha = 0.0;    ///< of what data covers of it
+    double border = 0.0;   ///< PresenceUse::border()
     Vec3 colour{0, 0, 0};
+};
+
+/// A step and how it is seen.
+struct PlainCaster::Seen {
+    Vec3 colour, voxel, rayDirection;
+    double added;  ///< to its pixel's opacity
+    double unlit;  ///< share of a cut's face
 };
 
 /// A step of a ray or what is left of it, in steps from the ray's origin.
@@ -51,11 +61,12 @@ struct PlainCaster::Stretch {
 PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
                          const PlainCasting& casting)
     : m_geometry(volume.geometry()),
+      m_filled(filledVolume(volume)),
       m_curve(curve),
       m_settings(settings),
       m_casting(casting),
       m_rays(volume.geometry(), settings),
-      m_sampler(volume, settings.interpolation) {
+      m_sampler(m_filled.voxels, settings.interpolation) {
     const auto box = volume.geometry().depthsAlong(settings.camera.frame.forward);
     m_nearestMm = std::max(box.nearest, settings.nearPlaneDepthMm);
     m_farthestMm = box.farthest;
@@ -63,6 +74,12 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
     const Vec3& light = settings.shading->towardsLight;
     const ViewFrame& frame = settings.camera.frame;
     m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
+    if (settings.mode != RenderMode::direct || !settings.shading->asksWhatReaches()) return;
+    LightScene scene = lightSceneOf(settings);
+    scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
+    scene.coarseness = settings.lightCoarseness;
+    m_light =
+        LightSweep(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume)).lightVolume(curve, scene);
 }
 
 PlainPixel PlainCaster::pixel(int column, int row) const {
@@ -75,7 +92,8 @@ std::vector<RaySample> PlainCaster::samplesOf(int column, int row) const {
     std::vector<RaySample> samples;
     walk(ray, [&](const Stretch& stretch) {
         const Vec3 voxel = stretch.middleOn(ray);
-        samples.push_back({voxel, stretch.length(), m_sampler.intensityAt(voxel)});
+        const bool any = presenceAt(voxel) >= 0.5;
+        samples.push_back({voxel, stretch.length(), any ? m_sampler.intensityAt(voxel) : std::nullopt});
         return true;
     });
     return samples;
@@ -96,17 +114,37 @@ void PlainCaster::walk(const ray_casting::Ray& ray, const Visit& visit) const {
     }
 }
 
+/// How present data is at a place, 0 to 1.
+double PlainCaster::presenceAt(const Vec3& voxel) const {
+    return m_filled.presence ? VolumeSampler(*m_filled.presence, m_settings.interpolation).intensityAt(voxel).value()
+                             : 1.0;
+}
+
+namespace {
+
+/// What CutFace says of half a step.
+double leftOfCutFace(double opacity, double units) {
+    const double tissue = std::min(1.0, opacity / (units * CutFace::tissueOpacity));
+    const double rate = 1.0 / CutFace::tissueDepth + (1.0 - tissue) / CutFace::fluidDepth;
+    return 1.0 / (1.0 + 0.5 * units * rate);
+}
+
+}  // namespace
+
 /// Eqs. 2 and 3.
 PlainPixel PlainCaster::composited(const ray_casting::Ray& ray) const {
     PlainPixel pixel;
-    double transmittance = 1.0;
+    double transmittance = 1.0, unlit = 1.0;
     walk(ray, [&](const Stretch& stretch) {
         const Vec3 voxel = stretch.middleOn(ray);
         const Step step = sampleAt(voxel, stretch);
+        const double left = leftOfCutFace(step.opacity, m_settings.step * stretch.length());
+        const double unlitHere = std::max(unlit * left, step.border);
+        unlit = unlitHere * left;
         if (!(step.alpha > 0.0)) return true;
         const double seen = transmittance * step.alpha;
         Vec3 colour = step.colour;
-        if (m_settings.shading) colour = lit(colour, voxel, ray.direction, seen);
+        if (m_settings.shading) colour = lit({colour, voxel, ray.direction, seen, unlitHere});
         if (m_settings.depthColouring) colour = colour.mul(tintAt(depthOf(voxel)));
         for (int channel = 0; channel < 3; ++channel)
             pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
@@ -124,7 +162,7 @@ PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
     double shown = 0.0, sum = 0.0, steps = 0.0;
     walk(ray, [&](const Stretch& stretch) {
         const Vec3 voxel = stretch.middleOn(ray);
-        const auto intensity = m_sampler.intensityAt(voxel);
+        const auto intensity = presenceAt(voxel) < 0.5 ? std::nullopt : m_sampler.intensityAt(voxel);
         if (!intensity) return true;
         const bool isShown = steps == 0.0 || (m_settings.mode == RenderMode::maximum && *intensity > shown) ||
                              (m_settings.mode == RenderMode::minimum && *intensity < shown);
@@ -144,33 +182,47 @@ PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
 }
 
 PlainCaster::Step PlainCaster::sampleAt(const Vec3& voxel, const Stretch& stretch) const {
-    const auto intensity = m_sampler.intensityAt(voxel);
-    if (!intensity) return {};
-    const double length = m_settings.step * stretch.length();
-    return {opacityForStep(opacityAt(m_curve, *intensity), length), colourOf(m_settings.colourMap, *intensity)};
+    const double presence = presenceAt(voxel), intensity = m_sampler.intensityAt(voxel).value_or(0.0);
+    const double opacity = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * stretch.length());
+    const bool nearest = m_settings.interpolation == Interpolation::nearest;
+    const double coverage = nearest ? (presence >= 0.5 ? 1.0 : 0.0) : PresenceUse::coverage(presence);
+    return {opacity, opacity * coverage, m_filled.presence ? PresenceUse::border(presence) : 0.0,
+            colourOf(m_settings.colourMap, intensity)};
 }
 
-/// Shading's formula; `seen` is what the sample adds to its pixel's opacity.
-Vec3 PlainCaster::lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const {
+/// Shading's factor, for each channel.
+Vec3 PlainCaster::factorsAt(const Seen& seen) const {
     const Shading& shading = *m_settings.shading;
-    const Vec3 gradient =
-        seen >= m_casting.leastLitOpacity ? m_sampler.gradientAt(voxel, shading.gradientReach) : Vec3(0, 0, 0);
+    const bool worth = seen.added >= m_casting.leastLitOpacity;
+    const Vec3 gradient = worth ? m_sampler.gradientAt(seen.voxel, shading.gradientReach) : Vec3(0, 0, 0);
     const double magnitude = length(gradient);
     double surface = 0.0, diffuse = 0.0, specular = 0.0;
     if (magnitude > 0.0) {
-        const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - rayDirection;
+        const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - seen.rayDirection;
         surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
         diffuse = std::max(0.0, (normal.dot(m_towardsLight) + shading.wrap) / (1.0 + shading.wrap));
         if (length(half) > 0.0) specular = std::pow(std::max(0.0, normal.dot(normalized(half))), shading.specularPower);
     }
-    const double factor = shading.ambient +
-                          shading.diffuse * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
-                          surface * shading.specular * specular;
-    const Vec3 tint = shadowTintOf(m_settings.colourMap);
+    ReachingShares reaching;
+    if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(seen.voxel));
+    const double key = 1.0 - shading.shadow * (1.0 - reaching.key);
+    const double around = 1.0 - shading.occlusion * (1.0 - reaching.around);
+    const double factor = shading.ambient * around +
+                          shading.diffuse * key * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
+                          surface * shading.specular * key * specular;
+    const double glow = shading.translucency * 4.0 * (std::sqrt(reaching.key) - reaching.key);
+    return Vec3::all(factor) + translucentGlow * glow;
+}
+
+/// Shading's formula.
+Vec3 PlainCaster::lit(const Seen& seen) const {
+    const Vec3 factors = factorsAt(seen), tint = shadowTintOf(m_settings.colourMap);
     Vec3 bright;
-    for (int channel = 0; channel < 3; ++channel)
-        bright[channel] =
-            std::min(1.0, colour[channel] * factor * (tint[channel] + (1.0 - tint[channel]) * std::min(1.0, factor)));
+    for (int channel = 0; channel < 3; ++channel) {
+        const double factor = (1.0 - seen.unlit) * factors[channel] + seen.unlit;
+        bright[channel] = std::min(
+            1.0, seen.colour[channel] * factor * (tint[channel] + (1.0 - tint[channel]) * std::min(1.0, factor)));
+    }
     return bright;
 }
 

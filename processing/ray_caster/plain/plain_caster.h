@@ -6,11 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "processing/light/light_sweep.h"
 #include "processing/opacity_curve.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
 #include "processing/ray_caster/ray_geometry.h"
+#include "processing/volume/filled_volume.h"
 #include "processing/volume/sampler.h"
 #include "processing/volume/volume.h"
 
@@ -74,10 +76,15 @@ private:
     [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const;
     [[nodiscard]] double depthOf(const Vec3& voxel) const;
     [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const;
-    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& rayDirection, double seen) const;
+    struct Seen;
+    [[nodiscard]] double presenceAt(const Vec3& voxel) const;
+    [[nodiscard]] Vec3 lit(const Seen& seen) const;
+    [[nodiscard]] Vec3 factorsAt(const Seen& seen) const;
     [[nodiscard]] Vec3 tintAt(double depthMm) const;
 
     const VolumeGeometry& m_geometry;
+    FilledVolume m_filled;
+    std::optional<LightVolume> m_light;  ///< where the shading asks what reaches
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
     PlainCasting m_casting;

@@ -1,0 +1,29 @@
+// The light volume of the pictures of one volume, made anew only where what it depends on changed.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "processing/light/light_sweep.h"
+#include "processing/opacity_curve.h"
+#include "processing/ray_caster/packed_light.h"
+
+namespace echolucent::ray_casting {
+
+class LightReaching {
+public:
+    explicit LightReaching(std::shared_ptr<const Volume> volume) : m_sweep(std::move(volume)) {}
+
+    /// False where it was cancelled; then there is no light volume.
+    [[nodiscard]] bool update(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress);
+    /// Null where the newest picture's light asks for no light volume.
+    [[nodiscard]] const PackedLight* packed() const { return m_packed ? &*m_packed : nullptr; }
+
+private:
+    LightSweep m_sweep;
+    std::optional<OpacityCurve> m_curve;
+    LightScene m_scene;
+    std::optional<PackedLight> m_packed;
+};
+
+}  // namespace echolucent::ray_casting
