@@ -80,6 +80,7 @@ private:
         : volume(std::move(given)),
           m_ranges(filled),
           m_empty(m_ranges.grid()),
+          m_borders(filled),
           m_packed(pack(filled)),
           m_reaching(volume) {}
 
@@ -102,7 +103,7 @@ private:
         job.table = &table;
         job.worthGradient = static_cast<float>(LightSource::worthGradient * std::min(1.0, settings.step));
         job.bricks = m_ranges.grid().size;
-        job.bordering = m_ranges.bordering().empty() ? nullptr : m_ranges.bordering().data();
+        job.borders = m_borders.distances().empty() ? nullptr : &m_borders;
         job.stepUnits = static_cast<float>(settings.step);
         job.mode = settings.mode;
         job.colourMap = settings.colourMap;
@@ -140,6 +141,7 @@ private:
 
     BrickRanges m_ranges;
     EmptySpace m_empty;
+    BorderSpace m_borders;
     Packed m_packed;
     LightReaching m_reaching;
 };

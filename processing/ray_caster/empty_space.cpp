@@ -57,13 +57,14 @@ RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::arr
     return range;
 }
 
-RangeOf<std::uint8_t> presenceIn(const FilledVolume& volume, const std::array<std::int64_t, 3>& brick) {
-    RangeOf<std::uint8_t> range;
-    if (!volume.presence) return {255, 255};
+/// Whether samples in a brick may show anything of its voxels.
+bool anyCovered(const FilledVolume& volume, const std::array<std::int64_t, 3>& brick) {
+    if (!volume.presence) return true;
     const auto& presence = std::get<std::vector<std::uint8_t>>(volume.presence->voxels());
+    RangeOf<std::uint8_t> range;
     forEachRowOf(volume.presence->geometry(), brick,
                  [&](std::int64_t first, std::int64_t count) { range.add(presence.data() + first, count); });
-    return range;
+    return range.highest > PresenceUse::noneUpTo;
 }
 
 }  // namespace
@@ -74,10 +75,7 @@ BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
 }
 
 BrickRanges::BrickRanges(const FilledVolume& filled)
-    : m_grid(filled.voxels.geometry()),
-      m_lowest(static_cast<std::size_t>(m_grid.count())),
-      m_highest(m_lowest.size()),
-      m_bordering(m_lowest.size()) {
+    : m_grid(filled.voxels.geometry()), m_lowest(static_cast<std::size_t>(m_grid.count())), m_highest(m_lowest.size()) {
     const double toTable = TransferTable::intervals / filled.voxels.whiteLevel();
     const auto position = [&](auto value) {
         return static_cast<float>(
@@ -91,20 +89,17 @@ BrickRanges::BrickRanges(const FilledVolume& filled)
                     for (std::int64_t x = 0; x < columns; ++x) {
                         const std::array<std::int64_t, 3> at{x, row % rows, row / rows};
                         const auto found = rangeOf(filled.voxels, voxels.data(), at);
-                        const auto presence = presenceIn(filled, at);
                         const auto brick = static_cast<std::size_t>(row * columns + x);
-                        const bool anyData = found.lowest <= found.highest && presence.highest > PresenceUse::noneUpTo;
+                        const bool anyData = found.lowest <= found.highest && anyCovered(filled, at);
                         // Rounding in the kernel may leave the range of the voxels by a hair.
                         m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
                         m_highest[brick] = anyData ? std::min(static_cast<float>(TransferTable::intervals),
                                                               position(found.highest) + 0.125f)
                                                    : 0.0f;
-                        m_bordering[brick] = presence.lowest < PresenceUse::allFrom ? 1 : 0;
                     }
             });
         },
         filled.voxels.voxels());
-    if (std::find(m_bordering.begin(), m_bordering.end(), 1) == m_bordering.end()) m_bordering.clear();
 }
 
 EmptySpace::EmptySpace(const BrickGrid& grid)

@@ -22,8 +22,7 @@ struct BrickGrid {
     }
 };
 
-/// The smallest and largest intensity around the cubes of each brick, and whether data ends near there. One pass over
-/// the volume finds them.
+/// The smallest and largest intensity that the cubes of each brick may show. One pass over the volume finds them.
 class BrickRanges {
 public:
     explicit BrickRanges(const FilledVolume& volume);
@@ -32,14 +31,10 @@ public:
     /// Table positions. In a brick without any data the lowest is above the highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
-    /// 1 where the presence of data around the brick's cubes matters (below PresenceUse::allFrom); empty where it
-    /// matters nowhere.
-    [[nodiscard]] const std::vector<std::uint8_t>& bordering() const { return m_bordering; }
 
 private:
     BrickGrid m_grid;
     std::vector<float> m_lowest, m_highest;
-    std::vector<std::uint8_t> m_bordering;
 };
 
 /// How far away the next brick is that shows something.

@@ -8,6 +8,7 @@
 
 #include "processing/picture/picture.h"
 #include "processing/picture/render_mode.h"
+#include "processing/ray_caster/border_space.h"
 #include "processing/ray_caster/light_source.h"
 #include "processing/ray_caster/packed_light.h"
 #include "processing/ray_caster/packed_voxels.h"
@@ -52,7 +53,7 @@ struct KernelJob {
     float worthGradient = 0.0f;             ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
-    const std::uint8_t* bordering = nullptr;  ///< BrickRanges; null where data ends nowhere
+    const BorderSpace* borders = nullptr;     ///< null where data ends nowhere
     std::array<std::int64_t, 3> bricks{};
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;

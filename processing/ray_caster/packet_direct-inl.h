@@ -350,7 +350,7 @@ private:
     /// looked at: what lies farther behind a ray no longer matters.
     HWY_NOINLINE void passEmpty(std::int64_t first, std::int64_t count, bool together) {
         const Floats floats;
-        const std::int64_t looked = m_job.bordering != nullptr ? blockSize : 0, behind = first + count - looked;
+        const std::int64_t looked = m_job.borders != nullptr ? blockSize : 0, behind = first + count - looked;
         const RayBundle<lanes>& rays = m_rays->packet.rays();
         const auto samples = inFloats([&](Doubles, int i) {
             const auto limited = [&](const double* number) {

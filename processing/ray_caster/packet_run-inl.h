@@ -301,7 +301,7 @@ private:
         const std::int64_t offset =
             run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
         run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
-        if (m_job.bordering != nullptr && touchesBorder(low, high))
+        if (m_job.borders != nullptr && touchesBorder(low, high))
             run.volume.presence = voxels.presence() + offset * voxelsPerCube;
     }
 
@@ -336,22 +336,26 @@ private:
             run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
     }
 
-    /// Whether data may end in the bricks of a box, in cubes.
+    /// Whether data may end in a box, in cubes.
     [[nodiscard]] bool touchesBorder(const double (&low)[3], const double (&high)[3]) const {
-        std::int64_t first[3], last[3];
+        const BorderSpace& space = *m_job.borders;
+        std::int64_t brick[3];
         for (int axis = 0; axis < 3; ++axis) {
-            constexpr double rounding = 0.01;
-            const auto brick = [&](double cube) {
-                return std::clamp<std::int64_t>(static_cast<std::int64_t>(cube) >> BrickGrid::shift, 0,
-                                                m_job.bricks[static_cast<std::size_t>(axis)] - 1);
-            };
-            first[axis] = brick(std::max(low[axis] - rounding, 0.0));
-            last[axis] = brick(high[axis] + rounding);
+            const auto cube = static_cast<std::int64_t>(0.5 * (low[axis] + high[axis]));
+            brick[axis] = std::clamp<std::int64_t>(cube >> BorderSpace::shift, 0,
+                                                   space.size()[static_cast<std::size_t>(axis)] - 1);
         }
-        for (std::int64_t z = first[2]; z <= last[2]; ++z)
-            for (std::int64_t y = first[1]; y <= last[1]; ++y)
-                for (std::int64_t x = first[0]; x <= last[0]; ++x)
-                    if (m_job.bordering[x + m_job.bricks[0] * (y + m_job.bricks[1] * z)] != 0) return true;
+        const std::int64_t distance = space.distances()[static_cast<std::size_t>(
+            brick[0] + space.size()[0] * (brick[1] + space.size()[1] * brick[2]))];
+        if (distance == 0) return true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t before = brick[axis] - distance + 1, behind = brick[axis] + distance;
+            constexpr double rounding = 0.01;
+            if (before > 0 && low[axis] < static_cast<double>(before * BorderSpace::edge) + rounding) return true;
+            if (behind < space.size()[static_cast<std::size_t>(axis)] &&
+                high[axis] > static_cast<double>(behind * BorderSpace::edge) - rounding)
+                return true;
+        }
         return false;
     }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "processing/ray_caster.h"
-#include "ray_caster_reference.h"
+#include "ray_caster_scenes.h"
 
 namespace echolucent {
 namespace {
@@ -62,21 +62,41 @@ TEST(RayCasterLight, LightComesFromWhereItIsSaid) {
     }
 }
 
-TEST(RayCasterLight, WhereThereIsNoSurfaceLightIsEven) {
+/// A gap of 12 units that the curve makes transparent, and then tissue; both are of nearly one intensity.
+Volume behindAGap() {
     VolumeGeometry geometry;
-    geometry.size = {20, 20, 20};
-    const Volume volume(geometry, std::vector<std::uint8_t>(8000, 120));
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
+    geometry.size = {20, 20, 40};
+    std::vector<std::uint8_t> voxels(20 * 20 * 40, 120);
+    std::fill_n(voxels.begin(), 20 * 20 * 12, 124);
+    return Volume(geometry, std::move(voxels));
+}
+const OpacityCurve gapIsClear = ManualCurve{{{0, 0.3}, {0.475, 0.3}, {0.48, 0}, {1, 0}}};
+
+TEST(RayCasterLight, WhereThereIsNoSurfaceLightIsEven) {
+    const Volume volume = behindAGap();
+    RayCastSettings settings = settingsFor(volume, Viewpoint{}, 20, 20);
+    settings.camera.heightMm = 18;
     settings.colourMap = ColourMap::grey;  // whose shadows have no tint
-    const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
-    const auto plain = castRays(volume, curve, settings);
-    const Shading shading{};
+    const auto plain = castRays(volume, gapIsClear, settings);
+    const Shading shading{.gradientFloor = 1e9};
     settings.shading = shading;
-    const auto shaded = castRays(volume, curve, settings);
+    const auto shaded = castRays(volume, gapIsClear, settings);
     const double factor = shading.ambient + shading.diffuse * shading.evenLight;
     for (std::size_t i = 0; i < plain->rgba.size(); ++i)
-        EXPECT_NEAR(shaded->rgba[i], plain->rgba[i] * (i % 4 == 3 ? 1.0 : factor), 1e-5)
-            << "no light on the faces of the box";
+        EXPECT_NEAR(shaded->rgba[i], plain->rgba[i] * (i % 4 == 3 ? 1.0 : factor), 1e-4)
+            << "behind the gap nothing is left of the box's face";
+}
+
+TEST(RayCasterLight, TheFaceOfACutShowsGreyValuesAsTheyAre) {
+    const Volume volume = randomVolume<std::uint8_t>({30, 30, 30}, {1, 1, 1}, 4);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{.nearCutMm = 11.3}, 40, 40);
+    settings.camera.heightMm = 25;
+    const OpacityCurve opaque = ManualCurve{{{0, 0.999}, {1, 0.999}}};
+    const auto plain = castRays(volume, opaque, settings);
+    settings.shading = Shading{.shadow = 1.0, .occlusion = 1.0};
+    const Apart difference = apart(*plain, *castRays(volume, opaque, settings));
+    EXPECT_LT(difference.largest, 0.05 * 255) << "of an opaque cut only the first step is seen, a 32nd of it lit";
+    EXPECT_LT(difference.rootMeanSquare, 2.0);
 }
 
 /// Half of a homogeneous volume carries no data; its stored values are 0.
@@ -102,25 +122,23 @@ TEST(RayCasterLight, NoDataIsTransparentWhateverTheCurveSaysOfZero) {
         settings.camera.heightMm = 32;  // a pixel a voxel
         settings.interpolation = interpolation;
         const auto picture = castRays(volume, curve, settings);
-        for (int column = 0; column < 32; ++column)
-            EXPECT_NEAR(pixelAt(*picture, column, 16)[3], 1 - std::pow(0.98, column), 1e-5)
+        // The smoothed border is as far on the one side of the plane as on the other, but for the corners of the box.
+        for (int column = 3; column < 29; ++column)
+            EXPECT_NEAR(pixelAt(*picture, column, 16)[3], 1 - std::pow(0.98, column),
+                        interpolation == Interpolation::nearest ? 1e-5 : 1e-3)
                 << "column " << column << " has that many voxels with data, none mixed with the zeros beside them";
     }
 }
 
-TEST(RayCasterLight, TheBorderOfTheSectorIsNotLit) {
+TEST(RayCasterLight, TheBorderOfTheSectorMakesNoRelief) {
     const Volume volume = halfEmpty();
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 15, 10, 0, 0}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
-        settings.colourMap = ColourMap::grey;  // whose shadows have no tint
-        const auto plain = castRays(volume, curve, settings);
-        const Shading shading{};
-        settings.shading = shading;
-        const auto shaded = castRays(volume, curve, settings);
-        const double factor = shading.ambient + shading.diffuse * shading.evenLight;
-        for (std::size_t i = 0; i < plain->rgba.size(); ++i)
-            EXPECT_NEAR(shaded->rgba[i], plain->rgba[i] * (i % 4 == 3 ? 1.0 : factor), 1e-5);
+        settings.shading = Shading{.towardsLight = {-1, 0, -0.3}};
+        const auto fromLeft = castRays(volume, curve, settings);
+        settings.shading = Shading{.towardsLight = {0, 1, -0.3}};
+        EXPECT_LT(apart(*fromLeft, *castRays(volume, curve, settings)).largest, 0.01);
     }
 }
 
@@ -142,7 +160,7 @@ void compareMasked() {
                 RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 28, -16, 3, 0}, 41, 37);
                 settings.interpolation = interpolation;
                 settings.step = 0.83;
-                if (shaded) settings.shading = Shading{};
+                if (shaded) settings.shading = Shading{.shadow = 0.8, .occlusion = 0.6, .translucency = 0.5};
                 EXPECT_LT(largestDifference(volume, PowerCurve{2, 0.6}, settings), noiseTolerance(volume, shaded))
                     << "seed " << seed << (shaded ? " shaded" : "")
                     << (interpolation == Interpolation::nearest ? " nearest" : " trilinear");

@@ -1,7 +1,7 @@
 // The picture by an obvious, slow route in double precision: every sample of every ray, back to front by eq. 2 of
 // Petersch 2005. It is the one route beside the kernel and PlainCaster, and reads the volume by itself: it checks the
-// rays, steps and samples that those two share. It takes only the curve, the colours and the frame of the view from the
-// program.
+// rays, steps and samples that those two share. It takes only the curve, the colours, the frame of the view, the filled
+// voxels and what light reaches them from the program.
 #pragma once
 
 #include <array>
@@ -14,7 +14,9 @@
 #include <variant>
 #include <vector>
 
+#include "processing/light/light_sweep.h"
 #include "processing/ray_caster.h"
+#include "processing/volume/filled_volume.h"
 
 namespace echolucent {
 
@@ -42,10 +44,20 @@ inline float depthBehind(const DepthMap& map, const RayCastSettings& settings, i
 class ReferenceCaster {
 public:
     ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
-        : m_volume(volume), m_geometry(volume.geometry()), m_curve(curve), m_settings(settings) {}
+        : m_filled(filledVolume(volume)),
+          m_volume(m_filled.voxels),
+          m_geometry(volume.geometry()),
+          m_curve(curve),
+          m_settings(settings) {
+        if (!settings.shading || !settings.shading->asksWhatReaches()) return;
+        LightScene scene = lightSceneOf(settings);
+        scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
+        scene.coarseness = settings.lightCoarseness;
+        m_light = LightSweep(std::make_shared<const Volume>(volume)).lightVolume(curve, scene);
+    }
 
-    /// Of the pixel before: whether a sample with data at half its weight, to the precision of the kernel's positions,
-    /// may be in the picture or not.
+    /// Of the pixel before: whether a sample at which data is present by half, to the precision of the kernel's
+    /// positions, may be in the picture or not. It matters where presence is all or nothing.
     [[nodiscard]] bool undecided() const { return m_closestToHalf < (isOfBytes(m_volume) ? 0.01 : 5e-5); }
 
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
@@ -139,13 +151,13 @@ private:
         const double stepMm = m_settings.step * m_geometry.unit();
         const auto [enter, leave] = partInside(origin, direction, stepMm);
         std::vector<Sample> samples;
-        double before = 1.0;
+        double before = 1.0, unlit = 1.0;
         for (double step = std::floor(enter); step < leave; step += 1.0) {
             // Steps are cut where what is rendered begins and ends.
             const double begin = std::max(step, enter), end = std::min(step + 1.0, leave);
             if (!(begin < end)) continue;
             const auto sample =
-                sampleAt(origin + direction * ((begin + end) / 2 * stepMm), direction, before, end - begin);
+                sampleAt(origin + direction * ((begin + end) / 2 * stepMm), direction, before, end - begin, unlit);
             if (!sample) continue;
             samples.push_back(*sample);
             before *= 1.0 - sample->alpha;
@@ -153,32 +165,45 @@ private:
         return samples;
     }
 
-    [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before,
-                                                 double length) const {
+    /// `unlit` is the share of a cut's face behind the sample before, then behind this one.
+    [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before, double length,
+                                                 double& unlit) const {
         const Vec3 voxel = m_geometry.voxelFromGridMm(point);
-        const auto stored = m_settings.interpolation == Interpolation::nearest ? nearest(voxel) : trilinear(voxel);
-        if (!stored) return std::nullopt;
-        const double intensity = std::clamp(*stored / m_volume.whiteLevel(), 0.0, 1.0);
-        const double alpha = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * length);
+        const bool nearestOnly = m_settings.interpolation == Interpolation::nearest;
+        const double presence = !m_filled.presence ? 1.0
+                                : nearestOnly      ? nearest(*m_filled.presence, voxel) / 255
+                                                   : trilinear(*m_filled.presence, voxel) / 255;
+        const bool allOrNothing = nearestOnly || m_settings.mode != RenderMode::direct;
+        if (allOrNothing) m_closestToHalf = std::min(m_closestToHalf, std::abs(presence - 0.5));
+        const double covered =
+            allOrNothing ? (presence >= 0.5 ? 1.0 : 0.0) : std::clamp((presence - 0.25) / 0.5, 0.0, 1.0);
+        const double stored = nearestOnly ? nearest(m_volume, voxel) : trilinear(m_volume, voxel);
+        const double intensity = std::clamp(stored / m_volume.whiteLevel(), 0.0, 1.0);
+        const double units = m_settings.step * length;
+        const double opacity = opacityForStep(opacityAt(m_curve, intensity), units);
+        const double inFluid = 1.0 - std::min(1.0, opacity / units * 16.0);
+        const double left = 1.0 / (1.0 + units / 2 * (1.0 / 16 + inFluid));
+        const double border = m_filled.presence ? std::clamp((0.875 - presence) / 0.375, 0.0, 1.0) : 0.0;
+        const double unlitHere = std::max(unlit * left, border);
+        unlit = unlitHere * left;
+        if (covered == 0.0) return std::nullopt;
+        const double alpha = opacity * covered;
         Vec3 colour = colourOf(m_settings.colourMap, intensity);
-        if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha);
+        if (m_settings.shading) colour = lit(colour, voxel, direction, before * alpha, unlitHere);
         return Sample{colour, alpha, intensity, point.dot(m_settings.camera.frame.forward), length};
     }
 
-    [[nodiscard]] std::optional<double> value(std::array<std::int64_t, 3> at) const {
+    [[nodiscard]] double value(const Volume& volume, std::array<std::int64_t, 3> at) const {
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = std::clamp<std::int64_t>(at[axis], 0, m_geometry.size[axis] - 1);
-        const std::int64_t offset = m_geometry.offset(at[0], at[1], at[2]);
-        const double stored = m_volume.storedValue(offset);
-        if (!m_volume.hasData(offset) || !std::isfinite(stored)) return std::nullopt;
-        return stored;
+        return volume.storedValue(m_geometry.offset(at[0], at[1], at[2]));
     }
-    [[nodiscard]] std::optional<double> nearest(const Vec3& voxel) const {
-        return value({std::llround(std::floor(voxel[0] + 0.5)), std::llround(std::floor(voxel[1] + 0.5)),
-                      std::llround(std::floor(voxel[2] + 0.5))});
+    [[nodiscard]] double nearest(const Volume& volume, const Vec3& voxel) const {
+        return value(volume, {std::llround(std::floor(voxel[0] + 0.5)), std::llround(std::floor(voxel[1] + 0.5)),
+                              std::llround(std::floor(voxel[2] + 0.5))});
     }
-    [[nodiscard]] std::optional<double> trilinear(const Vec3& voxel, bool* complete = nullptr) const {
-        double sum = 0.0, weights = 0.0;
+    [[nodiscard]] double trilinear(const Volume& volume, const Vec3& voxel) const {
+        double sum = 0.0;
         for (int corner = 0; corner < 8; ++corner) {
             std::array<std::int64_t, 3> at{};
             double weight = 1.0;
@@ -188,36 +213,29 @@ private:
                 at[axis] = std::llround(std::floor(position)) + (far ? 1 : 0);
                 weight *= far ? position - std::floor(position) : 1.0 - (position - std::floor(position));
             }
-            if (const auto stored = value(at)) {
-                sum += weight * *stored;
-                weights += weight;
-            } else if (complete != nullptr && weight > 1e-5) {
-                *complete = false;
-            }
+            sum += weight * value(volume, at);
         }
-        m_closestToHalf = std::min(m_closestToHalf, std::abs(weights - 0.5));
-        if (weights < 0.5) return std::nullopt;
-        return sum / weights;
+        return sum;
     }
 
-    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& direction, double seen) const {
+    [[nodiscard]] Vec3 lit(const Vec3& colour, const Vec3& voxel, const Vec3& direction, double seen,
+                           double unlit) const {
         const Shading& shading = *m_settings.shading;
-        bool complete = seen >= std::min(1.0, m_settings.step) / 128;
+        const bool worth = seen >= std::min(1.0, m_settings.step) / 128;
         Vec3 gradient{0, 0, 0};
-        for (int axis = 0; axis < 3 && complete; ++axis) {
+        for (int axis = 0; axis < 3 && worth; ++axis) {
             const double last = static_cast<double>(m_geometry.size[static_cast<std::size_t>(axis)] - 1);
             const double reach = shading.gradientReach * m_geometry.unit() / m_geometry.spacing[axis];
             Vec3 before = voxel, after = voxel;
             before[axis] = std::clamp(voxel[axis] - reach, 0.0, last);
             after[axis] = std::clamp(voxel[axis] + reach, 0.0, last);
-            const auto low = trilinear(before, &complete), high = trilinear(after, &complete);
-            if (!complete || !(after[axis] > before[axis])) continue;
+            if (!(after[axis] > before[axis])) continue;
             const double units = (after[axis] - before[axis]) * m_geometry.spacing[axis] / m_geometry.unit();
-            gradient[axis] = (*high - *low) / m_volume.whiteLevel() / units;
+            gradient[axis] = (trilinear(m_volume, after) - trilinear(m_volume, before)) / m_volume.whiteLevel() / units;
         }
         const double magnitude = length(gradient);
         double surface = 0.0, facing = 0.0, highlight = 0.0;
-        if (complete && magnitude > 0.0) {
+        if (magnitude > 0.0) {
             const ViewFrame& frame = m_settings.camera.frame;
             const Vec3 light = normalized(frame.right * shading.towardsLight[0] + frame.down * shading.towardsLight[1] +
                                           frame.forward * shading.towardsLight[2]);
@@ -227,23 +245,32 @@ private:
             highlight = shading.specular *
                         std::pow(std::max(0.0, normal.dot(normalized(light - direction))), shading.specularPower);
         }
-        const double factor = shading.ambient +
-                              shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) +
-                              surface * highlight;
+        ReachingShares reaching;
+        if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(voxel));
+        const double key = shading.shadow * reaching.key + 1.0 - shading.shadow;
+        const double around = shading.occlusion * reaching.around + 1.0 - shading.occlusion;
+        const double factor =
+            shading.ambient * around +
+            key * (shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) + surface * highlight);
+        const double glow = 4.0 * shading.translucency * (std::sqrt(reaching.key) - reaching.key);
         const Vec3 tint = shadowTintOf(m_settings.colourMap);
         const auto shadow = [&](int channel, double f) {
             return tint[channel] + (1 - tint[channel]) * std::min(1.0, f);
         };
         Vec3 bright;
-        for (int channel = 0; channel < 3; ++channel)
-            bright[channel] = std::min(1.0, colour[channel] * factor * shadow(channel, factor));
+        for (int channel = 0; channel < 3; ++channel) {
+            const double here = unlit + (1.0 - unlit) * (factor + glow * translucentGlow[channel]);
+            bright[channel] = std::min(1.0, colour[channel] * here * shadow(channel, here));
+        }
         return bright;
     }
 
+    FilledVolume m_filled;
     const Volume& m_volume;
     const VolumeGeometry& m_geometry;
     const OpacityCurve& m_curve;
     const RayCastSettings& m_settings;
+    std::optional<LightVolume> m_light;
     mutable double m_closestToHalf = 1.0, m_opaqueDepth = 0.0;
 };
 

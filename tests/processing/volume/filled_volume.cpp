@@ -1,0 +1,100 @@
+// What pictures read where the data ends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "processing/volume/filled_volume.h"
+
+namespace echolucent {
+namespace {
+
+constexpr std::int64_t edge = 32;
+
+VolumeGeometry cube() {
+    VolumeGeometry geometry;
+    geometry.size = {edge, edge, edge};
+    return geometry;
+}
+
+/// A volume of 100, and 7 where isData(x, y, z) is false, of which the mask says that it is no data.
+template <typename IsData>
+Volume maskedVolume(const IsData& isData) {
+    const VolumeGeometry geometry = cube();
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 7), mask(voxels.size(), 0);
+    for (std::int64_t z = 0; z < edge; ++z)
+        for (std::int64_t y = 0; y < edge; ++y)
+            for (std::int64_t x = 0; x < edge; ++x)
+                if (isData(x, y, z)) {
+                    const auto at = static_cast<std::size_t>(geometry.offset(x, y, z));
+                    voxels[at] = 100;
+                    mask[at] = 1;
+                }
+    return Volume(geometry, std::move(voxels)).withDataMask(std::move(mask));
+}
+
+double presenceAt(const FilledVolume& filled, std::int64_t x, std::int64_t y, std::int64_t z) {
+    return filled.presence->storedValue(filled.presence->geometry().offset(x, y, z)) / 255.0;
+}
+
+TEST(FilledVolume, IsTheVolumeItselfWhereAllVoxelsCarryData) {
+    const Volume volume = maskedVolume([](auto...) { return true; });
+    const FilledVolume filled = filledVolume(volume);
+    EXPECT_FALSE(filled.presence.has_value());
+    EXPECT_EQ(&filled.voxels.voxels(), &volume.voxels()) << "not copied";
+}
+
+TEST(FilledVolume, VoxelsBesideDataHoldItAndThoseFarAwayNothing) {
+    const FilledVolume filled = filledVolume(maskedVolume([](auto x, auto, auto) { return x >= 16; }));
+    for (std::int64_t x = 0; x < edge; ++x) {
+        const std::int64_t at = cube().offset(x, 9, 21);
+        EXPECT_EQ(filled.voxels.storedValue(at), x >= 16 - FilledVolume::fillReach ? 100.0 : 0.0) << x;
+        EXPECT_EQ(filled.voxels.hasData(at), x >= 16 - FilledVolume::fillReach) << x;
+    }
+}
+
+TEST(FilledVolume, PresenceOfAPlaneIsTheBinomialOfItsDistance) {
+    const FilledVolume filled = filledVolume(maskedVolume([](auto x, auto, auto) { return x >= 16; }));
+    const double expected[] = {0, 0, 1, 5, 11, 15, 16, 16};
+    for (std::int64_t i = 0; i < 8; ++i)
+        EXPECT_NEAR(presenceAt(filled, 12 + i, 3, 28), expected[i] / 16, 1.0 / 255) << i;
+}
+
+TEST(FilledVolume, AnObliquePlaneHasNoStairs) {
+    // Where presence crosses one half along x, the plane x = 16 + z / 5 is, whose stairs are of whole voxels.
+    const FilledVolume filled = filledVolume(maskedVolume([](auto x, auto, auto z) { return 5 * (x - 12) >= z; }));
+    double largest = 0.0;
+    for (std::int64_t z = 4; z < edge - 4; ++z)
+        for (std::int64_t x = 4; x < edge - 4; ++x) {
+            const double before = presenceAt(filled, x, 16, z), behind = presenceAt(filled, x + 1, 16, z);
+            if (before >= 0.5 || behind < 0.5) continue;
+            const double crossing = static_cast<double>(x) + (0.5 - before) / (behind - before);
+            // The mask's own border lies half a voxel before its first voxels, on average 0.1 after the plane.
+            largest = std::max(largest, std::abs(crossing - (12 + static_cast<double>(z) / 5 + 0.4 - 0.5)));
+        }
+    EXPECT_LT(largest, 0.3) << "the mask's stairs reach 0.4";
+    EXPECT_GT(largest, 0.0);
+}
+
+TEST(FilledVolume, WhatIsAVoxelThickStays) {
+    const auto sheet = filledVolume(maskedVolume([](auto x, auto, auto) { return x == 16; }));
+    const auto wire = filledVolume(maskedVolume([](auto x, auto y, auto) { return x == 16 && y == 9; }));
+    const auto gap = filledVolume(maskedVolume([](auto x, auto y, auto z) { return x != 16 || y != 9 || z != 3; }));
+    EXPECT_GE(presenceAt(sheet, 16, 5, 5), 0.5);
+    EXPECT_LT(presenceAt(sheet, 18, 5, 5), 0.25);
+    EXPECT_GE(presenceAt(wire, 16, 9, 5), 0.75);
+    EXPECT_LT(presenceAt(wire, 18, 9, 5), 0.25);
+    EXPECT_LT(presenceAt(gap, 16, 9, 3), 0.25);
+    EXPECT_GE(presenceAt(gap, 18, 9, 3), 0.75);
+}
+
+TEST(FilledVolume, FloatsThatAreNotFiniteAreFilledWithoutAMask) {
+    std::vector<float> voxels(static_cast<std::size_t>(cube().voxelCount()), 2.5f);
+    voxels[static_cast<std::size_t>(cube().offset(5, 6, 7))] = std::numeric_limits<float>::quiet_NaN();
+    const FilledVolume filled = filledVolume(Volume(cube(), std::move(voxels)));
+    EXPECT_EQ(filled.voxels.storedValue(cube().offset(5, 6, 7)), 2.5);
+    EXPECT_LT(presenceAt(filled, 5, 6, 7), 0.25);
+}
+
+}  // namespace
+}  // namespace echolucent
