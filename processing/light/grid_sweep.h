@@ -31,8 +31,8 @@ public:
                                                          const LightGrid& grid);
 
     [[nodiscard]] bool alongX() const { return m_axis == 0; }
-    /// What reaches the middle of each place, times the directions' weights and `fullLight`, in the order of the
-    /// extinctions that it was swept through, times `attenuation`. Cancel is polled in every slice.
+    /// What reaches each place, a quarter of it on the way, times the directions' weights and `fullLight`, in the order
+    /// of the extinctions that it was swept through, times `attenuation`. Cancel is polled in every slice.
     [[nodiscard]] std::vector<std::uint16_t> sweep(const GridExtinctions& extinctions, double attenuation,
                                                    const Progress& progress) const;
 

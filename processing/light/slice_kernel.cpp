@@ -24,7 +24,9 @@ HWY_INLINE FloatVector faded(FloatVector x) {
     return hn::Mul(square, square);
 }
 
-/// What leaves a place has gone through half of it twice; what reaches its middle has done so once.
+/// What leaves a place has gone through half of it twice; what counts as reaching it has gone through a quarter of it:
+/// places smear a surface towards the light, and counted in their middle its lit side would be too dark
+/// (docs/light.md).
 HWY_INLINE void sweepRow(const SliceJob& job, const SweptDirection& direction, const float* extinctions, int row) {
     const Floats floats;
     const auto stride = static_cast<std::ptrdiff_t>(job.planeStride);
@@ -39,9 +41,9 @@ HWY_INLINE void sweepRow(const SliceJob& job, const SweptDirection& direction, c
         const auto upper = hn::MulAdd(b, hn::LoadU(floats, first + x + 1), hn::Mul(a, hn::LoadU(floats, first + x)));
         const auto lower = hn::MulAdd(d, hn::LoadU(floats, second + x + 1), hn::Mul(c, hn::LoadU(floats, second + x)));
         const auto half = faded(hn::Mul(hn::LoadU(floats, extinctions + x), halfLength));
-        const auto middle = hn::Mul(hn::Add(upper, lower), half);
-        hn::StoreU(hn::Mul(middle, half), floats, behind + x);
-        hn::StoreU(hn::MulAdd(weight, middle, hn::LoadU(floats, job.sums + x)), floats, job.sums + x);
+        const auto arriving = hn::Add(upper, lower), reaching = hn::Mul(arriving, hn::Sqrt(half));
+        hn::StoreU(hn::Mul(arriving, hn::Mul(half, half)), floats, behind + x);
+        hn::StoreU(hn::MulAdd(weight, reaching, hn::LoadU(floats, job.sums + x)), floats, job.sums + x);
     }
     behind[columns] = 1.0f;
 }

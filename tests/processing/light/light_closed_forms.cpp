@@ -66,11 +66,11 @@ TEST(LightClosedForms, OpacityIsPerUnitWhereVoxelsAreNoCubes) {
     }
 }
 
-TEST(LightClosedForms, WithinTissueALightFadesByTheWayToThePlacesMiddle) {
+TEST(LightClosedForms, WithinTissueALightFadesByTheWayIntoThePlace) {
     const auto volume = volumeOf(cubeGeometry(9), [](const Vec3&) { return true; });
     const auto light = *LightSweep(volume).lightVolume(rising(0.2), keyAlong({0, 0, -1}));
     for (int z = 0; z < 9; ++z)
-        EXPECT_NEAR(keyAt(light, 4, 4, z), 255.0 * std::pow(0.8, z + 0.5), 1.0) << "slice " << z;
+        EXPECT_NEAR(keyAt(light, 4, 4, z), 255.0 * std::pow(0.8, z + 0.25), 1.0) << "slice " << z;
 }
 
 /// The wall fills half of space; at its foot half of the hemisphere is seen.
@@ -133,14 +133,14 @@ TEST(LightClosedForms, AShareOfTheExtinctionAttenuates) {
     LightScene scene = keyAlong({0, 0, -1});
     scene.attenuation = 0.25;
     const auto light = *LightSweep(volume).lightVolume(rising(0.2), scene);
-    EXPECT_NEAR(keyAt(light, 4, 4, 6), 255.0 * std::pow(0.8, 6.5 * 0.25), 1.0);
+    EXPECT_NEAR(keyAt(light, 4, 4, 6), 255.0 * std::pow(0.8, 6.25 * 0.25), 1.0);
 }
 
-TEST(LightClosedForms, AVolumeOfOneVoxelIsHalfPassedInItsMiddle) {
+TEST(LightClosedForms, AVolumeOfOneVoxelIsPassedToAQuarter) {
     VolumeGeometry geometry;
     const auto one = volumeOf(geometry, [](const Vec3&) { return true; });
-    EXPECT_NEAR(keyAt(*LightSweep(one).lightVolume(rising(0.5), keyAlong({0, 0, -1})), 0, 0, 0), 255.0 * std::sqrt(0.5),
-                1.0);
+    EXPECT_NEAR(keyAt(*LightSweep(one).lightVolume(rising(0.5), keyAlong({0, 0, -1})), 0, 0, 0),
+                255.0 * std::pow(0.5, 0.25), 1.0);
     geometry.size = {7, 1, 5};
     LightScene coarse;
     coarse.towardsKey = {1, -2, 0.5};
