@@ -21,7 +21,8 @@ LightScene lightSceneOf(const RayCastSettings& settings) {
     LightScene scene;
     scene.towardsKey = frame.right * light[0] + frame.down * light[1] + frame.forward * light[2];
     scene.towardsViewer = -frame.forward;
-    scene.rendered = {frame.forward, settings.nearPlaneDepthMm, settings.box, settings.clippingPlanes};
+    scene.rendered = {frame.forward, settings.nearPlaneDepthMm, settings.box, settings.clippingPlanes,
+                      settings.cutSurface};
     return scene;
 }
 

@@ -5,6 +5,14 @@
 
 namespace echolucent {
 
+namespace {
+
+double thicknessAlong(const Vec3& normal, const Vec3& placeMm) {
+    return std::abs(normal[0]) * placeMm[0] + std::abs(normal[1]) * placeMm[1] + std::abs(normal[2]) * placeMm[2];
+}
+
+}  // namespace
+
 RenderedShares::RenderedShares(const RenderedPart& part, const Vec3& placeMm) {
     if (std::isfinite(part.nearPlaneDepthMm)) addFace(normalized(part.forward), part.nearPlaneDepthMm, placeMm);
     for (const ClippingPlane& plane : part.clippingPlanes) {
@@ -17,13 +25,13 @@ RenderedShares::RenderedShares(const RenderedPart& part, const Vec3& placeMm) {
         addFace(normal, part.box->low[axis], placeMm);
         addFace(-normal, -part.box->high[axis], placeMm);
     }
+    m_surface = part.cutSurface;
+    if (m_surface) m_surfaceThicknessMm = thicknessAlong(m_surface->frame.forward, placeMm);
 }
 
 void RenderedShares::addFace(const Vec3& normal, double depth, const Vec3& placeMm) {
     if (!std::isfinite(depth)) return;
-    double thickness = 0.0;
-    for (int axis = 0; axis < 3; ++axis) thickness += std::abs(normal[axis]) * placeMm[axis];
-    m_faces.push_back({normal, depth, thickness});
+    m_faces.push_back({normal, depth, thicknessAlong(normal, placeMm)});
 }
 
 void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const {
@@ -35,11 +43,21 @@ void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, 
         for (int x = 0; x < count; ++x)
             values[x] *= std::min(std::max(first + step * static_cast<float>(x), 0.0f), 1.0f);
     }
+    if (m_surface) multiplyRowBySurface(firstMm, stepMm, count, values);
+}
+
+void RenderedShares::multiplyRowBySurface(const Vec3& firstMm, double stepMm, int count, float* values) const {
+    for (int x = 0; x < count; ++x) {
+        const Vec3 place = firstMm + Vec3(stepMm * x, 0, 0);
+        const double behind = m_surface->frame.forward.dot(place) - m_surface->depthAt(place);
+        values[x] *= static_cast<float>(std::clamp(behind / m_surfaceThicknessMm + 0.5, 0.0, 1.0));
+    }
 }
 
 bool RenderedShares::contains(const Vec3& gridMm) const {
     return std::all_of(m_faces.begin(), m_faces.end(),
-                       [&](const Face& face) { return face.normal.dot(gridMm) >= face.depth; });
+                       [&](const Face& face) { return face.normal.dot(gridMm) >= face.depth; }) &&
+           !(m_surface && m_surface->cutsAway(gridMm));
 }
 
 }  // namespace echolucent

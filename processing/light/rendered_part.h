@@ -16,6 +16,7 @@ struct RenderedPart {
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();  ///< from the grid origin along `forward`
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
+    std::optional<CutSurface> cutSurface;
     friend bool operator==(const RenderedPart&, const RenderedPart&) = default;
 };
 
@@ -27,7 +28,7 @@ public:
     /// normal.
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
-    [[nodiscard]] bool everywhere() const { return m_faces.empty(); }
+    [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }
     /// Multiplies `count` values by the shares of the places at firstMm, firstMm + (stepMm,0,0), ... This is where
     /// light asks whether something is rendered, and nowhere else.
     void multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const;
@@ -42,7 +43,11 @@ private:
         double thicknessMm;  ///< of a place along the normal
     };
     void addFace(const Vec3& normal, double depth, const Vec3& placeMm);
+    void multiplyRowBySurface(const Vec3& firstMm, double stepMm, int count, float* values) const;
+
     std::vector<Face> m_faces;
+    std::optional<CutSurface> m_surface;
+    double m_surfaceThicknessMm = 0.0;  ///< of a place along the surface's forward
 };
 
 }  // namespace echolucent

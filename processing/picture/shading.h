@@ -12,14 +12,13 @@ namespace echolucent {
 /// The gradient is a central difference of trilinear samples in normalised intensity per unit; the surface's normal
 /// points to the darker side. Speckle has gradients too, so a weak gradient counts for less: with m its magnitude, a
 /// sample is lit as a surface with the share w = m^2 / (m^2 + gradientFloor^2) and evenly with the rest. With n the
-/// normal, l towards the light, h halfway between light and eye, k and o the shares of the key light and of the light
-/// around the viewer that reach the place (LightVolume; 1 where nothing asks for them), k' = 1 - shadow (1 - k) and
-/// o' = 1 - occlusion (1 - o), per channel:
-///     factor = ambient o' + diffuse k' (w max(0, (n.l + wrap) / (1 + wrap)) + (1 - w) evenLight)
-///              + w specular k' max(0, n.h)^specularPower + translucency glow 4 (sqrt(k) - k)
+/// normal, l towards the light, h halfway between light and eye, per channel:
+///     factor = ambient o' + k' (diffuse (w max(0, (n.l + wrap) / (1 + wrap)) + (1 - w) evenLight)
+///                               + w specular max(0, n.h)^specularPower)
 ///     lit    = (1 - u) factor + u
-///     colour = min(1, colour * lit * (t + (1 - t) min(1, lit)))        t: shadowTintOf(colour map), glow:
-///     translucentGlow
+///     colour = min(1, colour * lit * (t + (1 - t) min(1, lit)))        t: shadowTintOf(colour map)
+/// k' and o' are what the strengths below make of the light that reaches the place (reachingFactor()); 1 where nothing
+/// asks for it.
 /// Highlights have the colour of what they lie on: white ones turn haze into grey fog. u is the share of a cut's face
 /// (CutFace), which shows grey values as they are.
 struct Shading {
@@ -36,15 +35,12 @@ struct Shading {
     double keyHalfAngleDegrees = 8.0;  ///< [0,45]: how soft the key light's shadows are; 0 has no penumbra
     double shadow = 0.0;               ///< [0,1]: how dark it is where no key light reaches
     double occlusion = 0.0;            ///< [0,1]: how dark it is where no light around the viewer reaches
-    double translucency = 0.0;         ///< [0,1]: how warm thin tissue glows that stands before the key light
+    double translucency = 0.0;         ///< [0,1]: how warm the key light becomes in thin tissue
 
     /// Whether a light volume is asked for.
     [[nodiscard]] bool asksWhatReaches() const { return shadow > 0.0 || occlusion > 0.0 || translucency > 0.0; }
     friend bool operator==(const Shading&, const Shading&) = default;
 };
-
-/// What translucency 1 adds at most to the factor of each channel.
-inline const Vec3 translucentGlow{0.5, 0.2, 0.08};
 
 /// Where what is rendered begins within tissue, a picture shows the face of a cut: its gradients belong to speckle, not
 /// to surfaces. A ray's share u of a cut's face is 1 where the ray begins, and wherever data ends (1 up to presence

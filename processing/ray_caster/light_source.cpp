@@ -18,7 +18,6 @@ LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, 
         source.unitsPerVoxel[i] = static_cast<float>(units);
         source.reach[i] = shading.gradientReach / units;
         source.shadowTint[i] = static_cast<float>(tint[axis]);
-        source.glow[i] = static_cast<float>(shading.translucency * translucentGlow[axis]);
     }
     source.ambient = static_cast<float>(shading.ambient);
     source.diffuse = static_cast<float>(shading.diffuse);
@@ -26,6 +25,7 @@ LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, 
     source.wrap = static_cast<float>(shading.wrap);
     source.shadow = static_cast<float>(shading.shadow);
     source.occlusion = static_cast<float>(shading.occlusion);
+    source.translucency = static_cast<float>(shading.translucency);
     source.floorSquare = static_cast<float>(shading.gradientFloor * shading.gradientFloor);
     for (std::size_t i = 0; i < source.highlight.size(); ++i) {
         const double cosine = std::min(1.0, static_cast<double>(i) / LightSource::highlightIntervals);

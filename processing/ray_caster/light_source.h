@@ -20,8 +20,8 @@ struct LightSource {
     std::array<double, 3> reach{};        ///< voxels
     std::array<float, 3> unitsPerVoxel{};
     float ambient = 0, diffuse = 0, evenLight = 0, wrap = 0, floorSquare = 0;
-    float shadow = 0, occlusion = 0;
-    std::array<float, 3> shadowTint{}, glow{};              ///< glow: what translucency adds at most
+    float shadow = 0, occlusion = 0, translucency = 0;
+    std::array<float, 3> shadowTint{};
     std::array<float, highlightIntervals + 2> highlight{};  ///< over the cosine between normal and half vector
 };
 [[nodiscard]] LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, const ViewFrame& frame,

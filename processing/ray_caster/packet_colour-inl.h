@@ -63,9 +63,9 @@ private:
     Lanes m_base[3], m_slope[3];
 };
 
-/// What light makes of a colour: a factor for all channels, and how much of the glow comes to it.
+/// The factors of Shading for red, green and blue.
 struct LitBy {
-    FloatVector factor, glow;
+    FloatVector red, green, blue;
 };
 
 /// Gradients and light of the samples of one packet.
@@ -112,29 +112,38 @@ public:
         const Floats floats;
         const auto cosine = dot(hn::Load(floats, m_half[0]), hn::Load(floats, m_half[1]), hn::Load(floats, m_half[2]));
         const auto highlight = highlightAt(cosine);
-        if (m_reaching == nullptr)
-            return {hn::MulAdd(share, highlight, hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient))),
-                    zero};
-        const Reaching reaching = reachingAt(*m_reaching, run, at);
-        const auto left = [&](FloatVector reached, float strength) {
-            return hn::MulAdd(reached, set(strength), set(1.0f - strength));
-        };
-        const auto key = hn::MulAdd(share, highlight, hn::Mul(set(m_source.diffuse), diffuse));
-        return {hn::MulAdd(left(reaching.key, m_source.shadow), key,
-                           hn::Mul(left(reaching.around, m_source.occlusion), set(m_source.ambient))),
-                hn::Mul(set(4.0f), hn::Sub(hn::Sqrt(reaching.key), reaching.key))};
+        if (m_reaching == nullptr) {
+            const auto all =
+                hn::MulAdd(share, highlight, hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient)));
+            return {all, all, all};
+        }
+        return reachedBy(reachingAt(*m_reaching, run, at),
+                         hn::MulAdd(share, highlight, hn::Mul(set(m_source.diffuse), diffuse)));
     }
 
     /// `unlit` is the share that keeps its colour (CutFace). Nothing is brighter than white.
-    HWY_INLINE FloatVector lit(FloatVector colour, const LitBy& light, FloatVector unlit, std::size_t channel) const {
+    HWY_INLINE FloatVector lit(FloatVector colour, FloatVector factor, FloatVector unlit, std::size_t channel) const {
         const auto one = set(1.0f), tint = set(m_source.shadowTint[channel]);
-        const auto bare = hn::MulAdd(light.glow, set(m_source.glow[channel]), light.factor);
-        const auto factor = hn::MulAdd(unlit, hn::Sub(one, bare), bare);
-        const auto shadow = hn::MulAdd(hn::Sub(one, tint), hn::Min(one, factor), tint);
-        return hn::Min(one, hn::Mul(hn::Mul(colour, factor), shadow));
+        const auto mixed = hn::MulAdd(unlit, hn::Sub(one, factor), factor);
+        const auto shadow = hn::MulAdd(hn::Sub(one, tint), hn::Min(one, mixed), tint);
+        return hn::Min(one, hn::Mul(hn::Mul(colour, mixed), shadow));
     }
 
 private:
+    /// reachingFactor(); `key` is the key light where all of it reaches.
+    HWY_INLINE LitBy reachedBy(const Reaching& reaching, FloatVector key) const {
+        const auto left = [&](FloatVector reached, float strength) {
+            return hn::MulAdd(reached, set(strength), set(1.0f - strength));
+        };
+        const auto ambient = hn::Mul(left(reaching.around, m_source.occlusion), set(m_source.ambient));
+        const auto lightOf = [&](FloatVector reached) {
+            return hn::MulAdd(left(reached, m_source.shadow), key, ambient);
+        };
+        const auto k = reaching.key, translucency = set(m_source.translucency);
+        return {lightOf(between(k, hn::Sqrt(k), translucency)), lightOf(k),
+                lightOf(between(k, hn::Mul(k, k), translucency))};
+    }
+
     template <int axis>
     static HWY_INLINE IntVector& componentOf(Position& at) {
         if constexpr (axis == 0) return at.x;

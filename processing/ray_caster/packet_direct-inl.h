@@ -322,13 +322,15 @@ private:
                           Colour& colour) const {
         const Light<Voxel>& light = *m_rays->light;
         const auto worth = hn::Ge(seen, set(m_job.worthGradient));
-        LitBy by{set(light.even()), set(0.0f)};
+        const auto even = set(light.even());
+        LitBy by{even, even, even};
         if (!hn::AllFalse(Floats(), worth)) {
             const LitBy found = light.at(run, run.at(number), worth);
-            by = {hn::IfThenElse(worth, found.factor, by.factor), hn::IfThenElseZero(worth, found.glow)};
+            by = {hn::IfThenElse(worth, found.red, even), hn::IfThenElse(worth, found.green, even),
+                  hn::IfThenElse(worth, found.blue, even)};
         }
-        colour = {light.lit(colour.red, by, unlit, 0), light.lit(colour.green, by, unlit, 1),
-                  light.lit(colour.blue, by, unlit, 2)};
+        colour = {light.lit(colour.red, by.red, unlit, 0), light.lit(colour.green, by.green, unlit, 1),
+                  light.lit(colour.blue, by.blue, unlit, 2)};
     }
 
     /// The share of a cut's face (CutFace) in a sample; rays are then behind it.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "processing/parallel.h"
+#include "processing/picture/reaching_light.h"
 
 namespace echolucent {
 
@@ -195,23 +196,11 @@ Vec3 PlainCaster::factorsAt(const Seen& seen) const {
     const Shading& shading = *m_settings.shading;
     const bool worth = seen.added >= m_casting.leastLitOpacity;
     const Vec3 gradient = worth ? m_sampler.gradientAt(seen.voxel, shading.gradientReach) : Vec3(0, 0, 0);
-    const double magnitude = length(gradient);
-    double surface = 0.0, diffuse = 0.0, specular = 0.0;
-    if (magnitude > 0.0) {
-        const Vec3 normal = gradient * (-1.0 / magnitude), half = m_towardsLight - seen.rayDirection;
-        surface = magnitude * magnitude / (magnitude * magnitude + shading.gradientFloor * shading.gradientFloor);
-        diffuse = std::max(0.0, (normal.dot(m_towardsLight) + shading.wrap) / (1.0 + shading.wrap));
-        if (length(half) > 0.0) specular = std::pow(std::max(0.0, normal.dot(normalized(half))), shading.specularPower);
-    }
+    const SurfaceLight surface = surfaceLight(shading, gradient, m_towardsLight, seen.rayDirection);
     ReachingShares reaching;
     if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(seen.voxel));
-    const double key = 1.0 - shading.shadow * (1.0 - reaching.key);
-    const double around = 1.0 - shading.occlusion * (1.0 - reaching.around);
-    const double factor = shading.ambient * around +
-                          shading.diffuse * key * (surface * diffuse + (1.0 - surface) * shading.evenLight) +
-                          surface * shading.specular * key * specular;
-    const double glow = shading.translucency * 4.0 * (std::sqrt(reaching.key) - reaching.key);
-    return Vec3::all(factor) + translucentGlow * glow;
+    return reachingFactor(shading, {shading.shadow, shading.occlusion, shading.translucency}, reaching.key,
+                          reaching.around, surface);
 }
 
 /// Shading's formula.

@@ -96,7 +96,7 @@ TEST(RayCasterLight, TheFaceOfACutShowsGreyValuesAsTheyAre) {
     settings.shading = Shading{.shadow = 1.0, .occlusion = 1.0};
     const Apart difference = apart(*plain, *castRays(volume, opaque, settings));
     EXPECT_LT(difference.largest, 0.05 * 255) << "of an opaque cut only the first step is seen, a 32nd of it lit";
-    EXPECT_LT(difference.rootMeanSquare, 2.0);
+    EXPECT_LT(difference.rootMeanSquare, 4.5);
 }
 
 /// Half of a homogeneous volume carries no data; its stored values are 0.

@@ -247,19 +247,22 @@ private:
         }
         ReachingShares reaching;
         if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(voxel));
-        const double key = shading.shadow * reaching.key + 1.0 - shading.shadow;
         const double around = shading.occlusion * reaching.around + 1.0 - shading.occlusion;
-        const double factor =
-            shading.ambient * around +
-            key * (shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) + surface * highlight);
-        const double glow = 4.0 * shading.translucency * (std::sqrt(reaching.key) - reaching.key);
+        const double key =
+            shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) + surface * highlight;
+        const auto factorOf = [&](double scattered) {
+            const double reached = reaching.key + shading.translucency * (scattered - reaching.key);
+            return shading.ambient * around + key * (1.0 - shading.shadow * (1.0 - reached));
+        };
+        const Vec3 factors{factorOf(std::sqrt(reaching.key)), factorOf(reaching.key),
+                           factorOf(reaching.key * reaching.key)};
         const Vec3 tint = shadowTintOf(m_settings.colourMap);
         const auto shadow = [&](int channel, double f) {
             return tint[channel] + (1 - tint[channel]) * std::min(1.0, f);
         };
         Vec3 bright;
         for (int channel = 0; channel < 3; ++channel) {
-            const double here = unlit + (1.0 - unlit) * (factor + glow * translucentGlow[channel]);
+            const double here = unlit + (1.0 - unlit) * factors[channel];
             bright[channel] = std::min(1.0, colour[channel] * here * shadow(channel, here));
         }
         return bright;
