@@ -307,7 +307,7 @@ private:
             opacity = hn::Mul(opacity, coverageOf(presence, m_job.nearest));
             border = borderOf(presence);
         }
-        const auto unlit = m_rays->light ? passCutFace(step, border, inRange) : border;
+        const auto unlit = m_rays->light ? m_rays->cutFaces.pass(step.units, step.opacity, border, inRange) : border;
         // Half of the samples of a curve that clears fluid show nothing.
         if (hn::AllFalse(floats, hn::Gt(opacity, set(0.0f)))) return;
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
@@ -333,25 +333,9 @@ private:
                   light.lit(colour.blue, by.blue, unlit, 2)};
     }
 
-    /// The share of a cut's face (CutFace) in a sample; rays are then behind it.
-    HWY_INLINE FloatVector passCutFace(const RichStep& step, FloatVector border, LaneMask inRange) {
-        constexpr auto fluid = static_cast<float>(1.0 / CutFace::fluidDepth);
-        constexpr auto all = static_cast<float>(1.0 / CutFace::tissueDepth + 1.0 / CutFace::fluidDepth);
-        constexpr auto perOpacity = static_cast<float>(1.0 / CutFace::tissueOpacity);
-        const auto tissue = hn::Min(step.units, hn::Mul(step.opacity, set(perOpacity)));
-        const auto rate = hn::NegMulAdd(tissue, set(fluid), hn::Mul(step.units, set(all)));
-        const auto one = set(1.0f), left = hn::Div(one, hn::MulAdd(rate, set(0.5f), one));
-        const Floats floats;
-        const auto before = hn::Load(floats, m_rays->unlit);
-        const auto unlit = hn::Max(hn::Mul(before, left), border);
-        hn::Store(hn::IfThenElse(inRange, hn::Mul(unlit, left), before), floats, m_rays->unlit);
-        return unlit;
-    }
-
     /// Passes `count` samples from `first` on, all of which show nothing. Where data may end, only the last ones are
     /// looked at: what lies farther behind a ray no longer matters.
     HWY_NOINLINE void passEmpty(std::int64_t first, std::int64_t count, bool together) {
-        const Floats floats;
         const std::int64_t looked = m_job.borders != nullptr ? blockSize : 0, behind = first + count - looked;
         const RayBundle<lanes>& rays = m_rays->packet.rays();
         const auto samples = inFloats([&](Doubles, int i) {
@@ -361,10 +345,7 @@ private:
             };
             return hn::Sub(limited(rays.last), limited(rays.first));
         });
-        const double rate =
-            (1.0 / CutFace::tissueDepth + 1.0 / CutFace::fluidDepth) * static_cast<double>(m_job.stepUnits);
-        const auto left = hn::Exp(floats, hn::Mul(samples, set(static_cast<float>(-2.0 * std::log1p(0.5 * rate)))));
-        hn::Store(hn::Mul(hn::Load(floats, m_rays->unlit), left), floats, m_rays->unlit);
+        m_rays->cutFaces.passClear(samples, m_job.stepUnits);
         if (looked == 0 || behind + looked > m_rays->packet.last()) return;
         if (together) return passEmpty(m_rays->packet.run(behind, looked, -1));
         for (int lane = 0; lane < lanes; ++lane)
@@ -375,8 +356,8 @@ private:
         for (std::int64_t i = 0; i < run.count; ++i) {
             const auto number = set(static_cast<float>(i)), zero = set(0.0f);
             const auto inRange = run.inRange(number);
-            const RichStep step{number, zero, zero, set(m_job.stepUnits), borders};
-            (void)passCutFace(step, borders ? borderOf(presenceOf(run, number, inRange)) : zero, inRange);
+            const auto border = borders ? borderOf(presenceOf(run, number, inRange)) : zero;
+            (void)m_rays->cutFaces.pass(set(m_job.stepUnits), zero, border, inRange);
         }
     }
 

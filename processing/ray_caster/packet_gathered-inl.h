@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "processing/ray_caster/packet_colour-inl.h"
+#include "processing/ray_caster/packet_cut_face-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_GATHERED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ECHOLUCENT_PACKET_GATHERED_INL
@@ -43,11 +44,10 @@ struct DirectRays {
     KeptSamples::Packet* kept;  ///< null where samples are not kept
     std::optional<Light<Voxel>> light;
     Gathered gathered;
-    alignas(64) float unlit[lanes];  ///< shares of a cut's face (CutFace) behind the newest sample
+    CutFaces cutFaces;
 
     DirectRays(const KernelJob<Voxel>& job, int column, int row, KeptSamples::Packet* keptSamples)
         : packet(job, column, row), kept(keptSamples) {
-        std::fill_n(unlit, lanes, 1.0f);
         if (job.light != nullptr && !packet.empty()) light.emplace(job, packet.rays());
     }
 };

@@ -157,6 +157,7 @@ public:
 
     /// Whether data may end on the rays in `count` samples from `first` on.
     [[nodiscard]] bool bordersOn(std::int64_t first, std::int64_t count) const {
+        if (farFromBorder(first, count)) return false;
         double low[3], high[3];
         findBox(first, -1, count, low, high);
         return touchesBorder(low, high);
@@ -334,6 +335,26 @@ private:
         run.end = inRun(m_rays.last);
         if (lane >= 0)
             run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
+    }
+
+    /// A quick look, which most blocks pass: whether no data ends in the cube of bricks that surely holds the samples.
+    [[nodiscard]] bool farFromBorder(std::int64_t first, std::int64_t count) const {
+        const BorderSpace& space = *m_job.borders;
+        const double halfCount = 0.5 * static_cast<double>(count), middle = static_cast<double>(first) + halfCount;
+        double half = 0.0;
+        std::int64_t offset = 0;
+        for (int axis = 2; axis >= 0; --axis) {
+            const double low = m_extent.lowOrigin[axis] + m_extent.lowStep[axis] * middle;
+            const double high = m_extent.highOrigin[axis] + m_extent.highStep[axis] * middle;
+            const double step = std::max(std::abs(m_extent.lowStep[axis]), std::abs(m_extent.highStep[axis]));
+            half = std::max(half, 0.5 * (high - low) + halfCount * step);
+            const std::int64_t size = space.size()[static_cast<std::size_t>(axis)];
+            const auto cube = static_cast<std::int64_t>(0.5 * (low + high));
+            offset = offset * size + std::clamp<std::int64_t>(cube >> BorderSpace::shift, 0, size - 1);
+        }
+        constexpr double rounding = 0.01;
+        const auto bricks = static_cast<std::int64_t>((half + rounding) * (1.0 / BorderSpace::edge)) + 1;
+        return space.distances()[static_cast<std::size_t>(offset)] > bricks;
     }
 
     /// Whether data may end in a box, in cubes.

@@ -1,0 +1,50 @@
+// How much of a cut's face the samples of a packet of rays show (CutFace).
+#include "processing/ray_caster/packet_run-inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+#if defined(ECHOLUCENT_PACKET_CUT_FACE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ECHOLUCENT_PACKET_CUT_FACE_INL
+#undef ECHOLUCENT_PACKET_CUT_FACE_INL
+#else
+#define ECHOLUCENT_PACKET_CUT_FACE_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// The shares of the rays of a packet behind their newest samples.
+class CutFaces {
+public:
+    HWY_INLINE CutFaces() { std::fill_n(m_unlit, lanes, 1.0f); }
+
+    /// The shares in a step of `units` and the opacity that its intensity has; rays in range are then behind it.
+    HWY_INLINE FloatVector pass(FloatVector units, FloatVector opacity, FloatVector border, LaneMask inRange) {
+        constexpr auto fluid = static_cast<float>(1.0 / CutFace::fluidDepth);
+        constexpr auto all = static_cast<float>(clearRate);
+        constexpr auto perOpacity = static_cast<float>(1.0 / CutFace::tissueOpacity);
+        const auto tissue = hn::Min(units, hn::Mul(opacity, set(perOpacity)));
+        const auto rate = hn::NegMulAdd(tissue, set(fluid), hn::Mul(units, set(all)));
+        const auto one = set(1.0f), left = hn::Div(one, hn::MulAdd(rate, set(0.5f), one));
+        const Floats floats;
+        const auto before = hn::Load(floats, m_unlit);
+        const auto unlit = hn::Max(hn::Mul(before, left), border);
+        hn::Store(hn::IfThenElse(inRange, hn::Mul(unlit, left), before), floats, m_unlit);
+        return unlit;
+    }
+    /// Passes so many steps of `units` that show nothing.
+    HWY_INLINE void passClear(FloatVector steps, float units) {
+        const double each = -2.0 * std::log1p(0.5 * clearRate * static_cast<double>(units));
+        const Floats floats;
+        const auto left = hn::Exp(floats, hn::Mul(steps, set(static_cast<float>(each))));
+        hn::Store(hn::Mul(hn::Load(floats, m_unlit), left), floats, m_unlit);
+    }
+
+private:
+    static constexpr double clearRate = 1.0 / CutFace::tissueDepth + 1.0 / CutFace::fluidDepth;
+    alignas(64) float m_unlit[lanes];
+};
+
+}  // namespace echolucent::ray_casting::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
