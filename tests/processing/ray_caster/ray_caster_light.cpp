@@ -99,6 +99,36 @@ TEST(RayCasterLight, TheFaceOfACutShowsGreyValuesAsTheyAre) {
     EXPECT_LT(difference.rootMeanSquare, 4.5);
 }
 
+TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
+    const auto volume =
+        std::make_shared<const Volume>(sectorOf(speckledShell<std::uint16_t>({33, 31, 35}, {1, 1.2, 0.8}, 5)));
+    RayCaster caster(volume);
+    RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
+    settings.shading = Shading{.shadow = 1.0, .occlusion = 1.0, .translucency = 0.4};
+    OpacityCurve curve = PowerCurve{2, 0.9};
+    const auto expectFollowed = [&](const char* what) {
+        const auto expected = castRays(*volume, curve, settings);
+        // The second picture of a view keeps its samples, and the third one reads them.
+        for (int picture = 0; picture < 3; ++picture)
+            EXPECT_LT(apart(*caster.cast(curve, settings), *expected).rootMeanSquare, 0.1) << what << picture;
+    };
+    expectFollowed("first");
+    curve = PowerCurve{1, 0.6};
+    expectFollowed("curve");
+    settings.shading->towardsLight = {0.8, 0.3, -0.2};
+    expectFollowed("light");
+    settings.lightCoarseness = 5;
+    expectFollowed("coarseness");
+    settings.nearPlaneDepthMm = 9.0;
+    expectFollowed("near plane");
+    settings.box = RenderBox{{3, 4, 5}, {25, 30, 22}};
+    expectFollowed("box");
+    settings.shading->shadow = settings.shading->occlusion = settings.shading->translucency = 0.0;
+    expectFollowed("none");
+    settings.shading->shadow = 1.0;
+    expectFollowed("again");
+}
+
 /// Half of a homogeneous volume carries no data; its stored values are 0.
 Volume halfEmpty() {
     VolumeGeometry geometry;
