@@ -1,99 +1,187 @@
 #include "processing/near_cut.h"
 
 #include <algorithm>
-#include <span>
+#include <array>
+#include <cmath>
 #include <vector>
 
-#include "processing/tube_core/rules/ratio_rule.h"
+#include "processing/choice_names.h"
+#include "processing/near_cut/coarse_echo.h"
+#include "processing/near_cut/curved_cut.h"
+#include "processing/near_cut/flat_cut.h"
+#include "processing/near_cut/fluid_stretches.h"
+#include "processing/near_cut/tissue_level.h"
+#include "processing/near_cut/tube_echo.h"
 
 namespace echolucent {
 
 namespace {
 
-/// A stretch of fluid along one tube core, mm behind the volume's foremost point along the view.
-struct FluidStretch {
-    double begin = 0.0, end = 0.0;
+constexpr ChoiceNames<3> answerNames{"fluid at the front", "wall before fluid", "no fluid"};
+
+/// Shares of the tissue's intensity below which a sample may be fluid. Blood full of echo needs the highest, and at
+/// the lowest a chamber is not yet joined with what is only dim.
+constexpr std::array fluidLevels{0.35, 0.45, 0.55};
+constexpr double leastCavityEdge = 6.4;  // samples, a tenth of the data's extent
+constexpr double leastFluid = 0.004;     // of the data
+constexpr double mostlyAtFront = 0.5;    // of the tube cores that meet data
+constexpr double someAtFront = 0.1;  // of the tube cores that meet data, and far more than are in fluid behind a wall:
+constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too,
+constexpr double moreAtFront = 4.0;      // clear fluid is no dim tissue
+constexpr double clearFrontContrast = 1.3;
+constexpr double clearFluid = 0.03;                           // of the data: so much is beyond doubt
+constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6, which every wall has, and ln 2.16
+constexpr double sureFrom = 0.5;
+constexpr double asManyAsFlat = 0.95;  // tube cores in fluid: then the curved cut fits
+
+using Levels = std::vector<std::vector<FluidStretch>>;
+
+/// What the tube cores of a view saw.
+struct Seen {
+    TubeEcho tubes;
+    Levels levels;
+    int meetData = 0;
+    int front = 0;  ///< the sample at which the first of them does
+    int beginInFluid = 0, meetFluid = 0;
+    double frontContrast = 0.0;  ///< of the stretches at the front, as FluidStretch::contrast
 };
 
-/// The stretches of at least leastFluid cells whose means stay below the level, with a surface behind them. One that
-/// begins where its tube does begins at the very front: nothing stands before it.
-void addStretches(const TubeCore& tube, const RatioRule& rule, double fluidIntensity, double leastContrast,
-                  double firstMm, double unit, std::vector<FluidStretch>& stretches) {
-    const int last = static_cast<int>(tube.cellMeans.size()) - 1;
-    const auto isFluid = [&](int cell) { return tube.cellMeans[static_cast<std::size_t>(cell)] < fluidIntensity; };
-    for (int cell = tube.firstCell; cell <= last; ++cell) {
-        if (!isFluid(cell)) continue;
-        const int begin = cell;
-        while (cell <= last && isFluid(cell)) ++cell;
-        if (cell > last || cell - begin < rule.leastFluid) continue;
-        const auto nearby = std::span(tube.interfaceFunction)
-                                .subspan(static_cast<std::size_t>(std::max(begin, cell - rule.slabsBehind)))
-                                .first(static_cast<std::size_t>(std::min(last, cell + rule.slabsBehind) -
-                                                                std::max(begin, cell - rule.slabsBehind) + 1));
-        if (*std::max_element(nearby.begin(), nearby.end()) < leastContrast) continue;
-        stretches.push_back({begin == tube.firstCell ? 0.0 : firstMm + begin * unit, firstMm + cell * unit});
+void countTubes(Seen& seen) {
+    seen.front = seen.tubes.samples;
+    for (std::size_t tube = 0; tube < seen.tubes.tubes(); ++tube) {
+        const float* echo = seen.tubes.tube(tube);
+        const float* end = echo + seen.tubes.samples;
+        const float* first = std::find_if(echo, end, [](float value) { return value >= 0.0F; });
+        if (first == end) continue;
+        ++seen.meetData;
+        seen.front = std::min(seen.front, static_cast<int>(first - echo));
     }
+    std::vector<bool> front(seen.tubes.tubes()), any(seen.tubes.tubes());
+    double samples = 0.0;
+    for (const auto& stretches : seen.levels)
+        for (const FluidStretch& stretch : stretches) {
+            any[static_cast<std::size_t>(stretch.tube)] = true;
+            if (!stretch.atFront) continue;
+            front[static_cast<std::size_t>(stretch.tube)] = true;
+            samples += stretch.length();
+            seen.frontContrast += stretch.length() * stretch.contrast;
+        }
+    if (samples > 0.0) seen.frontContrast /= samples;
+    seen.beginInFluid = static_cast<int>(std::count(front.begin(), front.end(), true));
+    seen.meetFluid = static_cast<int>(std::count(any.begin(), any.end(), true));
 }
 
-std::vector<FluidStretch> fluidStretches(const AdaptiveOtf& otf, const VolumeGeometry& geometry) {
-    const ViewFrame frame = frameOf(otf.view);
-    const double front = nearPlaneDepthMm(otf.view, geometry);
-    // Lengths are the ratio rule's, also where surfaces were detected by variance.
-    const auto* chosen = std::get_if<RatioRule>(&otf.config.detection);
-    const RatioRule rule = chosen != nullptr ? *chosen : RatioRule{};
-    std::vector<FluidStretch> stretches;
-    for (const TubeCore& tube : otf.tubes) {
-        if (!(tube.d > 0.0)) continue;
-        const double fluid = otf.fluidIntensity.value_or((*tube.lowIntensity + *tube.highIntensity) / 2.0);
-        const double first = frame.forward.dot(geometry.gridMmFromVoxel(tube.firstSampleVoxel)) - front;
-        addStretches(tube, rule, fluid, otf.leastContrast.value_or(0.0), first, geometry.unit(), stretches);
+std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Progress& progress) {
+    const auto coarse = CoarseEcho::of(volume, progress);
+    if (!coarse) return std::nullopt;
+    Seen seen;
+    const auto tissue = tissueLevel(coarse->intensities());
+    if (!tissue) return seen;
+    progress.at(0.6);
+    seen.tubes = readTubeEcho(*coarse, volume.geometry(), view);
+    for (const double share : fluidLevels) {
+        if (progress.cancelled()) return std::nullopt;
+        seen.levels.push_back(fluidStretches(seen.tubes, static_cast<float>(share * *tissue), leastCavityEdge));
     }
-    return stretches;
+    progress.at(0.8);
+    countTubes(seen);
+    return seen;
 }
 
-int inFluid(const std::vector<FluidStretch>& stretches, double depth) {
-    return static_cast<int>(std::count_if(stretches.begin(), stretches.end(), [depth](const FluidStretch& stretch) {
-        return stretch.begin <= depth && depth < stretch.end;
-    }));
+/// The stretches of the highest level that stand behind a wall.
+std::vector<FluidStretch> behindWalls(const Seen& seen) {
+    std::vector<FluidStretch> walled;
+    std::copy_if(seen.levels.back().begin(), seen.levels.back().end(), std::back_inserter(walled),
+                 [](const FluidStretch& stretch) { return !stretch.atFront; });
+    return walled;
 }
 
-/// The least depth at which nearly as many tubes are in fluid as anywhere, weighed by how much of the volume is left
-/// behind it: a cut through the last chamber shows little. 0 where the front does nearly as well.
-double bestCut(const std::vector<FluidStretch>& stretches, double volumeDepth) {
-    const auto worth = [&](double depth) { return inFluid(stretches, depth) * (1.0 - depth / volumeDepth); };
-    std::vector<double> depths;
-    double most = 0.0;
-    for (const FluidStretch& stretch : stretches) {
-        depths.push_back(stretch.begin);
-        most = std::max(most, worth(stretch.begin));
+void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
+    const TubeEcho& tubes = seen.tubes;
+    finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
+    if (!finding.surface) return;
+    const auto depthOf = [&](int tube) {
+        const Vec3 place = tubes.frame.right * (tubes.firstRightMm + tube % tubes.columns * tubes.stepMm) +
+                           tubes.frame.down * (tubes.firstDownMm + tube / tubes.columns * tubes.stepMm);
+        return (finding.surface->depthAt(place) - tubes.firstDepthMm) / tubes.stepMm;
+    };
+    finding.tubesInFluidBehindSurface = tubesInFluid(seen.levels, tubes.tubes(), depthOf);
+    if (finding.tubesInFluidBehindSurface < asManyAsFlat * finding.tubesThatSaySo) finding.surface.reset();
+}
+
+double clampedShare(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
+
+NearCutFinding judged(const Seen& seen) {
+    NearCutFinding finding;
+    finding.tubes = seen.meetData;
+    const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
+    const int opened = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int) { return flat.sample; });
+    const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
+    const double timesOpened = seen.frontContrast >= clearFrontContrast ? moreAtFront : farMoreAtFront;
+    if (frontShare >= mostlyAtFront || (frontShare >= someAtFront && seen.beginInFluid >= timesOpened * opened)) {
+        finding.answer = NearCutAnswer::fluidAtFront;
+        finding.tubesThatSaySo = seen.beginInFluid;
+        finding.confidence = frontShare;
+    } else if (flat.fluid < leastFluid) {
+        finding.tubesThatSaySo = seen.meetData - seen.meetFluid;
+        finding.confidence = 1.0 - flat.fluid / leastFluid;
+    } else {
+        finding.answer = NearCutAnswer::wallBeforeFluid;
+        finding.tubesThatSaySo = opened;
+        finding.confidence = clampedShare(flat.fluid, 0.0, clearFluid) *
+                             clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
+        finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;
+        finding.nearCutMm = seen.tubes.depthMm(flat.sample);  // from the grid's origin until the box is known
+        addSurface(seen, flat.sample, finding);
     }
-    constexpr double goodEnough = 0.8;  // of the best: then nothing is cut
-    if (worth(0.0) >= goodEnough * most) return 0.0;
-    std::sort(depths.begin(), depths.end());
-    // The last few tubes would push the cut deep into the others' fluid.
-    constexpr double nearlyAll = 0.95;
-    return *std::find_if(depths.begin(), depths.end(), [&](double depth) { return worth(depth) >= nearlyAll * most; });
+    finding.sure = finding.confidence >= sureFrom;
+    return finding;
+}
+
+std::string oneDecimal(double value) {
+    const auto tenths = static_cast<long>(std::lround(10.0 * value));
+    return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
+}
+
+std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
+    const std::string of =
+        std::to_string(finding.tubesThatSaySo) + " of " + std::to_string(finding.tubes) + " tube cores ";
+    const std::string doubt = finding.sure ? "" : " The search is not sure.";
+    switch (finding.answer) {
+        case NearCutAnswer::fluidAtFront:
+            return "The fluid begins at the front (" + of + "begin in it): no near cut is needed." + doubt;
+        case NearCutAnswer::wallBeforeFluid:
+            return "A wall stands before the fluid: behind a cut at " + oneDecimal(finding.nearCutMm) + " mm " +
+                   (spacingKnown ? "" : "(by a guessed spacing) ") + of + "are in fluid." + doubt;
+        case NearCutAnswer::noFluid:
+            return "No fluid was found (" + of + "meet none), so no near cut can be suggested." + doubt;
+    }
+    return {};
 }
 
 }  // namespace
 
-std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view,
-                                                const AdaptiveOtfConfig& config, const Progress& progress) {
-    Viewpoint uncut = view;
-    uncut.nearCutMm = 0.0;
-    const auto otf = adaptOpacity(volume, uncut, config, progress);
-    if (!otf) return std::nullopt;
-    const auto without = [&](const char* why) { return NearCutSuggestion{0.0, otf->tubesWithWeight, 0, why}; };
-    if (otf->tubesWithWeight == 0 || otf->surfacesWhereDataBegin)
-        return without("No surface behind fluid was found that counts, so no near cut can be suggested.");
-    const auto stretches = fluidStretches(*otf, volume.geometry());
-    if (stretches.empty()) return without("No stretch of fluid is long enough to suggest a near cut.");
-    NearCutSuggestion suggestion{.tubesWithWeight = otf->tubesWithWeight, .message = {}};
-    suggestion.nearCutMm = bestCut(stretches, depthAlongViewMm(uncut, volume.geometry()));
-    // Where a cell of fluid begins the wall's ramp is not over yet: at its middle it is.
-    if (suggestion.nearCutMm > 0.0) suggestion.nearCutMm += (config.cells.size - 1) / 2.0 * volume.geometry().unit();
-    suggestion.tubesInFluid = inFluid(stretches, suggestion.nearCutMm);
-    return suggestion;
+std::string_view nameOf(NearCutAnswer answer) { return nameIn(answerNames, answer); }
+
+std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
+    const auto seen = look(volume, view, progress);
+    if (!seen || progress.cancelled()) return std::nullopt;
+    NearCutFinding finding = judged(*seen);
+    if (finding.answer == NearCutAnswer::wallBeforeFluid)
+        finding.nearCutMm =
+            std::max(0.0, finding.nearCutMm - volume.geometry().depthsAlong(frameOf(view).forward).nearest);
+    finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
+    progress.at(1.0);
+    return finding;
+}
+
+std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig&,
+                                                const Progress& progress) {
+    const auto finding = findNearCut(volume, view, progress);
+    if (!finding) return std::nullopt;
+    const bool nothing = finding->answer == NearCutAnswer::noFluid;
+    return NearCutSuggestion{finding->nearCutMm, finding->tubes, nothing ? 0 : finding->tubesThatSaySo,
+                             nothing ? finding->message : std::string()};
 }
 
 }  // namespace echolucent

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cmath>
@@ -25,9 +24,10 @@ void ViewOptions::addTo(CLI::App& command) {
         ->type_name("DEG")
         ->capture_default_str();
     command
-        .add_option("--near", near,
-                    "Near cut: nothing nearer than this behind the foremost corner, mm; auto: where most tube cores "
-                    "have entered fluid")
+        .add_option(
+            "--near", near,
+            "Near cut: nothing nearer than this behind the foremost corner, mm; auto: where the wall before the "
+            "fluid ends")
         ->type_name("MM|auto")
         ->capture_default_str();
 }
@@ -72,22 +72,15 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig
     return get(volume, config, beamOf(volume));
 }
 
-Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config,
-                                   const ChosenBeam& beam) const {
+Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig&, const ChosenBeam& beam) const {
     auto chosen = get();
     if (!chosen) return chosen;
     chosen->beamAxis = beam.axis;
     if (!beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
     if (!nearCutSuggested()) return chosen;
-    const auto suggestion = suggestNearCut(volume, *chosen, config);
-    chosen->nearCutMm = suggestion->nearCutMm;
-    std::string sentence = suggestion->message;
-    if (sentence.empty() && suggestion->nearCutMm == 0.0)
-        sentence = "Nothing stands in front of the fluid: no near cut is needed.";
-    else if (sentence.empty())
-        sentence = fmt::format("Near cut at {:.2f} mm: {} of {} tube cores with a surface are in fluid there.",
-                               suggestion->nearCutMm, suggestion->tubesInFluid, suggestion->tubesWithWeight);
-    std::fprintf(stderr, "%s\n", sentence.c_str());
+    const auto found = findNearCut(volume, *chosen);
+    chosen->nearCutMm = found->nearCutMm;
+    std::fprintf(stderr, "%s\n", found->message.c_str());
     return chosen;
 }
 

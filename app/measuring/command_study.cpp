@@ -16,6 +16,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyRenderCommand(study, action);
     addStudyLightCommand(study, action);
     addStudyQuietCommand(study, action);
+    addStudyCutCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

@@ -20,6 +20,7 @@ void addStudyStabilityCommand(CLI::App& study, Action& action);
 void addStudyRenderCommand(CLI::App& study, Action& action);
 void addStudyLightCommand(CLI::App& study, Action& action);
 void addStudyQuietCommand(CLI::App& study, Action& action);
+void addStudyCutCommand(CLI::App& study, Action& action);
 
 /// Where a study writes its files.
 class StudyFolder {

@@ -41,9 +41,22 @@ public:
         }
     }
     [[nodiscard]] CutTruth at(double nearCutMm) const {
-        const double cut = m_front + nearCutMm;
+        return behind([&](const Tube&) { return m_front + nearCutMm; });
+    }
+    [[nodiscard]] CutTruth at(const CutSurface& surface) const {
+        return behind([&](const Tube& tube) { return surface.depthAt(tube.entryMm); });
+    }
+
+private:
+    struct Tube {
+        Vec3 entryMm;
+        double surfaceMm;
+    };
+    template <typename DepthOf>
+    [[nodiscard]] CutTruth behind(const DepthOf& depthOf) const {
         CutTruth counted{.tubes = static_cast<int>(m_tubes.size())};
         for (const Tube& tube : m_tubes) {
+            const double cut = depthOf(tube);
             if (tube.surfaceMm <= cut) continue;
             ++counted.behindTheCut;
             // A tube that enters the volume's box behind the cut begins there.
@@ -53,11 +66,6 @@ public:
         return counted;
     }
 
-private:
-    struct Tube {
-        Vec3 entryMm;
-        double surfaceMm;
-    };
     PhantomTruth m_truth;
     Vec3 m_forward;
     double m_front;
@@ -72,11 +80,14 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
             const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
             const TubesWithInterface tubes(config, volume.geometry(), view);
             const CutTruth truth = tubes.at(cut.nearCutMm);
+            const auto surface = findNearCut(volume, view)->surface;
+            ASSERT_TRUE(surface);
+            const CutTruth curved = tubes.at(*surface);
             std::printf(
                 "%s, azimuth %.0f: cut at %.2f mm; of %d tubes with an interface %d have it behind, %d are in fluid "
-                "(says: %d of %d)\n",
+                "(says: %d of %d); behind the curved cut %d have it behind, %d are in fluid\n",
                 std::string(nameOf(scene)).c_str(), view.azimuthDegrees, cut.nearCutMm, truth.tubes, truth.behindTheCut,
-                truth.inFluid, cut.tubesInFluid, cut.tubesWithWeight);
+                truth.inFluid, cut.tubesInFluid, cut.tubesWithWeight, curved.behindTheCut, curved.inFluid);
             EXPECT_EQ(cut.message, "");
             EXPECT_GT(cut.nearCutMm, 0.0);
             ASSERT_GT(truth.tubes, 50);
@@ -88,8 +99,9 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
             if (view == Viewpoint{}) {
                 EXPECT_GE(truth.inFluid, 0.95 * truth.tubes);
             } else {
-                EXPECT_GE(truth.inFluid, 0.85 * best);
+                EXPECT_GE(truth.inFluid, 0.8 * best) << "of a plane it is asked to leave fluid behind, too";
             }
+            EXPECT_GE(curved.inFluid, 0.85 * truth.tubes) << "a surface can";
             // Uncut, hardly any of them begins in fluid: the suggested cut is what brought it.
             EXPECT_LE(tubes.at(0.0).inFluid, 0.3 * truth.tubes);
         }
@@ -116,9 +128,8 @@ TEST(NearCut, IsNoneWithoutASurface) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::empty, 26, false));
     const NearCutSuggestion cut = *suggestNearCut(volume, {}, {});
     EXPECT_EQ(cut.nearCutMm, 0.0);
-    EXPECT_EQ(cut.tubesWithWeight, 0);
     EXPECT_EQ(cut.tubesInFluid, 0);
-    EXPECT_EQ(cut.message, "No surface behind fluid was found that counts, so no near cut can be suggested.");
+    EXPECT_NE(cut.message.find("No fluid was found"), std::string::npos) << cut.message;
 }
 
 TEST(NearCut, OfACancelledRunIsNone) {

@@ -291,7 +291,7 @@ TEST(AdaptiveOtf, RefusesAConfigOutOfRange) {
         EXPECT_FALSE(problemOf(config).empty());
         EXPECT_THROW((void)adaptOpacity(volume, {}, config), std::invalid_argument);
     }
-    EXPECT_TRUE(problemOf({}).empty());
+    EXPECT_TRUE(problemOf(AdaptiveOtfConfig{}).empty());
 }
 
 }  // namespace

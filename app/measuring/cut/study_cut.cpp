@@ -1,0 +1,88 @@
+// `study cut`: what the search for the near cut answers, volume by volume, axis by axis.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <memory>
+
+#include "app/measuring/study.h"
+#include "io/output/atomic_file.h"
+#include "processing/near_cut.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct CutOptions {
+    std::vector<std::string> paths;
+    double turn = 8.0;
+};
+
+constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
+                                BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
+
+/// How far a cut lies behind a plane across the view through the middle of the volume, mm.
+double behindTheMiddle(const Viewpoint& view, const VolumeGeometry& geometry, double nearCutMm) {
+    Viewpoint cut = view;
+    cut.nearCutMm = nearCutMm;
+    return nearPlaneDepthMm(cut, geometry) - frameOf(view).forward.dot(geometry.centreMm());
+}
+
+/// How far the cut moves at most while the view turns to four sides, mm; "-" where the answer changes.
+std::string moved(const Volume& volume, const Viewpoint& view, const NearCutFinding& found, double turn) {
+    const double before = behindTheMiddle(view, volume.geometry(), found.nearCutMm);
+    double most = 0.0;
+    for (const auto& [azimuth, elevation] : {std::pair{turn, 0.0}, {-turn, 0.0}, {0.0, turn}, {0.0, -turn}}) {
+        Viewpoint turned = view;
+        turned.azimuthDegrees = azimuth;
+        turned.elevationDegrees = elevation;
+        const auto answer = findNearCut(volume, turned);
+        if (answer->answer != found.answer) return "-";
+        most = std::max(most, std::abs(behindTheMiddle(turned, volume.geometry(), answer->nearCutMm) - before));
+    }
+    return found.answer == NearCutAnswer::wallBeforeFluid ? fmt::format("{:.1f}", most) : "";
+}
+
+std::string rowOf(const Volume& volume, BeamAxis axis, double turn) {
+    const Viewpoint view{.beamAxis = axis};
+    const auto found = findNearCut(volume, view);
+    const bool wall = found->answer == NearCutAnswer::wallBeforeFluid;
+    return fmt::format("{:<5}{:<19}{:>8}{:>12}{:>8.0f} %{:>13}{:>12}{:>7.2f}{:>6}{:>9}\n", nameOf(axis),
+                       nameOf(found->answer), wall ? fmt::format("{:.2f}", found->nearCutMm) : "",
+                       wall ? fmt::format("{:.2f}", found->behindDataMm) : "",
+                       100.0 * found->nearCutMm / depthAlongViewMm(view, volume.geometry()),
+                       fmt::format("{}/{}", found->tubesThatSaySo, found->tubes),
+                       found->surface ? fmt::format("{}", found->tubesInFluidBehindSurface) : "", found->confidence,
+                       found->sure ? "yes" : "no", moved(volume, view, *found, turn));
+}
+
+Result<void> tabulateCuts(const CutOptions& options) {
+    for (const std::string& path : options.paths) {
+        VolumeOptions reading;
+        reading.path = path;
+        const auto volume = reading.readPhase({});
+        if (!volume) return tl::unexpected<Failure>(volume.error());
+        std::string text =
+            fmt::format("{}\n{:<5}{:<19}{:>8}{:>12}{:>10}{:>13}{:>12}{:>7}{:>6}{:>9}\n", path, "axis", "answer",
+                        "near mm", "behind data", "of depth", "tube cores", "curved cut", "conf.", "sure", "moves mm");
+        for (const BeamAxis axis : allAxes) text += rowOf(**volume, axis, options.turn);
+        if (auto written = writeFileAtomically("-", text); !written) return written;
+    }
+    return {};
+}
+
+}  // namespace
+
+void addStudyCutCommand(CLI::App& study, Action& action) {
+    auto options = std::make_shared<CutOptions>();
+    CLI::App& command = *study.add_subcommand("cut", "What the search for the near cut answers along all six axes");
+    command.add_option("VOLUME", options->paths, "Files to read (of 4D, the first phase)")->required();
+    command.add_option("--turn", options->turn, "Degrees by which the view is turned to four sides")
+        ->type_name("DEG")
+        ->check(CLI::Range(0.0, 45.0))
+        ->capture_default_str();
+    command.footer("Example: echolucent-cli study cut chest.mha heart.nrrd");
+    command.callback([options, &action] { action = [options] { return tabulateCuts(*options); }; });
+}
+
+}  // namespace echolucent::cli

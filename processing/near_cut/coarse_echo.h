@@ -1,0 +1,52 @@
+// A volume's echo in cells of a millimetre scale, free of its resolution and most of its speckle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Mean normalised intensity of the data in cubic cells along the grid's axes, smoothed. The cells' size follows from
+/// the extent of the data alone, so that one anatomy gives the same cells at any resolution.
+class CoarseEcho {
+public:
+    /// The result is empty where the search was cancelled. The volume need not outlive it.
+    [[nodiscard]] static std::optional<CoarseEcho> of(const Volume& volume, const Progress& progress);
+
+    /// Edge of the cube that is as large as all voxels with data, mm; 0 where there are none.
+    [[nodiscard]] double dataExtentMm() const { return m_extentMm; }
+    /// Edge of a cell, mm.
+    [[nodiscard]] double cellMm() const { return m_cellMm; }
+    /// Middle of the data, grid mm.
+    [[nodiscard]] const Vec3& dataCentreMm() const { return m_centreMm; }
+    /// The smoothed intensity at a place in grid mm, trilinear between cells; nothing where less than half is data.
+    [[nodiscard]] std::optional<float> at(const Vec3& gridMm) const;
+    /// The smoothed intensities of all cells of which at least half is data.
+    [[nodiscard]] std::vector<float> intensities() const;
+
+private:
+    CoarseEcho() = default;
+    struct Cell {
+        float echo = 0.0F;    ///< smoothed sum of intensity times share
+        float weight = 0.0F;  ///< smoothed share of data
+        float share = 0.0F;   ///< share of data in the cell itself
+    };
+    [[nodiscard]] std::size_t offset(int x, int y, int z) const;
+    void placeCells(const Volume& volume, double dataVoxels);
+    [[nodiscard]] bool gather(const Volume& volume, const Progress& progress);
+    void smooth();
+    void smoothAlong(int axis, const std::vector<float>& kernel);
+    void findCentre();
+
+    double m_extentMm = 0.0, m_cellMm = 1.0;
+    Vec3 m_firstMm{0, 0, 0}, m_centreMm{0, 0, 0};  ///< of cell (0,0,0), its centre
+    std::array<int, 3> m_size{0, 0, 0};
+    std::vector<Cell> m_cells;
+};
+
+}  // namespace echolucent
