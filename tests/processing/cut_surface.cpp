@@ -125,8 +125,9 @@ TEST(CutSurface, TubeCoresBeginBehindItWhicheverWayTheyLook) {
                 EXPECT_GE(behindMm(*view.cutSurface, geometry.gridMmFromVoxel(end)), -1e-6);
             const bool seenFromBehind = along.beamAxis == BeamAxis::minusZ;
             const Vec3 beyond = samples[t].onAxis(seenFromBehind ? samples[t].slabs : -1);
-            if (inBox(geometry, beyond))
+            if (inBox(geometry, beyond)) {
                 EXPECT_LE(behindMm(*view.cutSurface, geometry.gridMmFromVoxel(beyond)), 1e-6) << "a sample is left out";
+            }
             cut += *axes[t].lengthUnits < *uncut[t].lengthUnits;
         }
         EXPECT_GT(cut, 100);

@@ -220,7 +220,9 @@ TEST(NearCutWalls, TheSameBitsForAnyNumberOfThreads) {
 
 TEST(NearCutWalls, ACancelledSearchIsEmpty) {
     const std::atomic<bool> cancel = true;
-    EXPECT_FALSE(findNearCut(painted(cubeGeometry({32, 32, 32}, {1, 1, 1}), chambers), {}, {.cancel = &cancel}));
+    Progress progress;
+    progress.cancel = &cancel;
+    EXPECT_FALSE(findNearCut(painted(cubeGeometry({32, 32, 32}, {1, 1, 1}), chambers), {}, progress));
 }
 
 TEST(NearCutWalls, TheCoarseEchoOfAnEvenVolumeIsEven) {
