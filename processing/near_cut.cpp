@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "processing/choice_names.h"
-#include "processing/near_cut/coarse_echo.h"
+#include "processing/near_cut/smooth_echo.h"
 #include "processing/near_cut/curved_cut.h"
 #include "processing/near_cut/flat_cut.h"
 #include "processing/near_cut/fluid_stretches.h"
@@ -72,7 +72,7 @@ void countTubes(Seen& seen) {
 }
 
 std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    const auto coarse = CoarseEcho::of(volume, progress);
+    const auto coarse = SmoothEcho::of(volume, progress);
     if (!coarse) return std::nullopt;
     Seen seen;
     const auto tissue = tissueLevel(coarse->intensities());

@@ -23,7 +23,7 @@ Places placesAlong(const VolumeGeometry& geometry, const Vec3& direction, double
 
 }  // namespace
 
-TubeEcho readTubeEcho(const CoarseEcho& coarse, const VolumeGeometry& geometry, const Viewpoint& view) {
+TubeEcho readTubeEcho(const SmoothEcho& coarse, const VolumeGeometry& geometry, const Viewpoint& view) {
     TubeEcho tubes;
     tubes.frame = frameOf(view);
     tubes.stepMm = coarse.cellMm();

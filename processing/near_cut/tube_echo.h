@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "processing/near_cut/coarse_echo.h"
+#include "processing/near_cut/smooth_echo.h"
 #include "processing/viewpoint.h"
 
 namespace echolucent {
@@ -29,6 +29,6 @@ struct TubeEcho {
 };
 
 /// Reads the tube cores of a view, uncut.
-[[nodiscard]] TubeEcho readTubeEcho(const CoarseEcho& coarse, const VolumeGeometry& geometry, const Viewpoint& view);
+[[nodiscard]] TubeEcho readTubeEcho(const SmoothEcho& coarse, const VolumeGeometry& geometry, const Viewpoint& view);
 
 }  // namespace echolucent

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "processing/near_cut.h"
-#include "processing/near_cut/coarse_echo.h"
+#include "processing/near_cut/smooth_echo.h"
 #include "processing/near_cut/tissue_level.h"
 #include "processing/near_cut/tube_echo.h"
 
@@ -228,7 +228,7 @@ TEST(NearCutWalls, ACancelledSearchIsEmpty) {
 TEST(NearCutWalls, TheCoarseEchoOfAnEvenVolumeIsEven) {
     const VolumeGeometry geometry = cubeGeometry({40, 30, 70}, {0.7, 1, 0.4});
     const Volume volume(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), 51));
-    const auto coarse = *CoarseEcho::of(volume, {});
+    const auto coarse = *SmoothEcho::of(volume, {});
     EXPECT_NEAR(coarse.dataExtentMm(), std::cbrt(28.0 * 30 * 28), 1e-9);
     EXPECT_NEAR(length(coarse.dataCentreMm() - geometry.centreMm()), 0.0, 1e-3);
     for (const float intensity : coarse.intensities()) EXPECT_NEAR(intensity, 0.2, 1e-5);

@@ -1,4 +1,4 @@
-#include "processing/near_cut/coarse_echo.h"
+#include "processing/near_cut/smooth_echo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +89,8 @@ std::vector<float> gaussian(double deviation) {
 
 }  // namespace
 
-std::optional<CoarseEcho> CoarseEcho::of(const Volume& volume, const Progress& progress) {
-    CoarseEcho coarse;
+std::optional<SmoothEcho> SmoothEcho::of(const Volume& volume, const Progress& progress) {
+    SmoothEcho coarse;
     const double dataVoxels = countData(volume);
     if (dataVoxels == 0.0) return coarse;
     coarse.placeCells(volume, dataVoxels);
@@ -100,13 +100,13 @@ std::optional<CoarseEcho> CoarseEcho::of(const Volume& volume, const Progress& p
     return coarse;
 }
 
-std::size_t CoarseEcho::offset(int x, int y, int z) const {
+std::size_t SmoothEcho::offset(int x, int y, int z) const {
     return static_cast<std::size_t>(x) +
            static_cast<std::size_t>(m_size[0]) *
                (static_cast<std::size_t>(y) + static_cast<std::size_t>(m_size[1]) * static_cast<std::size_t>(z));
 }
 
-void CoarseEcho::placeCells(const Volume& volume, double dataVoxels) {
+void SmoothEcho::placeCells(const Volume& volume, double dataVoxels) {
     const VolumeGeometry& geometry = volume.geometry();
     const Vec3& spacing = geometry.spacing;
     const Vec3 box = geometry.boxMaxMm() - geometry.boxMinMm();
@@ -118,7 +118,7 @@ void CoarseEcho::placeCells(const Volume& volume, double dataVoxels) {
     }
 }
 
-bool CoarseEcho::gather(const Volume& volume, const Progress& progress) {
+bool SmoothEcho::gather(const Volume& volume, const Progress& progress) {
     const VolumeGeometry& geometry = volume.geometry();
     std::array<std::vector<std::vector<Overlap>>, 3> overlaps;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -150,12 +150,12 @@ bool CoarseEcho::gather(const Volume& volume, const Progress& progress) {
     return !progress.cancelled();
 }
 
-void CoarseEcho::smooth() {
+void SmoothEcho::smooth() {
     const std::vector<float> kernel = gaussian(smoothingCells);
     for (int axis = 0; axis < 3; ++axis) smoothAlong(axis, kernel);
 }
 
-void CoarseEcho::smoothAlong(int axis, const std::vector<float>& kernel) {
+void SmoothEcho::smoothAlong(int axis, const std::vector<float>& kernel) {
     const int reach = static_cast<int>(kernel.size() / 2), length = m_size[static_cast<std::size_t>(axis)];
     const std::size_t step = axis == 0 ? offset(1, 0, 0) : axis == 1 ? offset(0, 1, 0) : offset(0, 0, 1);
     const std::size_t lines = m_cells.size() / static_cast<std::size_t>(length);
@@ -178,7 +178,7 @@ void CoarseEcho::smoothAlong(int axis, const std::vector<float>& kernel) {
     });
 }
 
-void CoarseEcho::findCentre() {
+void SmoothEcho::findCentre() {
     Vec3 sum{0, 0, 0};
     double count = 0.0;
     for (int z = 0; z < m_size[2]; ++z)
@@ -191,7 +191,7 @@ void CoarseEcho::findCentre() {
     m_centreMm = m_firstMm + sum * (m_cellMm / count);
 }
 
-std::optional<float> CoarseEcho::at(const Vec3& gridMm) const {
+std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
     const Vec3 place = (gridMm - m_firstMm) * (1.0 / m_cellMm);
     std::array<int, 3> low{}, high{};
     std::array<float, 3> part{};
@@ -217,7 +217,7 @@ std::optional<float> CoarseEcho::at(const Vec3& gridMm) const {
     return echo / weight;
 }
 
-std::vector<float> CoarseEcho::intensities() const {
+std::vector<float> SmoothEcho::intensities() const {
     std::vector<float> found;
     for (const Cell& cell : m_cells)
         if (cell.share >= 0.5F) found.push_back(cell.echo / cell.weight);

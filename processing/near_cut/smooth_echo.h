@@ -13,10 +13,10 @@ namespace echolucent {
 
 /// Mean normalised intensity of the data in cubic cells along the grid's axes, smoothed. The cells' size follows from
 /// the extent of the data alone, so that one anatomy gives the same cells at any resolution.
-class CoarseEcho {
+class SmoothEcho {
 public:
     /// The result is empty where the search was cancelled. The volume need not outlive it.
-    [[nodiscard]] static std::optional<CoarseEcho> of(const Volume& volume, const Progress& progress);
+    [[nodiscard]] static std::optional<SmoothEcho> of(const Volume& volume, const Progress& progress);
 
     /// Edge of the cube that is as large as all voxels with data, mm; 0 where there are none.
     [[nodiscard]] double dataExtentMm() const { return m_extentMm; }
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::vector<float> intensities() const;
 
 private:
-    CoarseEcho() = default;
+    SmoothEcho() = default;
     struct Cell {
         float echo = 0.0F;    ///< smoothed sum of intensity times share
         float weight = 0.0F;  ///< smoothed share of data
