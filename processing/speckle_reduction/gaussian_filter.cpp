@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "processing/parallel.h"
 #include "processing/speckle_reduction/filter_spacing.h"
 #include "processing/speckle_reduction/row_sums.h"
+#include "processing/speckle_reduction/shown_range.h"
 
 namespace echolucent {
 
@@ -56,28 +55,15 @@ struct Scratch {
     std::vector<float> lastSums, lastWeights;  ///< of a row, along all axes
 };
 
-/// Between which values means are kept. Of floats, the range of the data: rounding must not move a constant.
-template <typename Voxel>
-StoredRange rangeOf(const std::vector<Voxel>& voxels, const std::uint8_t* mask) {
-    if constexpr (std::is_integral_v<Voxel>) return {0.0F, static_cast<float>(std::numeric_limits<Voxel>::max())};
-    StoredRange range{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-        if (mask != nullptr && mask[i] == 0) continue;
-        range.lowest = std::min(range.lowest, static_cast<float>(voxels[i]));
-        range.highest = std::max(range.highest, static_cast<float>(voxels[i]));
-    }
-    return range;
-}
-
 template <typename Voxel>
 class Gaussian {
 public:
-    Gaussian(const Volume& volume, const std::vector<Voxel>& voxels, const Vec3& sigmas)
+    Gaussian(const Volume& volume, const std::vector<Voxel>& voxels, const StoredBounds& bounds, const Vec3& sigmas)
         : m_columns(volume.geometry().size[0]),
           m_rows(volume.geometry().size[1]),
           m_voxels(voxels.data()),
           m_mask(volume.dataMaskOrNull()),
-          m_range(rangeOf(voxels, m_mask)),
+          m_range{static_cast<float>(bounds.lowest), static_cast<float>(bounds.highest)},
           m_x(sigmas[0], m_columns),
           m_y(sigmas[1], m_rows),
           m_z(sigmas[2], volume.geometry().size[2]) {
@@ -157,9 +143,11 @@ std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const
     const VolumeGeometry& geometry = volume.geometry();
     const Vec3 spacing = filterSpacing(geometry);
     const Vec3 sigmas{sigma / spacing[0], sigma / spacing[1], sigma / spacing[2]};
+    const Volume within = withinWhite(volume);
+    const StoredBounds bounds = storedBounds(volume);
     Voxels quiet = std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) -> Voxels {
-            const Gaussian<Voxel> gaussian(volume, voxels, sigmas);
+            const Gaussian<Voxel> gaussian(within, voxels, bounds, sigmas);
             std::vector<Voxel> results(voxels.size());
             PerThread<Scratch> scratches([&] { return gaussian.scratch(); });
             ProgressCount count(progress, static_cast<std::size_t>(geometry.size[2]));
@@ -170,7 +158,7 @@ std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const
             });
             return results;
         },
-        volume.voxels());
+        within.voxels());
     if (progress.cancelled()) return std::nullopt;
     return Volume(geometry, std::move(quiet), volume.whiteLevel()).withDataMask(volume.dataMask());
 }

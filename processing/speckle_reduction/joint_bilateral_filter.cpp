@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "processing/speckle_reduction/filter_spacing.h"
 #include "processing/speckle_reduction/gaussian_filter.h"
 #include "processing/speckle_reduction/joint_bilateral_row.h"
+#include "processing/speckle_reduction/shown_range.h"
 #include "processing/speckle_reduction/speckle_law.h"
 
 namespace echolucent {
@@ -148,36 +148,34 @@ std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& p
     return Volume(geometry, std::move(results), volume.whiteLevel()).withDataMask(volume.dataMask());
 }
 
-/// The volume as floats, 0 where it has no data.
+/// The volume as floats within what a picture can show, 0 where it has no data.
 Volume asFloats(const Volume& volume) {
     std::vector<float> floats(static_cast<std::size_t>(volume.geometry().voxelCount()));
+    const float white = std::min(static_cast<float>(volume.whiteLevel()), largestSummed);
     std::visit(
         [&](const auto& voxels) {
             for (std::size_t i = 0; i < voxels.size(); ++i)
                 if (volume.hasData(static_cast<std::int64_t>(i)))
-                    floats[i] = std::clamp(static_cast<float>(voxels[i]), -largestSummed, largestSummed);
+                    floats[i] = std::clamp(static_cast<float>(voxels[i]), 0.0F, white);
         },
         volume.voxels());
     return Volume(volume.geometry(), std::move(floats), volume.whiteLevel()).withDataMask(volume.dataMask());
 }
 
-/// The results in the volume's own type. They are kept in the range of its data: rounding must not move a constant.
+/// The results in the volume's own type and between its bounds.
 Volume stored(const Volume& volume, const Volume& results) {
     const auto& means = std::get<std::vector<float>>(results.voxels());
+    const StoredBounds bounds = storedBounds(volume);
     Voxels quiet = std::visit(
         [&]<typename Voxel>(std::vector<Voxel> voxels) -> Voxels {
-            auto lowest = std::numeric_limits<Voxel>::max(), highest = std::numeric_limits<Voxel>::lowest();
+            const auto lowest = static_cast<float>(bounds.lowest), highest = static_cast<float>(bounds.highest);
             for (std::size_t i = 0; i < voxels.size(); ++i) {
                 if (!volume.hasData(static_cast<std::int64_t>(i))) continue;
-                lowest = std::min(lowest, voxels[i]);
-                highest = std::max(highest, voxels[i]);
-            }
-            for (std::size_t i = 0; i < voxels.size(); ++i) {
-                if (!volume.hasData(static_cast<std::int64_t>(i))) continue;
+                const float mean = std::clamp(means[i], lowest, highest);
                 if constexpr (std::is_floating_point_v<Voxel>)
-                    voxels[i] = std::clamp(means[i], lowest, highest);
+                    voxels[i] = mean;
                 else
-                    voxels[i] = std::clamp(static_cast<Voxel>(std::lrint(means[i])), lowest, highest);
+                    voxels[i] = static_cast<Voxel>(mean + 0.5F);
             }
             return voxels;
         },

@@ -36,7 +36,8 @@ inline constexpr SpeckleReduction defaultSpeckleReduction = SpeckleReduction::me
 }
 
 /// The volume with quiet voxels: voxel type, geometry, white level and data mask are the volume's. Voxels without data
-/// stay as they are, and what is stored in them changes no other voxel. Where all data is one value it stays that
+/// stay as they are, and what is stored in them changes no other voxel. What is above the white level counts as white,
+/// what is below 0 as 0. Where all data is one value it stays that
 /// value. With `off` the result shares the volume's voxels. The result is empty only where progress.cancel was raised,
 /// and has the same bits for any number of threads.
 [[nodiscard]] std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction,

@@ -105,6 +105,21 @@ TEST(SpeckleReduction, AConstantStaysExactlyBesideOtherValuesWithoutData) {
         }
 }
 
+TEST(SpeckleReduction, AnAbsurdVoxelShinesNoFartherThanAWhiteOne) {
+    const VolumeGeometry geometry = gridOf({15, 15, 15});
+    const auto middle = static_cast<std::size_t>(geometry.offset(7, 7, 7));
+    for (const SpeckleReduction reduction : reductions) {
+        std::vector<Volume> results;
+        for (const float hot : {200.0F, 1e30F}) {
+            auto voxels = std::get<std::vector<float>>(noisyVolume<float>(geometry, 0.4, slope).voxels());
+            voxels[middle] = hot;
+            results.push_back(*quietVolume(Volume(geometry, voxels, 200.0), reduction));
+        }
+        EXPECT_EQ(results[0].voxels(), results[1].voxels()) << nameOf(reduction);
+        EXPECT_LT(results[0].storedValue(geometry.offset(7, 7, 5)), 120.0);
+    }
+}
+
 TEST(SpeckleReduction, TakesAnySizeAndExtremes) {
     for (const std::array<std::int64_t, 3> size :
          {std::array<std::int64_t, 3>{1, 1, 1}, {1, 9, 1}, {70, 1, 2}, {2, 2, 2}})
