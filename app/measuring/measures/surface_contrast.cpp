@@ -51,15 +51,17 @@ private:
     }
 };
 
-/// The depth of the surface where the ray's first interface leads into object.
-std::optional<double> objectDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward, double nearPlane,
-                                  double unit) {
+/// The depth of the ray's first interface where that leads into what is asked for.
+std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward,
+                                   double nearPlane, double unit, InterfaceInto into) {
     // The place is far enough behind the boundary to be beyond the doubt about where it is, and near enough to be in
     // what it bounds.
     constexpr double justBehind = 1e-3;  // units
     const auto surface = truth.firstInterfacePoint(pointMm, forward, nearPlane);
     if (!surface) return std::nullopt;
-    if (truth.materialAt(*surface + forward * (justBehind * unit)) != PhantomMaterial::object) return std::nullopt;
+    if (into == InterfaceInto::object &&
+        truth.materialAt(*surface + forward * (justBehind * unit)) != PhantomMaterial::object)
+        return std::nullopt;
     return forward.dot(*surface);
 }
 
@@ -131,7 +133,8 @@ std::optional<double> SurfaceContrast::contrastToNoise() const {
     return (meanSurface - meanRest) / std::sqrt(variance);
 }
 
-std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view) {
+std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view,
+                                  InterfaceInto into) {
     const ViewFrame frame = frameOf(view);
     const RayLattice lattice(geometry, frame);
     const double nearPlane = nearPlaneDepthMm(view, geometry), unit = geometry.unit();
@@ -140,7 +143,7 @@ std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomT
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
-            if (const auto depth = objectDepth(truth, point, frame.forward, nearPlane, unit))
+            if (const auto depth = surfaceDepth(truth, point, frame.forward, nearPlane, unit, into))
                 ofRow[static_cast<std::size_t>(row)].push_back({point, *depth});
         }
     });

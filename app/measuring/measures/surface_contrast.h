@@ -33,9 +33,12 @@ struct ObjectRay {
     Vec3 pointMm{0, 0, 0};        ///< a point of the ray, grid mm; its direction is the view's forward
     double surfaceDepthMm = 0.0;  ///< depth of the true surface along forward, from the grid's origin
 };
-/// The rays that surfaceContrast() looks at, row by row, so that the truth is asked once for many curves.
+/// What a ray's first interface may lead into: a fetus is all skin, with its bones behind.
+enum class InterfaceInto { object, objectOrTissue };
+/// The rays that surfaceContrast() looks at, row by row, so that the truth is asked once for many curves; or those
+/// whose first interface leads into tissue, too.
 [[nodiscard]] std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
-                                                const Viewpoint& view);
+                                                const Viewpoint& view, InterfaceInto into = InterfaceInto::object);
 /// The contrast of each curve on given rays; each equals surfaceContrast()'s, bit for bit. The volume is sampled once.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
                                                             const Viewpoint& view,

@@ -42,7 +42,9 @@ void measureContrasts(const std::vector<PhantomConfig>& bases, PhantomScene scen
         for (PhantomConfig base : bases) {
             base.scene = scene;
             const StudyPhantom phantom(contrastConditions(base)[c].config);
-            const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, {});
+            const auto rays =
+                objectRays(phantom.volume.geometry(), phantom.truth, {},
+                           scene == PhantomScene::shapes ? InterfaceInto::object : InterfaceInto::objectOrTissue);
             for (std::size_t f = 0; f < results.size(); ++f)
                 seeds[f].push_back(quietContrastOf(phantom, rays, results[f].filter));
         }
@@ -103,7 +105,7 @@ std::string pageOf(const std::vector<QuietResult>& results, const QuietStudyOpti
         "units as the middle of the mean profile does. Membrane (2 voxels of tissue in fluid) and finger (4 voxels of "
         "object in fluid): the share of their contrast that is left. Times are wall time in ms per million voxels of 8 "
         "bits, the least of several runs, without and with a data mask. CNR_S is that of the default curve, which is "
-        "meant for the voxels that are shown; mean over the seeds " +
+        "meant for the voxels that are shown, of the fetus on all its first surfaces; mean over the seeds " +
         options.phantoms.seeds + " and six conditions.");
     const TextTable filters = filterTable(results);
     page.table(filters.columns, filters.rows);
