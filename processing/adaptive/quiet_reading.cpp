@@ -13,8 +13,8 @@ namespace {
 
 /// How far the ends of a ramp move where no speckle is left, shares of the way from I_L to I_H. Chosen on phantoms,
 /// looked at on real volumes (docs/speckle.md).
-constexpr double beginRises = 0.3;
-constexpr double endFalls = 0.4;
+constexpr double beginRises = 0.1;
+constexpr double endFalls = 0.5;
 
 /// A tube as the quiet voxels have it; as it was where they show no rise.
 TubeCore readAnew(const TubeCore& found, const CellStatistics& cells, const AdaptiveOtfConfig& config,
