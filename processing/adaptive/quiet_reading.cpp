@@ -13,7 +13,7 @@ namespace {
 
 /// How far the ends of a ramp move where no speckle is left, shares of the way from I_L to I_H. Chosen on phantoms,
 /// looked at on real volumes (docs/speckle.md).
-constexpr double beginRises = 0.1;
+constexpr double beginRises = 0.16;
 constexpr double endFalls = 0.5;
 
 /// A tube as the quiet voxels have it; as it was where they show no rise.
