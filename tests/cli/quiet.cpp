@@ -1,4 +1,6 @@
 // The real program's `quiet`, and --reduction of `otf`, `study contrast` and `study quiet`.
+#include <algorithm>
+
 #include "io/study.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/program.h"
