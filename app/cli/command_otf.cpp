@@ -16,7 +16,7 @@ struct OtfOptions {
     VolumeOptions volume;
     ViewOptions view;
     MethodOptions method;
-    ReductionOption reduction{"off"};
+    ReductionOption reduction{};
     std::string json, csv, tubesCsv;
 };
 

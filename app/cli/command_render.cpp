@@ -28,10 +28,8 @@ struct RenderOptions {
 constexpr int largestPictureEdge = 16384;
 
 /// Size and look; the camera follows once the volume is there.
-Result<RayCastSettings> settingsFrom(const RenderOptions& options) {
-    const auto look = options.look.get();
-    if (!look) return tl::unexpected<Failure>(look.error());
-    RayCastSettings settings = rayCastSettings(*look);
+Result<RayCastSettings> settingsFrom(const RenderOptions& options, const Look& look) {
+    RayCastSettings settings = rayCastSettings(look);
     const auto size = parseWholePair(options.size, 1, largestPictureEdge, "--size", "512x512");
     if (!size) return tl::unexpected<Failure>(size.error());
     settings.width = (*size)[0];
@@ -52,10 +50,10 @@ Result<Vec3> backgroundFrom(const std::string& text) {
 }
 
 /// The curve that was asked for; the adaptive one is computed for the rendered view, near cut included.
-OpacityCurve curveFor(const Volume& volume, const Viewpoint& view, const std::optional<OpacityCurve>& named,
-                      const AdaptiveOtfConfig& config) {
+OpacityCurve curveFor(const Volume& volume, const QuietVoxels& shown, const Viewpoint& view,
+                      const std::optional<OpacityCurve>& named, const AdaptiveOtfConfig& config) {
     if (named) return *named;
-    const auto otf = adaptOpacity(volume, view, config);
+    const auto otf = adaptOpacity(volume, view, config, {}, shown);
     if (!otf->message.empty()) std::fprintf(stderr, "%s\n", otf->message.c_str());
     return otf->curve;
 }
@@ -76,7 +74,9 @@ Result<void> render(const RenderOptions& options) {
     if (!config) return tl::unexpected<Failure>(config.error());
     auto named = namedCurve(options.otf, options.method.opacityScale);
     if (!named) return tl::unexpected<Failure>(named.error());
-    auto settings = settingsFrom(options);
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
+    auto settings = settingsFrom(options, *look);
     if (!settings) return tl::unexpected<Failure>(settings.error());
     if (settings->mode != RenderMode::direct) *named = PowerCurve{};  // no curve is computed that plays no part
     const auto background = backgroundFrom(options.background);
@@ -94,8 +94,10 @@ Result<void> render(const RenderOptions& options) {
         defaultCamera((*volume)->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
     settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
-    const OpacityCurve curve = curveFor(**volume, *view, *named, *config);
-    const auto picture = castRays(**volume, curve, *settings);
+    settings->cutSurface = view->cutSurface;
+    const Volume shown = *quietVolume(**volume, look->reduction);
+    const OpacityCurve curve = curveFor(**volume, {&shown, look->reduction}, *view, *named, *config);
+    const auto picture = castRays(shown, curve, *settings);
     if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, **volume);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
     if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
@@ -122,7 +124,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
         ->capture_default_str();
     command.add_option("-o,--output", options->output, "Where the picture goes")->type_name("OUT.png")->required();
     command.footer(
-        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
+        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive -o chest.png");
     command.callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

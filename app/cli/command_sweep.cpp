@@ -189,7 +189,7 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     command.add_option("--frame-rate", options.frameRate, "Frames a second of the movie")
         ->type_name("RATE")
         ->capture_default_str();
-    options.look.addTo(command, {"shaded"});
+    options.look.addTo(command, {"lighting"});
 }
 
 }  // namespace

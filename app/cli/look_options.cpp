@@ -14,7 +14,6 @@ namespace {
 /// The names that people know a flag by, beside that of its row.
 std::string namesOf(const Parameter<Look>& parameter) {
     const std::string option = optionOf(parameter.name);
-    if (parameter.name == "shaded") return "--shade," + option;
     if (parameter.name == "depth_colouring") return "--depth-colour," + option;
     return option;
 }
@@ -39,7 +38,6 @@ Result<void> takeLight(const std::string& text, Look& look) {
                           fmt::format("must be an azimuth from {} to {} and an elevation from {} to {} degrees",
                                       textOf(azimuth.least), textOf(azimuth.largest), textOf(elevation.least),
                                       textOf(elevation.largest)));
-    look.shaded = true;
     look.light = {(*angles)[0], (*angles)[1]};
     return {};
 }
@@ -47,7 +45,7 @@ Result<void> takeLight(const std::string& text, Look& look) {
 }  // namespace
 
 ParameterValue LookOptions::Given::value() const {
-    const ParameterValue standard = *parameter->get(Look{});
+    const ParameterValue standard = *parameter->get(lookAtStart());
     if (std::holds_alternative<bool>(standard)) return flag;
     if (std::holds_alternative<std::string>(standard)) return choice;
     return number;
@@ -56,21 +54,23 @@ ParameterValue LookOptions::Given::value() const {
 void LookOptions::addRow(CLI::App& command, const Parameter<Look>& parameter) {
     Given& given = m_given.emplace_back();
     given.parameter = &parameter;
-    const ParameterValue standard = *parameter.get(Look{});
+    const ParameterValue standard = *parameter.get(lookAtStart());
     if (std::holds_alternative<bool>(standard)) {
-        command.add_flag(namesOf(parameter), given.flag, std::string(parameter.meaning));
+        given.option = command.add_flag(namesOf(parameter), given.flag, std::string(parameter.meaning));
     } else if (const auto* name = std::get_if<std::string>(&standard)) {
         given.choice = *name;
-        command
-            .add_option(namesOf(parameter), given.choice,
-                        fmt::format("{}: {}", parameter.meaning, listed(parameter.choices)))
-            ->type_name("NAME")
-            ->capture_default_str();
+        given.option =
+            command
+                .add_option(namesOf(parameter), given.choice,
+                            fmt::format("{}: {}", parameter.meaning, listed(parameter.choices)))
+                ->type_name("NAME")
+                ->capture_default_str();
     } else {
         given.number = *numberOf(standard);
-        command.add_option(namesOf(parameter), given.number, fmt::format("{}, {}", parameter.meaning, parameter.unit))
-            ->type_name("NUMBER")
-            ->default_str(textOf(given.number));
+        const std::string unit = parameter.unit.empty() ? "" : fmt::format(", {}", parameter.unit);
+        given.option = command.add_option(namesOf(parameter), given.number, std::string(parameter.meaning) + unit)
+                           ->type_name("NUMBER")
+                           ->default_str(textOf(given.number));
     }
 }
 
@@ -82,26 +82,39 @@ void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& 
         if (wanted(parameter.name)) addRow(command, parameter);
     if (!names.empty()) return;
     command.add_flag("--perspective", m_perspective, "Short for --projection perspective")->excludes("--projection");
-    command.add_option("--light", m_light, "Short for --shade with --light-azimuth AZ and --light-elevation EL")
+    command.add_flag("--shade", m_shade, "Short for --lighting surface")->excludes("--lighting");
+    command.add_option("--light", m_light, "Short for --light-azimuth AZ and --light-elevation EL")
         ->type_name("AZ,EL")
         ->excludes("--light-azimuth")
         ->excludes("--light-elevation");
 }
 
+/// An option of the light that was given although it plays no part is a mistake; its default is none.
+Result<void> LookOptions::checkParts(const Look& look) const {
+    if (look.mode != RenderMode::direct && (m_shade || !m_light.empty()))
+        return wrongUsage("--shade and --light", "need direct volume rendering", "Leave them out, or use --mode direct.");
+    if (look.lighting == Lighting::flat && !m_light.empty())
+        return wrongUsage("--light", "needs a light", "Leave it out, or use --lighting surface or depth.");
+    for (const Given& given : m_given)
+        if (given.option->count() > 0 && !playsAPart(given.parameter->name, look))
+            return wrongUsage(optionOf(given.parameter->name), "plays no part in this mode and light",
+                              "Leave it out, or use --mode direct and --lighting depth.");
+    return {};
+}
+
 Result<Look> LookOptions::get() const {
-    Look look;
+    Look look = lookAtStart();
     for (const Given& given : m_given)
         if (!given.parameter->set(look, given.value()))
             return wrongUsage(optionOf(given.parameter->name), "is \"" + given.choice + "\"",
                               "Use " + listed(given.parameter->choices) + ".");
     if (m_perspective) look.projection = Projection::perspective;
+    if (m_shade) look.lighting = Lighting::surface;
     if (!m_light.empty())
         if (const auto taken = takeLight(m_light, look); !taken) return tl::unexpected<Failure>(taken.error());
     for (const Parameter<Look>& parameter : lookParameters())
         if (const auto fits = checked(parameter, look); !fits) return tl::unexpected<Failure>(fits.error());
-    if (look.mode != RenderMode::direct && (look.shaded || look.depthColoured))
-        return wrongUsage("--shade, --light and --depth-colour", "need direct volume rendering",
-                          "Leave them out, or use --mode direct.");
+    if (const auto sensible = checkParts(look); !sensible) return tl::unexpected<Failure>(sensible.error());
     return look;
 }
 

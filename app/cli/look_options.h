@@ -12,7 +12,8 @@
 
 namespace echolucent::cli {
 
-/// An option for each row of lookParameters(), and the short forms --shade, --depth-colour, --perspective and --light.
+/// An option for each row of lookParameters(), whose default is lookAtStart(), and the short forms --shade,
+/// --depth-colour, --perspective and --light.
 struct LookOptions {
     /// `names` are those of the rows that get an option; where there are none, all rows get one. The options must stay
     /// where they are from here to get().
@@ -24,15 +25,17 @@ private:
     /// What stands on the command line for one row.
     struct Given {
         const Parameter<Look>* parameter = nullptr;
+        const CLI::Option* option = nullptr;
         bool flag = false;
         double number = 0.0;
         std::string choice;
         [[nodiscard]] ParameterValue value() const;
     };
+    [[nodiscard]] Result<void> checkParts(const Look& look) const;
     void addRow(CLI::App& command, const Parameter<Look>& parameter);
 
     std::deque<Given> m_given;  // a deque: the options point at its elements
-    bool m_perspective = false;
+    bool m_perspective = false, m_shade = false;
     std::string m_light;
 };
 

@@ -76,7 +76,7 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig
     auto chosen = get();
     if (!chosen) return chosen;
     chosen->beamAxis = beam.axis;
-    if (!beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
+    if (beam.source != "assumed" && !beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
     if (!nearCutSuggested()) return chosen;
     const auto found = findNearCut(volume, *chosen);
     chosen->nearCutMm = found->nearCutMm;

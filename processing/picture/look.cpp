@@ -49,8 +49,17 @@ bool setAngle(Look& look, const ParameterValue& value) {
     return setNumber(look.light.*angle, value);
 }
 
-const std::array<Parameter<Look>, 9>& rows() {
-    static const std::array<Parameter<Look>, 9> table{{
+template <auto member>
+std::optional<ParameterValue> getReaching(const Look& look) {
+    return look.reaching.*member;
+}
+template <auto member>
+bool setReaching(Look& look, const ParameterValue& value) {
+    return setNumber(look.reaching.*member, value);
+}
+
+const std::array<Parameter<Look>, 14>& rows() {
+    static const std::array<Parameter<Look>, 14> table{{
         {"mode",
          "Mode",
          "What a ray shows of the volume; the opacity curve, light and depth colours play a part in direct mode only",
@@ -61,15 +70,25 @@ const std::array<Parameter<Look>, 9>& rows() {
           nameOf(RenderMode::mean)},
          &getChoice<&Look::mode>,
          &setChoice<&Look::mode, &renderModeFromName>},
-        {"shaded",
-         "Light",
-         "Light falls on surfaces",
+        {"reduction",
+         "Speckle reduction",
+         "How much speckle is taken out of the voxels that the picture is made of",
          "",
-         "Shading in processing/picture/shading.h",
+         "docs/speckle.md; chosen by looking",
          {},
+         {nameOf(SpeckleReduction::off), nameOf(SpeckleReduction::light), nameOf(SpeckleReduction::medium),
+          nameOf(SpeckleReduction::strong)},
+         &getChoice<&Look::reduction>,
+         &setChoice<&Look::reduction, &speckleReductionFromName>},
+        {"lighting",
+         "Light",
+         "What light does: nothing, fall on surfaces, or fall on them as far as it reaches them",
+         "",
+         "Shading in processing/picture/shading.h; chosen by looking",
          {},
-         &getFlag<&Look::shaded>,
-         &setFlag<&Look::shaded>},
+         {nameOf(Lighting::flat), nameOf(Lighting::surface), nameOf(Lighting::depth)},
+         &getChoice<&Look::lighting>,
+         &setChoice<&Look::lighting, &lightingFromName>},
         {"light_azimuth",
          "Azimuth of the light",
          "How far to the right of the viewer the light stands",
@@ -88,6 +107,42 @@ const std::array<Parameter<Look>, 9>& rows() {
          {},
          &getAngle<&LightDirection::elevationDegrees>,
          &setAngle<&LightDirection::elevationDegrees>},
+        {"light_softness",
+         "Softness of the light",
+         "Half the angle under which the light is seen: the softer the light, the softer its shadows",
+         "degrees",
+         byLooking,
+         {0, 45},
+         {},
+         [](const Look& look) { return std::optional<ParameterValue>(look.lightSoftness); },
+         [](Look& look, const ParameterValue& value) { return setNumber(look.lightSoftness, value); }},
+        {"shadow",
+         "Cast shadows",
+         "How dark it is where the light does not reach",
+         "",
+         byLooking,
+         {0, 1},
+         {},
+         &getReaching<&ReachingLight::shadow>,
+         &setReaching<&ReachingLight::shadow>},
+        {"occlusion",
+         "Dark hollows",
+         "How dark it is where the light around the viewer does not reach",
+         "",
+         byLooking,
+         {0, 1},
+         {},
+         &getReaching<&ReachingLight::occlusion>,
+         &setReaching<&ReachingLight::occlusion>},
+        {"translucency",
+         "Translucency",
+         "How warm light becomes on its way through thin tissue",
+         "",
+         byLooking,
+         {0, 1},
+         {},
+         &getReaching<&ReachingLight::translucency>,
+         &setReaching<&ReachingLight::translucency>},
         {"depth_colouring",
          "Depth colours",
          "Tints what is near warm and what is far blue",
@@ -145,8 +200,10 @@ bool chosenByPersons(const Parameter<Look>& row) { return row.name != "step"; }
 
 bool playsAPart(std::string_view name, const Look& look) {
     const bool direct = look.mode == RenderMode::direct;
-    if (name == "shaded" || name == "depth_colouring") return direct;
-    if (name == "light_azimuth" || name == "light_elevation") return direct && look.shaded;
+    if (name == "lighting" || name == "depth_colouring") return direct;
+    if (name == "light_azimuth" || name == "light_elevation") return direct && look.lighting != Lighting::flat;
+    if (name == "light_softness" || name == "shadow" || name == "occlusion" || name == "translucency")
+        return direct && look.lighting == Lighting::depth;
     return true;
 }
 
@@ -161,7 +218,8 @@ std::string labelOfChoice(std::string_view choice) {
 
 Look lookAtStart() {
     Look look;
-    look.shaded = true;
+    look.reduction = defaultSpeckleReduction;
+    look.lighting = Lighting::depth;
     look.light = {std::round(look.light.azimuthDegrees), std::round(look.light.elevationDegrees)};
     return look;
 }
@@ -174,7 +232,15 @@ RayCastSettings rayCastSettings(const Look& look) {
     settings.colourMap = look.colourMap;
     settings.camera.projection = look.projection;
     if (look.mode != RenderMode::direct) return settings;
-    if (look.shaded) settings.shading = Shading{.towardsLight = towardsLight(look.light)};
+    if (look.lighting != Lighting::flat) settings.shading = Shading{.towardsLight = towardsLight(look.light)};
+    if (look.lighting == Lighting::depth) {
+        settings.shading->ambient = ambientWithReachingLight;
+        settings.shading->diffuse = diffuseWithReachingLight;
+        settings.shading->keyHalfAngleDegrees = look.lightSoftness;
+        settings.shading->shadow = look.reaching.shadow;
+        settings.shading->occlusion = look.reaching.occlusion;
+        settings.shading->translucency = look.reaching.translucency;
+    }
     if (look.depthColoured) settings.depthColouring = DepthColouring{};
     return settings;
 }

@@ -9,8 +9,11 @@
 #include "processing/picture/camera.h"
 #include "processing/picture/colour_map.h"
 #include "processing/picture/light_direction.h"
+#include "processing/picture/lighting.h"
 #include "processing/picture/ray_cast_settings.h"
+#include "processing/picture/reaching_light.h"
 #include "processing/picture/render_mode.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/volume/interpolation.h"
 
 namespace echolucent {
@@ -18,8 +21,11 @@ namespace echolucent {
 /// How a volume looks, apart from its opacity curve, the viewpoint and what is cut away.
 struct Look {
     RenderMode mode = RenderMode::direct;
-    bool shaded = false;         ///< light on surfaces; plays a part in direct mode only
-    LightDirection light;        ///< where the light stands; plays a part where the picture is shaded
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the picture is taken from
+    Lighting lighting = Lighting::flat;  ///< plays a part in direct mode only
+    LightDirection light;                ///< where the light stands; plays a part where lighting is not flat
+    double lightSoftness = 8.0;          ///< degrees, [0, 45]: half the angle under which the light is seen
+    ReachingLight reaching;              ///< plays a part where lighting is depth
     bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
     ColourMap colourMap = ColourMap::sepia;
     Projection projection = Projection::parallel;
@@ -41,7 +47,8 @@ struct Look {
 /// A choice's name for a person ("Mean (x-ray)" for "mean"), sentence case.
 [[nodiscard]] std::string labelOfChoice(std::string_view choice);
 
-/// The look a window starts with: lit, with the light at whole degrees, as the panel's sliders show it.
+/// The look that the window and the command line start with: quiet voxels and light that tells depth, from whole degrees, as the panel's
+/// sliders show them.
 [[nodiscard]] Look lookAtStart();
 
 /// The settings of a look; size, place of the camera and cuts are left as RayCastSettings{} has them. Light and depth

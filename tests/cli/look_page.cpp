@@ -18,11 +18,12 @@ std::string upper(std::string_view text) {
 
 /// The row of the page, without its end of line.
 std::string lineOf(const Parameter<Look>& parameter) {
-    const ParameterValue standard = *parameter.get(Look{});
+    const ParameterValue standard = *parameter.get(lookAtStart());
     const std::string option = optionOf(parameter.name);
     if (std::holds_alternative<bool>(standard)) return fmt::format("| `{}` | {} | off |", option, parameter.meaning);
     if (const auto number = numberOf(standard))
-        return fmt::format("| `{} {}` | {}, {} to {} | {:.3g} |", option, upper(parameter.unit), parameter.meaning,
+        return fmt::format("| `{} {}` | {}, {} to {} | {:.3g} |", option,
+                           parameter.unit.empty() ? "SHARE" : upper(parameter.unit), parameter.meaning,
                            textOf(parameter.range.least), textOf(parameter.range.largest), *number);
     std::string choices;
     for (const std::string_view choice : parameter.choices)
@@ -51,11 +52,12 @@ TEST(LookPage, ShortFormsMakeTheSamePicture) {
             << options;
         return contentsOf(file);
     };
-    EXPECT_EQ(rendered("--shade"), rendered("--shaded"));
+    EXPECT_EQ(rendered("--shade"), rendered("--lighting surface"));
     EXPECT_EQ(rendered("--depth-colour"), rendered("--depth-colouring"));
     EXPECT_EQ(rendered("--perspective"), rendered("--projection perspective"));
-    EXPECT_EQ(rendered("--light 60,-20"), rendered("--shade --light-azimuth 60 --light-elevation -20"));
-    EXPECT_NE(rendered("--light 60,-20"), rendered("--shade"));
+    EXPECT_EQ(rendered("--light 60,-20"), rendered("--light-azimuth 60 --light-elevation -20"));
+    EXPECT_NE(rendered("--light 60,-20"), rendered(""));
+    EXPECT_NE(rendered("--lighting flat"), rendered("--shade"));
     EXPECT_NE(rendered("--perspective"), rendered(""));
 }
 

@@ -13,7 +13,8 @@ std::string walledFile() {
 }
 
 TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
-    const Outcome outcome = runProgram("otf \"" + walledFile() + "\" --near auto --json -");
+    const Outcome outcome =
+        runProgram("otf \"" + walledFile() + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const json otf = json::parse(outcome.output);
     const double nearMm = otf["view"]["near_mm"];
@@ -40,12 +41,13 @@ TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
 }
 
 TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
-    const Outcome unneeded = runProgram("otf \"" + shapesFile() + "\" --near auto --json -");
+    const Outcome unneeded =
+        runProgram("otf \"" + shapesFile() + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(unneeded.status, 0) << unneeded.errors;
     EXPECT_EQ(unneeded.errors.rfind("The fluid begins at the front (", 0), 0u) << unneeded.errors;
     EXPECT_EQ(json::parse(unneeded.output)["view"]["near_mm"], 0.0);
     const std::string empty = phantomFile("empty.mha", "--scene empty --size 64x64x64 --seed 5");
-    const Outcome none = runProgram("otf \"" + empty + "\" --near auto --json -");
+    const Outcome none = runProgram("otf \"" + empty + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(none.status, 0) << none.errors;
     EXPECT_EQ(none.errors.rfind("No fluid was found (", 0), 0u) << none.errors;
     EXPECT_NE(none.errors.find("\nNo surface found: the initial function is used.\n"), std::string::npos)
@@ -55,24 +57,25 @@ TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
 
 TEST(NearAuto, WorksForThePictureToo) {
     const Folder folder;
-    const Outcome outcome = runProgram("render \"" + walledFile() + "\" --near auto --otf adaptive --size 64x64 -o \"" +
-                                       folder / "cut.png" + "\"");
+    const Outcome outcome =
+        runProgram("render \"" + walledFile() + "\" --beam-axis +z --near auto --otf adaptive --size 64x64 -o \"" +
+                   folder / "cut.png" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors.rfind("A wall stands before the fluid: behind a cut at ", 0), 0u) << outcome.errors;
     EXPECT_TRUE(std::filesystem::exists(folder / "cut.png"));
 }
 
 TEST(NearAuto, CutsWhereverAVolumeIsLookedAt) {
-    const json cut = otfOf(walledFile(), "--near auto");
-    const Outcome sweep =
-        runProgram("sweep \"" + walledFile() + "\" --near auto --from 0 --to 1 --step 1 --smoothing none --csv -");
+    const json cut = otfOf(walledFile(), "--beam-axis +z --near auto");
+    const Outcome sweep = runProgram("sweep \"" + walledFile() +
+                                     "\" --beam-axis +z --near auto --from 0 --to 1 --step 1 --smoothing none --csv -");
     ASSERT_EQ(sweep.status, 0) << sweep.errors;
     EXPECT_EQ(sweep.errors.rfind("A wall stands before the fluid: behind a cut at ", 0), 0u) << sweep.errors;
     // The first frame is the cut view: its last opacity stands at the end of the first row.
     const std::string row = sweep.output.substr(sweep.output.find('\n') + 1);
     const std::string firstRow = row.substr(0, row.find('\n'));
     EXPECT_DOUBLE_EQ(std::stod(firstRow.substr(firstRow.rfind(',') + 1)), cut["otf"]["opacity"].back().get<double>());
-    const Outcome bench = runProgram("bench otf \"" + walledFile() + "\" --near auto --runs 1");
+    const Outcome bench = runProgram("bench otf \"" + walledFile() + "\" --beam-axis +z --near auto --runs 1");
     ASSERT_EQ(bench.status, 0) << bench.errors;
     EXPECT_EQ(bench.errors.rfind("A wall stands before the fluid: behind a cut at ", 0), 0u) << bench.errors;
 }
@@ -85,7 +88,7 @@ TEST(NearAuto, RefusesWhatIsNeitherANumberNorAuto) {
         EXPECT_NE(outcome.errors.find("--near"), std::string::npos) << outcome.errors;
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
     }
-    const Outcome phantom = runProgram("phantom /dev/null/none.mha --truth - --near auto");
+    const Outcome phantom = runProgram("phantom /dev/null/none.mha --truth - --beam-axis +z --near auto");
     EXPECT_EQ(phantom.status, 2);
     EXPECT_NE(phantom.errors.find("--near"), std::string::npos) << phantom.errors;
 }

@@ -56,14 +56,13 @@ std::size_t rendered(const Folder& folder, const std::string& options) {
 
 TEST(Render, ALightFromElsewhereMakesAnotherPicture) {
     const Folder folder;
-    const std::size_t unlit = rendered(folder, "--otf parabolic");
     const std::size_t usual = rendered(folder, "--otf parabolic --shade");
-    const std::size_t left = rendered(folder, "--otf parabolic --light -80,0");
+    const std::size_t left = rendered(folder, "--otf parabolic --light -80,0 --shade");
     const std::size_t right = rendered(folder, "--otf parabolic --light 80,0 --shade");
-    EXPECT_NE(unlit, left) << "a light is a light, also without --shade";
     EXPECT_NE(usual, left);
     EXPECT_NE(left, right);
-    EXPECT_EQ(right, rendered(folder, "--otf parabolic --light 80,0"));
+    EXPECT_NE(rendered(folder, "--otf parabolic --lighting flat"), usual);
+    EXPECT_NE(rendered(folder, "--otf parabolic"), usual) << "light that reaches is the default";
 }
 
 TEST(Render, ModesAndDepthColoursMakePicturesOfTheirOwn) {
@@ -82,9 +81,9 @@ TEST(Render, ModesAndDepthColoursMakePicturesOfTheirOwn) {
 TEST(Render, RefusesModesAndLightsThatMakeNoSense) {
     const Folder folder;
     const std::string picture = " -o \"" + folder / "p.png" + "\"";
-    for (const std::string options :
-         {"--mode brightest", "--mode maximum --shade", "--mode mean --depth-colour", "--mode minimum --light 0,0",
-          "--light 30", "--light 181,0", "--light 0,91", "--light nan,0"}) {
+    for (const std::string options : {"--mode brightest", "--mode maximum --shade", "--mode mean --depth-colour",
+                                      "--mode minimum --light 0,0", "--lighting flat --light 0,0", "--lighting none",
+                                      "--light 30", "--light 181,0", "--light 0,91", "--light nan,0"}) {
         const Outcome outcome = runProgram("render \"" + shapesFile() + "\" " + options + picture);
         EXPECT_EQ(outcome.status, 2) << options;
         EXPECT_FALSE(outcome.errors.empty()) << options;

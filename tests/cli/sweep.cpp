@@ -139,7 +139,8 @@ TEST(SweepJson, HoldsFramesGainsAndFlicker) {
 }
 
 TEST(SweepJson, PicturesFlickerLessToo) {
-    const Outcome outcome = runProgram("sweep \"" + shapesFile() + "\" --picture-flicker --size 32x32 --json -");
+    const Outcome outcome =
+        runProgram("sweep \"" + shapesFile() + "\" --picture-flicker --lighting flat --size 32x32 --json -");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const json report = json::parse(outcome.output);
     EXPECT_GT(report["picture_flicker"]["unsmoothed"].get<double>(), 0.0);
@@ -164,14 +165,15 @@ TEST(SweepMovie, HoldsTheRenderedFrames) {
     const Folder folder;
     const Outcome outcome = runProgram("sweep \"" + shapesFile() +
                                        "\" --from 0 --to 30 --step 10 --smoothing none "
-                                       "--size 97x65 --frame-rate 12 --movie \"" +
+                                       "--size 97x65 --lighting flat --frame-rate 12 --movie \"" +
                                        folder / "m.avi" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
-    ASSERT_EQ(runProgram("render \"" + shapesFile() + "\" --view-azimuth 30 --size 97x65 --otf adaptive -o \"" +
-                         folder / "f.png" + "\"")
-                  .status,
-              0);
+    ASSERT_EQ(
+        runProgram("render \"" + shapesFile() +
+                   "\" --view-azimuth 30 --size 97x65 --reduction off --lighting flat -o \"" + folder / "f.png" + "\"")
+            .status,
+        0);
     cv::VideoCapture movie(folder / "m.avi", cv::CAP_OPENCV_MJPEG);
     ASSERT_TRUE(movie.isOpened());
     EXPECT_NEAR(movie.get(cv::CAP_PROP_FPS), 12, 1e-9);

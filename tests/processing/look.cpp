@@ -31,12 +31,18 @@ TEST(Look, EveryRowReadsWhatItWrote) {
     }
     EXPECT_TRUE(problemIn(lookParameters(), changed).empty());
     // No member is without a row: a new one does not compile here until it stands in these names and in a line below.
-    [[maybe_unused]] const auto& [mode, shaded, light, depthColoured, map, projection, interpolation, step] = changed;
+    [[maybe_unused]] const auto& [mode, reduction, lighting, light, softness, reaching, depthColoured, map, projection, interpolation, step] = changed;
     [[maybe_unused]] const auto& [azimuth, elevation] = light;
+    [[maybe_unused]] const auto& [shadow, occlusion, translucency] = reaching;
     EXPECT_NE(changed.mode, Look{}.mode);
-    EXPECT_NE(changed.shaded, Look{}.shaded);
+    EXPECT_NE(changed.reduction, Look{}.reduction);
+    EXPECT_NE(changed.lighting, Look{}.lighting);
     EXPECT_NE(changed.light.azimuthDegrees, Look{}.light.azimuthDegrees);
     EXPECT_NE(changed.light.elevationDegrees, Look{}.light.elevationDegrees);
+    EXPECT_NE(changed.lightSoftness, Look{}.lightSoftness);
+    EXPECT_NE(changed.reaching.shadow, Look{}.reaching.shadow);
+    EXPECT_NE(changed.reaching.occlusion, Look{}.reaching.occlusion);
+    EXPECT_NE(changed.reaching.translucency, Look{}.reaching.translucency);
     EXPECT_NE(changed.depthColoured, Look{}.depthColoured);
     EXPECT_NE(changed.colourMap, Look{}.colourMap);
     EXPECT_NE(changed.projection, Look{}.projection);
@@ -67,7 +73,8 @@ TEST(Look, OutOfRangeIsSaid) {
 
 TEST(Look, SettingsHoldWhatPlaysAPart) {
     Look look;
-    look.shaded = look.depthColoured = true;
+    look.lighting = Lighting::surface;
+    look.depthColoured = true;
     look.projection = Projection::perspective;
     look.light = {60, 20};
     const RayCastSettings direct = rayCastSettings(look);
@@ -76,7 +83,7 @@ TEST(Look, SettingsHoldWhatPlaysAPart) {
     EXPECT_EQ(direct.camera.projection, Projection::perspective);
     look.mode = RenderMode::maximum;
     EXPECT_FALSE(rayCastSettings(look).shading || rayCastSettings(look).depthColouring);
-    EXPECT_FALSE(playsAPart("shaded", look));
+    EXPECT_FALSE(playsAPart("lighting", look));
     EXPECT_TRUE(playsAPart("colour_map", look));
 }
 
