@@ -140,6 +140,19 @@ Vec3 JsonFields::vector(const char* key) {
     return vector;
 }
 
+std::vector<double> JsonFields::numbers(const char* key) {
+    const json* value = find(key);
+    std::vector<double> numbers;
+    if (!value) return numbers;
+    bool good = value->is_array();
+    for (std::size_t i = 0; good && i < value->size(); ++i) {
+        good = (*value)[i].is_number() && std::isfinite((*value)[i].get<double>());
+        if (good) numbers.push_back((*value)[i].get<double>());
+    }
+    if (!good) wrong(key, "must be a list of numbers");
+    return numbers;
+}
+
 JsonFields JsonFields::object(const char* key) {
     const json* value = find(key);
     return {value ? *value : emptyObject(), m_place.empty() ? std::string(key) : m_place + "." + key, *m_problems};

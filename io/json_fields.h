@@ -53,6 +53,8 @@ public:
     std::string text(const char* key);
     /// Three finite numbers.
     Vec3 vector(const char* key);
+    /// Finite numbers, as many as there are.
+    std::vector<double> numbers(const char* key);
     /// The object under a key.
     JsonFields object(const char* key);
     /// The objects of a list.

@@ -49,7 +49,26 @@ Pose poseIn(JsonFields& fields) {
             fields.number("magnification", std::numeric_limits<double>::min())};
 }
 
-Cut cutIn(JsonFields& fields) { return {fields.number("near_cut_mm", 0)}; }
+CutSurface surfaceIn(JsonFields fields) {
+    constexpr std::int64_t mostNodes = 1024;
+    CutSurface surface;
+    JsonFields frame = fields.object("frame");
+    surface.frame = {frame.vector("right"), frame.vector("down"), frame.vector("forward")};
+    surface.firstRightMm = fields.number("first_right_mm");
+    surface.firstDownMm = fields.number("first_down_mm");
+    surface.spacingMm = fields.number("spacing_mm");
+    surface.columns = static_cast<int>(fields.whole("columns", 2, mostNodes));
+    surface.rows = static_cast<int>(fields.whole("rows", 2, mostNodes));
+    for (const double depth : fields.numbers("depth_mm")) surface.depthMm.push_back(static_cast<float>(depth));
+    return surface;
+}
+
+Cut cutIn(JsonFields& fields) {
+    Cut cut{.nearCutMm = fields.number("near_cut_mm", 0)};
+    cut.source = fields.choice("source", &cutSourceFromName);
+    if (!fields.isNull("surface")) cut.surface = surfaceIn(fields.object("surface"));
+    return cut;
+}
 
 Look lookIn(JsonFields& fields) {
     Look look = lookAtStart();

@@ -50,7 +50,24 @@ ordered_json poseJson(const Pose& pose) {
             {"magnification", pose.magnification}};
 }
 
-ordered_json cutJson(const Cut& cut) { return {{"near_cut_mm", cut.nearCutMm}}; }
+ordered_json surfaceJson(const CutSurface& surface) {
+    return {{"frame",
+             {{"right", triple(surface.frame.right)},
+              {"down", triple(surface.frame.down)},
+              {"forward", triple(surface.frame.forward)}}},
+            {"first_right_mm", surface.firstRightMm},
+            {"first_down_mm", surface.firstDownMm},
+            {"spacing_mm", surface.spacingMm},
+            {"columns", surface.columns},
+            {"rows", surface.rows},
+            {"depth_mm", surface.depthMm}};
+}
+
+ordered_json cutJson(const Cut& cut) {
+    return {{"near_cut_mm", cut.nearCutMm},
+            {"source", nameOf(cut.source)},
+            {"surface", cut.surface ? surfaceJson(*cut.surface) : ordered_json()}};
+}
 
 ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
 

@@ -3,11 +3,21 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "processing/choice_names.h"
 #include "processing/motion/otf_sweep.h"
 
 namespace echolucent {
 
 namespace {
+
+constexpr ChoiceNames<2> cutSourceNames{"person", "found"};
+
+/// A direction, relative to the beam, behind a cut.
+Viewpoint behind(const Cut& cut, BeamAxis beam, const ViewDirection& direction) {
+    Viewpoint viewpoint = viewpointOf(beam, direction, cut.nearCutMm);
+    viewpoint.cutSurface = cut.surface;
+    return viewpoint;
+}
 
 template <typename List>
 auto& withId(List& list, int id, const char* what) {
@@ -29,6 +39,12 @@ bool unique(const List& list) {
 }
 
 }  // namespace
+
+std::string_view nameOf(CutSource source) { return nameIn(cutSourceNames, source); }
+
+std::optional<CutSource> cutSourceFromName(std::string_view name) {
+    return choiceNamed<CutSource>(cutSourceNames, name);
+}
 
 const View& viewOf(const Document& document, int view) { return withId(document.views, view, "view"); }
 View& viewOf(Document& document, int view) { return withId(document.views, view, "view"); }
@@ -63,13 +79,12 @@ Pose shownPose(const Document& document, int view) {
 }
 
 Viewpoint viewpointOf(const Document& document, int view) {
-    const Viewpoint start =
-        viewpointOf(document.beam.axis, poseOf(document, view).direction, cutOf(document, view).nearCutMm);
+    const Viewpoint start = behind(cutOf(document, view), document.beam.axis, poseOf(document, view).direction);
     return document.motionAngle == 0.0 ? start : turned(start, document.motion.axis, document.motionAngle);
 }
 
 Viewpoint otfViewpointOf(const Document& document, int view) {
-    return viewpointOf(document.beam.axis, document.method.direction, cutOf(document, view).nearCutMm);
+    return behind(cutOf(document, view), document.beam.axis, document.method.direction);
 }
 
 OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive) {
@@ -103,6 +118,9 @@ std::string problemOf(const Document& document) {
     if (!unique(document.cuts)) return "cuts must have an id of its own each";
     if (!unique(document.looks)) return "looks must have an id of its own each";
     if (!unique(document.phases)) return "phases must have an id of its own each";
+    for (std::size_t i = 0; i < document.cuts.size(); ++i)
+        if (const auto& surface = document.cuts[i].value.surface; surface && !problemOf(*surface).empty())
+            return "cuts[" + std::to_string(i) + "].surface " + problemOf(*surface);
     for (std::size_t i = 0; i < document.views.size(); ++i) {
         const View& view = document.views[i];
         const std::string place = "views[" + std::to_string(i) + "].";

@@ -2,9 +2,12 @@
 // pictures) is no part of it.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "processing/cut_surface.h"
 #include "processing/document/curve_set.h"
 #include "processing/document/method_choice.h"
 #include "processing/document/pose.h"
@@ -14,9 +17,20 @@
 
 namespace echolucent {
 
+/// Who chose where to cut.
+enum class CutSource {
+    person,  ///< chosen in the program
+    found,   ///< made on opening, by the search for the cut
+};
+/// "person", "found".
+[[nodiscard]] std::string_view nameOf(CutSource source);
+[[nodiscard]] std::optional<CutSource> cutSourceFromName(std::string_view name);
+
 /// What is cut off in front.
 struct Cut {
     double nearCutMm = 0.0;  ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
+    std::optional<CutSurface> surface{};  ///< what lies before it is cut off too; it does not turn with the view
+    CutSource source = CutSource::person;
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 

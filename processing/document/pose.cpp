@@ -5,7 +5,7 @@
 namespace echolucent {
 
 namespace {
-constexpr ChoiceNames<2> beamSourceNames{"assumed", "person"};
+constexpr ChoiceNames<4> beamSourceNames{"assumed", "sector shape", "echo", "person"};
 
 /// Height of the picture at magnification 1, mm.
 double fittedHeightMm(const DataBox& box, BeamAxis beam, double aspect) {

@@ -12,10 +12,12 @@ namespace echolucent {
 
 /// Who said along which way sound travelled.
 enum class BeamSource {
-    assumed,  ///< nobody did; the default is taken
-    person,   ///< chosen in the program
+    assumed,      ///< nobody did; the default is taken
+    sectorShape,  ///< found on opening: the scanned sector widens along it
+    echo,         ///< found on opening: speckle is finer along it, and shadows run along it
+    person,       ///< chosen in the program
 };
-/// "assumed", "person".
+/// "assumed", "sector shape", "echo", "person".
 [[nodiscard]] std::string_view nameOf(BeamSource source);
 [[nodiscard]] std::optional<BeamSource> beamSourceFromName(std::string_view name);
 

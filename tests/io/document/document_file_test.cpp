@@ -28,6 +28,14 @@ Document unusual() {
         {7, {{std::numbers::pi * 50, -89.999999999999986, 1e-300}, {0.1 + 0.2, -1.0 / 3.0, 1e17}, 4.0 / 3.0}},
         {2, Pose{}}};
     document.cuts = {{4, {18.04000000000001}}, {5, {std::numeric_limits<double>::denorm_min()}}};
+    document.cuts.front().value.source = CutSource::found;
+    document.cuts.front().value.surface = CutSurface{.frame = frameOf(Viewpoint{.azimuthDegrees = 12.3}),
+                                                     .firstRightMm = -1.0 / 3.0,
+                                                     .firstDownMm = 0.1,
+                                                     .spacingMm = 2.0 / 7.0,
+                                                     .columns = 2,
+                                                     .rows = 3,
+                                                     .depthMm = {0.1f, -1.0f / 3.0f, 1e-30f, 4, 5, 6e20f}};
     document.looks = {{9, Look{}}};
     document.looks.front().value.mode = RenderMode::mean;
     document.looks.front().value.colourMap = ColourMap::ice;

@@ -134,7 +134,7 @@ TEST(Document, NamesOfChoicesGoBothWays) {
     for (const InitialKind kind :
          {InitialKind::parabolic, InitialKind::quartic, InitialKind::linear, InitialKind::manual})
         EXPECT_EQ(initialKindFromName(nameOf(kind)), kind);
-    for (const BeamSource source : {BeamSource::assumed, BeamSource::person})
+    for (const BeamSource source : {BeamSource::assumed, BeamSource::sectorShape, BeamSource::echo, BeamSource::person})
         EXPECT_EQ(beamSourceFromName(nameOf(source)), source);
     for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z})
         EXPECT_EQ(motionAxisFromName(nameOf(axis)), axis);

@@ -1,0 +1,51 @@
+// What opening makes of its finds: sure ones are taken, all others leave the document as it is.
+#include "processing/document/opening_finds.h"
+
+#include <gtest/gtest.h>
+
+namespace echolucent {
+namespace {
+
+OpeningFinds finds() {
+    OpeningFinds all;
+    all.beam = {.axis = BeamAxis::minusY, .evidence = BeamEvidence::sectorShape, .confidence = 0.8, .sure = true};
+    all.cut.answer = NearCutAnswer::wallBeforeFluid;
+    all.cut.nearCutMm = 10.6499;
+    all.cut.sure = true;
+    return all;
+}
+
+TEST(OpeningFinds, SureOnesAreTaken) {
+    const Document taken = withFinds({}, finds());
+    EXPECT_EQ(taken.beam, (Beam{BeamAxis::minusY, BeamSource::sectorShape}));
+    EXPECT_EQ(cutOf(taken, 1), (Cut{.nearCutMm = 10.6, .source = CutSource::found}));
+    Document rest = taken;
+    rest.beam = {};
+    cutOf(rest, 1) = {};
+    EXPECT_EQ(rest, Document{}) << "nothing else changes";
+}
+
+TEST(OpeningFinds, WhatIsNotSureStaysAsItIs) {
+    OpeningFinds unsure = finds();
+    unsure.beam.sure = false;
+    EXPECT_EQ(withFinds({}, unsure), Document{}) << "without a sure beam nobody knows along what to cut";
+    unsure = finds();
+    unsure.cut.sure = false;
+    EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
+    EXPECT_EQ(withFinds({}, unsure).beam.axis, BeamAxis::minusY);
+    unsure = finds();
+    unsure.cut.answer = NearCutAnswer::fluidAtFront;
+    EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
+}
+
+TEST(OpeningFinds, AVolumeOfOneValueHasNone) {
+    VolumeGeometry geometry;
+    geometry.size = {20, 21, 22};
+    const Volume even(geometry, Voxels(std::vector<std::uint8_t>(20 * 21 * 22, 90)));
+    const auto found = findOnOpening(even);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(withFinds({}, *found), Document{});
+}
+
+}  // namespace
+}  // namespace echolucent
