@@ -27,7 +27,7 @@ constexpr double leastFluid = 0.004;     // of the data
 constexpr double mostlyAtFront = 0.5;    // of the tube cores that meet data
 constexpr double someAtFront = 0.1;  // of the tube cores that meet data, and far more than are in fluid behind a wall:
 constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too,
-constexpr double moreAtFront = 4.0;      // clear fluid is no dim tissue
+constexpr double moreAtFront = 3.0;      // clear fluid is no dim tissue
 constexpr double clearFrontContrast = 1.3;
 constexpr double clearFluid = 0.03;                           // of the data: so much is beyond doubt
 constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6, which every wall has, and ln 2.16
@@ -173,15 +173,6 @@ std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint&
     finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
     progress.at(1.0);
     return finding;
-}
-
-std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig&,
-                                                const Progress& progress) {
-    const auto finding = findNearCut(volume, view, progress);
-    if (!finding) return std::nullopt;
-    const bool nothing = finding->answer == NearCutAnswer::noFluid;
-    return NearCutSuggestion{finding->nearCutMm, finding->tubes, nothing ? 0 : finding->tubesThatSaySo,
-                             nothing ? finding->message : std::string()};
 }
 
 }  // namespace echolucent

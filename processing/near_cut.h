@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/cut_surface.h"
 #include "processing/progress.h"
 #include "processing/viewpoint.h"
@@ -43,18 +42,5 @@ struct NearCutFinding {
 /// bits for any number of threads. It is empty only where the search was cancelled.
 [[nodiscard]] std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view,
                                                         const Progress& progress = {});
-
-/// A near cut and how it was found.
-struct NearCutSuggestion {
-    double nearCutMm = 0.0;   ///< as Viewpoint::nearCutMm; it is 0 where nothing stands in front of the fluid
-    int tubesWithWeight = 0;  ///< tube cores of the search that meet data
-    int tubesInFluid = 0;     ///< how many of these are in fluid at the cut
-    std::string message;      ///< a sentence where nothing can be suggested; else it is empty
-};
-
-/// findNearCut() in fewer words. The config plays no part.
-[[nodiscard]] std::optional<NearCutSuggestion> suggestNearCut(const Volume& volume, const Viewpoint& view,
-                                                              const AdaptiveOtfConfig& config,
-                                                              const Progress& progress = {});
 
 }  // namespace echolucent

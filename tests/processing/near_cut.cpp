@@ -77,18 +77,17 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
         const PhantomConfig config = phantomOf(scene, 23, true);
         const Volume volume = *makePhantom(config);
         for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
-            const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
+            const NearCutFinding cut = *findNearCut(volume, view);
             const TubesWithInterface tubes(config, volume.geometry(), view);
             const CutTruth truth = tubes.at(cut.nearCutMm);
-            const auto surface = findNearCut(volume, view)->surface;
-            ASSERT_TRUE(surface);
-            const CutTruth curved = tubes.at(*surface);
+            ASSERT_TRUE(cut.surface);
+            const CutTruth curved = tubes.at(*cut.surface);
             std::printf(
                 "%s, azimuth %.0f: cut at %.2f mm; of %d tubes with an interface %d have it behind, %d are in fluid "
                 "(says: %d of %d); behind the curved cut %d have it behind, %d are in fluid\n",
                 std::string(nameOf(scene)).c_str(), view.azimuthDegrees, cut.nearCutMm, truth.tubes, truth.behindTheCut,
-                truth.inFluid, cut.tubesInFluid, cut.tubesWithWeight, curved.behindTheCut, curved.inFluid);
-            EXPECT_EQ(cut.message, "");
+                truth.inFluid, cut.tubesThatSaySo, cut.tubes, curved.behindTheCut, curved.inFluid);
+            EXPECT_EQ(cut.answer, NearCutAnswer::wallBeforeFluid) << cut.message;
             EXPECT_GT(cut.nearCutMm, 0.0);
             ASSERT_GT(truth.tubes, 50);
             EXPECT_GE(truth.behindTheCut, 0.95 * truth.tubes);
@@ -110,25 +109,25 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
 
 TEST(NearCut, DoesNotDependOnTheViewsOwn) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 24, true));
-    const NearCutSuggestion uncut = *suggestNearCut(volume, {}, {});
-    EXPECT_EQ(suggestNearCut(volume, {.nearCutMm = 20}, {})->nearCutMm, uncut.nearCutMm);
+    const NearCutFinding uncut = *findNearCut(volume, {});
+    EXPECT_EQ(findNearCut(volume, {.nearCutMm = 20})->nearCutMm, uncut.nearCutMm);
 }
 
 TEST(NearCut, IsNoneWhereNothingStandsInFront) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 25, false));
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 12, .elevationDegrees = -8}}) {
-        const NearCutSuggestion cut = *suggestNearCut(volume, view, {});
+        const NearCutFinding cut = *findNearCut(volume, view);
         EXPECT_EQ(cut.nearCutMm, 0.0);
-        EXPECT_EQ(cut.message, "");
-        EXPECT_GT(cut.tubesWithWeight, 50);
+        EXPECT_EQ(cut.answer, NearCutAnswer::fluidAtFront) << cut.message;
+        EXPECT_GT(cut.tubes, 50);
     }
 }
 
 TEST(NearCut, IsNoneWithoutASurface) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::empty, 26, false));
-    const NearCutSuggestion cut = *suggestNearCut(volume, {}, {});
+    const NearCutFinding cut = *findNearCut(volume, {});
     EXPECT_EQ(cut.nearCutMm, 0.0);
-    EXPECT_EQ(cut.tubesInFluid, 0);
+    EXPECT_EQ(cut.answer, NearCutAnswer::noFluid);
     EXPECT_NE(cut.message.find("No fluid was found"), std::string::npos) << cut.message;
 }
 
@@ -137,7 +136,7 @@ TEST(NearCut, OfACancelledRunIsNone) {
     std::atomic<bool> cancel = true;
     Progress progress;
     progress.cancel = &cancel;
-    EXPECT_FALSE(suggestNearCut(volume, {}, {}, progress));
+    EXPECT_FALSE(findNearCut(volume, {}, progress));
 }
 
 }  // namespace

@@ -41,8 +41,7 @@ TEST(WhereDataBegin, IsTheSurfaceWhereThereIsNoFluid) {
     EXPECT_EQ(found->tubesWithWeight, bare->tubesWithWeight);
     const auto initial = sampledOpacities(found->config.initial, AdaptiveOtf::sampleCount);
     for (std::size_t i = 0; i < initial.size(); ++i) ASSERT_NEAR(found->curve.opacities[i], initial[i], 1e-12) << i;
-    const auto cut = suggestNearCut(guessed, {}, {});
-    EXPECT_NE(cut->message, "") << "no fluid was found, so nothing can stand before it";
+    EXPECT_EQ(findNearCut(guessed, {})->answer, NearCutAnswer::noFluid) << "so nothing can stand before it";
 }
 
 TEST(WhereDataBegin, OtherMasksAreNeverTakenBack) {
