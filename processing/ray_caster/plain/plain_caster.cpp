@@ -75,7 +75,8 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
     const Vec3& light = settings.shading->towardsLight;
     const ViewFrame& frame = settings.camera.frame;
     m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
-    if (settings.mode != RenderMode::direct || !settings.shading->asksWhatReaches()) return;
+    if (settings.mode != RenderMode::direct || !settings.shading->asksWhatReaches() || casting.reaching != nullptr)
+        return;
     LightScene scene = lightSceneOf(settings);
     scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
     scene.coarseness = settings.lightCoarseness;
@@ -198,7 +199,11 @@ Vec3 PlainCaster::factorsAt(const Seen& seen) const {
     const Vec3 gradient = worth ? m_sampler.gradientAt(seen.voxel, shading.gradientReach) : Vec3(0, 0, 0);
     const SurfaceLight surface = surfaceLight(shading, gradient, m_towardsLight, seen.rayDirection);
     ReachingShares reaching;
-    if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(seen.voxel));
+    const Vec3 place = m_geometry.gridMmFromVoxel(seen.voxel);
+    if (m_casting.reaching != nullptr && worth)
+        reaching = (*m_casting.reaching)(place);
+    else if (m_light && worth)
+        reaching = reachingAt(*m_light, place);
     return reachingFactor(shading, {shading.shadow, shading.occlusion, shading.translucency}, reaching.key,
                           reaching.around, surface);
 }

@@ -1,6 +1,7 @@
 // The slow, obvious route from volume to picture: what the fast one is measured against.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -38,6 +39,9 @@ struct PlainCasting {
     /// renderers do. A ray then errs by up to half a step at either end: on opaque faces of the box by many levels,
     /// still at steps of 0.1.
     bool wholeSteps = false;
+    /// What reaches a place in grid mm, for steps that are lit by their gradient; null: a light volume says it. It must
+    /// outlive the casting.
+    const std::function<ReachingShares(const Vec3& gridMm)>* reaching = nullptr;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };
 
