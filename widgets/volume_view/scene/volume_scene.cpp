@@ -31,6 +31,7 @@ VolumeScene::VolumeScene() {
     m_renderer->AddVolume(m_volumeProp);
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
+    m_caption.addTo(m_renderer);
     // The window's size is known for certain only when it is drawn.
     m_startObserver = m_renderer->AddObserver(vtkCommand::StartEvent, this, &VolumeScene::prepareDrawing);
     updateVisibility();
@@ -104,6 +105,11 @@ void VolumeScene::setAnnotationsVisible(bool visible) {
     updateVisibility();
 }
 
+void VolumeScene::setCaption(const std::string& text) {
+    m_caption.setText(text);
+    updateVisibility();
+}
+
 bool VolumeScene::hasOpaqueProps() { return !opaqueProps(*m_renderer).empty(); }
 
 std::shared_ptr<const DepthMap> VolumeScene::opaqueDepth(const Camera& camera, int width, int height) {
@@ -157,6 +163,7 @@ void VolumeScene::updateVisibility() {
     m_volumeProp->SetVisibility(m_volume != nullptr);
     m_orientationMarker.setVisible(visible);
     m_scaleBar.setVisible(visible);
+    m_caption.setVisible(visible);
 }
 
 void VolumeScene::prepareDrawing() {
@@ -171,6 +178,7 @@ void VolumeScene::layOutAnnotations() {
     const double scale = m_renderer->GetRenderWindow()->GetDPI() / plainScreenDpi;
     const Camera shown = camera();
     m_orientationMarker.layOut(scale, shown.frame);
+    m_caption.layOut(size[1], scale);
     m_scaleBar.layOut(size[0], size[1], scale, shown.heightMm, m_volume->geometry().spacingKnown);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "processing/picture/renderer_choice.h"
+#include "widgets/volume_view/scene/annotation/caption.h"
 #include "widgets/volume_view/scene/annotation/orientation_marker.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
@@ -50,6 +51,9 @@ public:
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
+    /// Says in the picture what was done to it; an empty text says nothing.
+    void setCaption(const std::string& text);
+    [[nodiscard]] const std::string& caption() const { return m_caption.text(); }
 
     // ---- What a picture for this scene needs
 
@@ -100,6 +104,7 @@ private:
     vtkNew<vtkVolumeProperty> m_property;
     OrientationMarker m_orientationMarker;
     ScaleBar m_scaleBar;
+    Caption m_caption;
     OpaqueDepth m_opaqueDepth;
     GraphicsCard m_card;
     GraphicsCardVolume m_cardVolume;

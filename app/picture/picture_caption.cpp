@@ -1,0 +1,53 @@
+#include "app/picture/picture_caption.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("caption", text); }
+
+QString beamLine(const Beam& beam) {
+    const QString axis = textOf(nameOf(beam.axis));
+    switch (beam.source) {
+        case BeamSource::assumed: return tr("beam %1, assumed").arg(axis);
+        case BeamSource::sectorShape: return tr("beam %1, from the shape of the sector").arg(axis);
+        case BeamSource::echo: return tr("beam %1, from the echo").arg(axis);
+        case BeamSource::person: break;
+    }
+    return tr("beam %1").arg(axis);
+}
+
+QString cutLine(const Cut& cut, bool lengthsKnown) {
+    if (!cut.surface && !(cut.nearCutMm > 0)) return {};
+    const QString what = cut.surface    ? tr("cut along a curved front")
+                         : lengthsKnown ? tr("cut at %1 mm").arg(cut.nearCutMm, 0, 'f', 1)
+                                        : tr("cut");
+    return cut.source == CutSource::found ? tr("%1, found on opening (N takes it back)").arg(what) : what;
+}
+
+QString speckleLine(SpeckleReduction reduction, bool quiet) {
+    if (reduction == SpeckleReduction::off) return {};
+    return quiet ? tr("speckle reduced: %1").arg(textOf(nameOf(reduction))) : tr("speckle is being reduced");
+}
+
+QString lightLine(const Look& look) {
+    if (look.mode != RenderMode::direct || look.lighting == Lighting::flat) return {};
+    return look.lighting == Lighting::depth ? tr("light tells depth") : tr("light on surfaces");
+}
+
+}  // namespace
+
+QString pictureCaption(const CaptionFacts& facts) {
+    const Look& look = lookOf(facts.document, facts.view);
+    QStringList lines{beamLine(facts.document.beam), cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
+                      speckleLine(look.reduction, facts.quiet), lightLine(look)};
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,22 @@
+// The line in the picture that says what was done to it, and by whom.
+#pragma once
+
+#include <QString>
+
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// What the caption tells beside the document.
+struct CaptionFacts {
+    const Document& document;
+    int view;                  ///< of the document
+    bool quiet = false;        ///< the voxels shown are quiet, as the look asks
+    bool lengthsKnown = true;  ///< the volume's spacing is known, so that lengths in mm may be told
+};
+
+/// One line for each of these that is true: which way round and how that is known, what is cut off and who cut it, how
+/// much speckle was taken away, which light falls.
+[[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
+
+}  // namespace echolucent
