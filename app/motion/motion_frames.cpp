@@ -14,6 +14,7 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&player, &MotionPlayer::frameChanged, this, &MotionFrames::showFrame);
     connect(&player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.panel.setPlaying(playing);
+        m_parts.picture.setPlaying(playing);
         m_frameClock.invalidate();
         m_frameSeconds = 0;
         if (!playing) m_parts.panel.setFrameRate(std::nullopt);
@@ -126,7 +127,7 @@ void MotionFrames::showFrame(double angle, int phase) {
 /// A frame of a motion with one OTF, which is there already.
 void MotionFrames::showFrameWithItsOtf() {
     m_frameWaits = false;
-    m_parts.view.showVolume(m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.session.newestVoxels(), m_parts.session.volume());
     keepCourseOf(m_otf->config);
     m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
     m_parts.coursePanel.showCourse();
@@ -150,8 +151,9 @@ CourseFrame MotionFrames::courseFrame() const {
 void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     const Document& document = m_parts.model.document();
     const int view = m_parts.view.view();
-    const Viewpoint start =
+    Viewpoint start =
         viewpointOf(document.beam.axis, poseOf(document, view).direction, cutOf(document, view).nearCutMm);
+    start.cutSurface = cutOf(document, view).surface;
     const CourseFrame frame = courseFrame();
     const MotionScenario scenario = document.motion.scenario;
     const auto rows = movesProbe(scenario) ? OtfCourse::Rows::angles : OtfCourse::Rows::phases;
@@ -185,7 +187,7 @@ void MotionFrames::showFrameRate() {
     if (!(seconds > 0)) return;
     // A running mean over about ten frames, so that the number can be read.
     m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
-    m_parts.panel.setFrameRate(1.0 / m_frameSeconds);
+    m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
 }
 
 }  // namespace echolucent

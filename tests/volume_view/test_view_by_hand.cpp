@@ -128,7 +128,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         Look lit = s.view.look();
-        lit.shaded = true;
+        lit.lighting = Lighting::surface;
         lit.light = {-30, 20};
         s.view.setLook(lit);
         QVERIFY(s.awaitIdle());
@@ -151,7 +151,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         Look lit = s.view.look();
-        lit.shaded = true;
+        lit.lighting = Lighting::surface;
         s.view.setLook(lit);
         QVERIFY(s.awaitIdle());
         const Look before = s.view.look();
@@ -172,7 +172,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         const Look before = s.view.look();
-        QVERIFY(!before.shaded);
+        QCOMPARE(before.lighting, Lighting::flat);
         QSignalSpy light(&s.view, &VolumeViewWidget::lightChanged);
         s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
         QCOMPARE(s.view.look(), before);

@@ -158,7 +158,7 @@ private slots:
         Look look;
         look.projection = Projection::perspective;
         look.colourMap = ColourMap::ice;
-        look.shaded = true;
+        look.lighting = Lighting::surface;
         look.step = 0.5;
         s.view.setLook(look);
         QCOMPARE(s.view.look(), look);
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(largestDifference(s.view.screenImage(), *castRays(*s.volume, wall, s.view.settings())) <= 2);
         for (const RenderMode mode : {RenderMode::maximum, RenderMode::minimum, RenderMode::mean}) {
             look.mode = mode;
-            look.shaded = true;
+            look.lighting = Lighting::surface;
             s.view.setLook(look);
             QCOMPARE(s.view.settings().mode, mode);
             QVERIFY(!s.view.settings().shading && !s.view.settings().depthColouring);  // direct mode only
@@ -198,7 +198,8 @@ private slots:
         QVERIFY(s.awaitIdle());
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
         s.view.setCurve(PowerCurve{2, 0.1});
-        look.shaded = look.depthColoured = true;
+        look.lighting = Lighting::surface;
+        look.depthColoured = true;
         s.view.setLook(look);
         QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
         QCOMPARE(deliveries.size(), 0);

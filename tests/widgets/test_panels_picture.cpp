@@ -128,8 +128,8 @@ private slots:
         QSignalSpy reset(&panel, &ViewPanel::resetRequested);
         QSignalSpy save(&panel, &ViewPanel::savePictureRequested);
         QSignalSpy suggest(&panel, &ViewPanel::nearCutSuggestionRequested);
-        QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
-        QVERIFY(!look.takeFirst().first().value<Look>().shaded);
+        QTest::keyClick(child<QComboBox>(panel, "view.lighting"), Qt::Key_Up);
+        QCOMPARE(look.takeFirst().first().value<Look>().lighting, Lighting::surface);
         QTest::mouseClick(child<QPushButton>(panel, "view.reset"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.savePicture"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.nearCut.suggest"), Qt::LeftButton);
@@ -169,18 +169,18 @@ private slots:
         ViewPanel panel;
         const auto enabled = [&](const char* name) { return child<QWidget>(panel, name)->isEnabled(); };
         QVERIFY(enabled("view.lightAzimuth") && enabled("view.lightElevation.value"));
-        QTest::keyClick(child<QCheckBox>(panel, "view.shaded"), Qt::Key_Space);
+        QTest::keyClick(child<QComboBox>(panel, "view.lighting"), Qt::Key_Home);
         QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.lightElevation.value"));
         Look look = lookAtStart();
         panel.setLook(look);
         QVERIFY(enabled("view.lightAzimuth"));
         look.mode = RenderMode::mean;
         panel.setLook(look);
-        QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.shaded") && !enabled("view.depthColouring"));
-        QVERIFY(panel.look().shaded);  // as it was, for the way back
+        QVERIFY(!enabled("view.lightAzimuth") && !enabled("view.lighting") && !enabled("view.depthColouring"));
+        QCOMPARE(panel.look().lighting, Lighting::depth);  // as it was, for the way back
         look.mode = RenderMode::direct;
         panel.setLook(look);
-        QVERIFY(enabled("view.lightAzimuth") && enabled("view.shaded") && enabled("view.depthColouring"));
+        QVERIFY(enabled("view.lightAzimuth") && enabled("view.lighting") && enabled("view.depthColouring"));
     }
 
     void modesSayThatTheCurvePlaysNoPart() {
@@ -267,7 +267,7 @@ private slots:
         QCOMPARE(panel.look(), look);
         QCOMPARE(child<QComboBox>(panel, "view.colourMap")->currentText(), "Grey");
         QCOMPARE(child<QComboBox>(panel, "view.mode")->currentText(), "Minimum");
-        QVERIFY(!child<QCheckBox>(panel, "view.shaded")->isChecked());
+        QCOMPARE(child<QComboBox>(panel, "view.lighting")->currentText(), "Flat");
         QCOMPARE(panel.nearCutMm(), 5.0);
         QCOMPARE(panel.renderer(), RendererChoice::software);
     }

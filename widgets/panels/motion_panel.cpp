@@ -230,9 +230,10 @@ void MotionPanel::setPingPong(bool pingPong) {
     m_pingPong->setChecked(pingPong);
 }
 
-void MotionPanel::setFrameRate(std::optional<double> framesPerSecond) {
-    m_frameRate->setText(framesPerSecond ? tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0))
-                                         : QString());
+void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, int keptFrames) {
+    if (!framesPerSecond) return m_frameRate->clear();
+    const QString rate = tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0));
+    m_frameRate->setText(keptFrames > 0 ? tr("%1, %2 in memory").arg(rate).arg(keptFrames) : rate);
 }
 
 }  // namespace echolucent

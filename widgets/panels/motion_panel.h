@@ -42,8 +42,9 @@ public:
     /// Whether the motion goes back and forth; else it starts again from its first frame.
     [[nodiscard]] bool pingPong() const;
     void setPingPong(bool pingPong);
-    /// Shows how many frames are shown a second; hides the read-out where that is not given.
-    void setFrameRate(std::optional<double> framesPerSecond);
+    /// Shows how many frames are shown a second, and how many are kept in memory where there are some; hides the
+    /// read-out where that is not given.
+    void setFrameRate(std::optional<double> framesPerSecond, int keptFrames = 0);
 
 signals:
     /// The person pressed play (true) or pause (false).

@@ -157,8 +157,9 @@ void ViewPanel::arrange() {
     addChoice(4, 2, "projection");
     addChoice(5, 0, "interpolation");
     add(5, 2, m_renderer, tr("Renderer"));
-    grid->addWidget(m_look->control("shaded"), 6, 0);
-    grid->addLayout(createLightRow(), 6, 1, 1, 3);
+    addChoice(6, 0, "reduction");
+    addChoice(6, 2, "lighting");
+    grid->addLayout(createLightRow(), 7, 0, 1, 4);
     addRest(*grid);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
@@ -170,8 +171,8 @@ void ViewPanel::arrange() {
 
 /// Choices of the look that have no place of their own: a row each, below the others.
 void ViewPanel::addRest(QGridLayout& grid) {
-    static constexpr std::array<std::string_view, 8> placed{
-        "mode",       "shaded",     "light_azimuth", "light_elevation",
+    static constexpr std::array<std::string_view, 9> placed{
+        "mode",       "reduction",  "lighting",        "light_azimuth", "light_elevation",
         "colour_map", "projection", "interpolation", "depth_colouring"};
     for (const Parameter<Look>& row : lookParameters()) {
         QWidget* control = m_look->control(row.name);

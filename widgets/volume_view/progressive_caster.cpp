@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "widgets/volume_view/kept_frames.h"
+
 namespace echolucent {
 
 namespace {
@@ -13,14 +15,44 @@ constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts m
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
-    : m_cast(std::move(cast)), m_quality(quality), m_thread("ray caster") {
+    : m_cast(std::move(cast)),
+      m_quality(quality),
+      m_frames(std::make_unique<KeptFrames>()),
+      m_thread("ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::refine);
 }
 
+ProgressiveCaster::~ProgressiveCaster() = default;
+
+void ProgressiveCaster::setPlaying(bool playing) {
+    if (std::exchange(m_playing, playing) == playing) return;
+    if (!playing && m_newest && !busy() && m_startedQuality != convergedQuality) refine();
+}
+
+int ProgressiveCaster::keptFrames() const { return m_frames->count(); }
+
+/// A frame that was kept is delivered as one that was cast would be: after the request has returned.
+bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
+    const auto frame = m_playing ? m_frames->find(request) : nullptr;
+    if (!frame) return false;
+    m_newest = std::make_shared<const PictureRequest>(request);
+    m_startedQuality = frame->quality;
+    m_rest.start(editRestMilliseconds);
+    QMetaObject::invokeMethod(
+        this,
+        [this, frame] {
+            if (m_newest && samePicture(*m_newest, frame->request)) emit delivered(frame);
+        },
+        Qt::QueuedConnection);
+    return true;
+}
+
 void ProgressiveCaster::request(const PictureRequest& request) {
     if (m_newest && samePicture(*m_newest, request)) return;
+    if (deliverKept(request)) return;
+    if (!m_playing) m_frames->clear();
     // A picture of another volume is not a quick picture of this one.
     if (m_newest && m_newest->volume != request.volume) m_thread.cancel();
     const bool edited = m_newest && sameSamples(*m_newest, request);
@@ -33,6 +65,8 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 }
 
 std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
+    // What plays has no hand that waits: a frame is as fine as its time allows.
+    if (m_playing) return m_quality.qualityAlone(request.settings);
     if (edited) {
         const std::size_t quality = m_quality.qualityForEdits(request.settings, m_editing && m_inStream);
         // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
@@ -105,6 +139,16 @@ void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& pictur
     }
     if (samples == SampleUse::notKept) m_quality.couldNotKeep(picture->settings);
     const bool newest = m_newest && samePicture(*m_newest, picture->request);
+    if (m_playing) {
+        if (picture->quality <= highQuality)
+            m_frames->keep(*picture);
+        else if (newest)
+            start(highQuality, NewestWinsThread::WhenSuperseded::finish);
+        // A frame that stays, because the motion is slow, becomes as fine as at rest.
+        if (newest && picture->quality <= highQuality && !picture->converged()) m_rest.start(editRestMilliseconds);
+        if (newest) emit delivered(picture);
+        return;
+    }
     if (newest && !picture->converged()) {
         if (m_inStream) {
             m_rest.start(m_editing ? editRestMilliseconds : restMilliseconds);

@@ -8,23 +8,14 @@
 #include <optional>
 
 #include "widgets/newest_wins_thread.h"
+#include "widgets/volume_view/cast_picture.h"
 #include "widgets/volume_view/preview_quality.h"
 #include "widgets/volume_view/scene/picture_request.h"
 #include "widgets/volume_view/volume_caster.h"
 
 namespace echolucent {
 
-/// A finished picture with what it was made from.
-struct CastPicture {
-    PictureRequest request;    ///< as it was asked for, at full size
-    std::size_t quality = 0;   ///< of qualities
-    RayCastSettings settings;  ///< those of the quality
-    std::shared_ptr<const Picture> picture{};
-    std::shared_ptr<const ScreenPicture> screen{};
-    double milliseconds = 0.0;  ///< wall time in the casting thread
-    bool followsHand = false;   ///< the quick one of its request, not one that refines it
-    [[nodiscard]] bool converged() const { return quality == convergedQuality; }
-};
+class KeptFrames;
 
 /// While requests follow each other, pictures at the quality that PreviewQuality chooses run to their end and are
 /// delivered also when a newer request waits, so that a drag always shows something; the next one is cast while this
@@ -34,14 +25,23 @@ struct CastPicture {
 ///
 /// Edits of curve and colour map keep one quality, for which the ray caster keeps the samples, and wait longer before
 /// the picture is refined.
+///
+/// While a motion plays, every frame is also cast in high quality and kept (see KeptFrames): where that takes long, a
+/// quicker picture of the frame is delivered before it. From its second turn on a loop comes from memory. A request
+/// that is none of its frames drops what was kept once it plays no more.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
 public:
     explicit ProgressiveCaster(Cast cast = castThroughOneRayCaster(), const PreviewQuality& quality = PreviewQuality{});
+    ~ProgressiveCaster() override;
 
     /// Asks for the pictures of a request, whose settings are those that settingsAt() takes.
     void request(const PictureRequest& request);
+    /// Whether the requests from now on are frames of a motion that plays.
+    void setPlaying(bool playing);
+    /// Frames of the motion that are kept in high quality.
+    [[nodiscard]] int keptFrames() const;
     /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
     /// go.
     void clear();
@@ -59,6 +59,7 @@ signals:
 private:
     [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);
     void refine();
+    bool deliverKept(const PictureRequest& request);
     void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
     void fail();
     void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples);
@@ -71,6 +72,8 @@ private:
     bool m_editing = false;                           // the newest request is one of a series of edits
     std::size_t m_startedQuality = convergedQuality;  // of the newest picture begun
     std::optional<std::size_t> m_keptQuality;         // of the newest picture made of kept samples, of this view
+    bool m_playing = false;
+    std::unique_ptr<KeptFrames> m_frames;
     QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -39,6 +39,8 @@ inline constexpr std::array<Quality, 11> qualities{{
     {"preview", 8.0, 4.0},
 }};
 inline constexpr std::size_t convergedQuality = 0;
+/// What a motion's frames are kept in.
+inline constexpr std::size_t highQuality = 1;
 /// Before anything was measured.
 inline constexpr std::size_t firstQuality = 7;
 

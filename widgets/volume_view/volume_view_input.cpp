@@ -121,15 +121,16 @@ void VolumeViewWidget::followHand(const CameraPose& camera) {
 
 void VolumeViewWidget::moveLight(const LightDirection& light) {
     Look& look = m_parts->look;
-    const bool seen = look.shaded && look.mode == RenderMode::direct;
+    const bool seen = look.lighting != Lighting::flat && look.mode == RenderMode::direct;
     if (!m_parts->volume || !seen || light == look.light) return;
     look.light = light;
     schedule();
     emit lightChanged();
 }
 
-void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume) {
+void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured) {
     Parts& parts = *m_parts;
+    parts.measured = measured ? std::move(measured) : volume;
     if (volume == parts.volume) return;
     const bool keepsCamera = volume && parts.volume && sameGrid(volume->geometry(), parts.volume->geometry());
     const std::shared_ptr<const Volume> before = std::exchange(parts.volume, std::move(volume));
@@ -162,6 +163,16 @@ const Look& VolumeViewWidget::look() const { return m_parts->look; }
 void VolumeViewWidget::setNearCut(double mm) {
     if (mm == m_parts->nearCutMm) return;
     m_parts->nearCutMm = mm;
+    schedule();
+}
+
+void VolumeViewWidget::setPlaying(bool playing) { m_parts->caster.setPlaying(playing); }
+
+int VolumeViewWidget::keptFrames() const { return m_parts->caster.keptFrames(); }
+
+void VolumeViewWidget::setCutSurface(const std::optional<CutSurface>& surface) {
+    if (surface == m_parts->cutSurface) return;
+    m_parts->cutSurface = surface;
     schedule();
 }
 

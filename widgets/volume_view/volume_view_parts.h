@@ -20,11 +20,13 @@ namespace echolucent {
 
 struct VolumeViewWidget::Parts {
     std::shared_ptr<const Volume> volume;
+    std::shared_ptr<const Volume> measured;  ///< what pointed values are read from; as null as the volume
     OpacityCurve curve = PowerCurve{2, 1.0};
     Look look;
     Pose pose;
     BeamAxis beam = BeamAxis::plusZ;
     double nearCutMm = 0.0;
+    std::optional<CutSurface> cutSurface;
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws

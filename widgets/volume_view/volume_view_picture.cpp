@@ -34,6 +34,7 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(camera());
     if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view(), parts.volume->geometry());
+    request.settings.cutSurface = parts.cutSurface;
     request.settings = m_parts->scene.withSceneLimits(request.settings);
     return request;
 }
@@ -44,7 +45,7 @@ void VolumeViewWidget::setRenderer(RendererChoice choice) {
     schedule();
 }
 
-bool VolumeViewWidget::rendersLive() const { return m_parts->shown && !m_parts->shown->picture; }
+bool VolumeViewWidget::rendersLive() const { return m_parts->shown && m_parts->shown->live; }
 
 QString VolumeViewWidget::rendererName() const { return rendersLive() ? tr("graphics card") : tr("software renderer"); }
 
@@ -57,6 +58,14 @@ QString VolumeViewWidget::rendererRemark() const {
 }
 
 bool VolumeViewWidget::graphicsCardUsable() const { return m_parts->scene.graphicsCardAtHand(); }
+
+void VolumeViewWidget::setCaption(const QString& text) {
+    if (text.toStdString() == m_parts->scene.caption()) return;
+    m_parts->scene.setCaption(text.toStdString());
+    if (m_parts->shown) render(false);
+}
+
+QString VolumeViewWidget::caption() const { return QString::fromStdString(m_parts->scene.caption()); }
 
 VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
 
@@ -132,7 +141,7 @@ void VolumeViewWidget::showLive(const PictureRequest& request) {
     if (rendersLive() && samePicture(parts.shown->request, request)) return;
     parts.caster.clear();
     parts.shown = std::make_shared<const CastPicture>(CastPicture{
-        .request = request, .quality = convergedQuality, .settings = request.settings, .followsHand = true});
+        .request = request, .quality = convergedQuality, .settings = request.settings, .followsHand = true, .live = true});
     parts.scene.setTransfer(request.curve, request.settings.colourMap);
     parts.scene.showLive(request.settings.camera, request.settings);
     render(true);
@@ -173,7 +182,7 @@ void VolumeViewWidget::report(const CastPicture& picture) {
                          .castMilliseconds = picture.milliseconds,
                          .drawMilliseconds = parts.meter->drawingMilliseconds(),
                          .framesPerSecond = parts.meter->framesPerSecond()};
-    if (!picture.picture) {
+    if (picture.live) {
         report.quality = QStringLiteral("live");
         report.castMilliseconds = parts.scene.liveMilliseconds();
         report.drawMilliseconds = 0.0;  // the same work
@@ -193,7 +202,12 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
                                  position->y() * shown.settings.height / height());
     }
     if (sample) {
-        const bool classified = parts.shown->settings.mode == RenderMode::direct;
+        const RenderMode mode = parts.shown->settings.mode;
+        // The picture may be made of quiet voxels; what is told are the ones that were read, but for what a mode makes
+        // of a whole ray.
+        if (mode == RenderMode::direct && parts.measured != parts.volume)
+            sample->intensity = measuredAt(*parts.measured, sample->gridMm).value_or(sample->intensity);
+        const bool classified = mode == RenderMode::direct;
         emit pointed(sample->intensity, classified ? std::optional(sample->opacity) : std::nullopt);
     } else {
         emit pointed(std::nullopt, std::nullopt);

@@ -57,13 +57,16 @@ public:
 
     /// Null empties the view. The pose is kept where size and spacing are those of the volume before; otherwise it is
     /// that of the default camera of the present view.
-    void setVolume(std::shared_ptr<const Volume> volume);
+    /// Pointed values are read from `measured`, whose grid is the volume's; null stands for the volume itself.
+    void setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured = nullptr);
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
     /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view; the
     /// plane follows the camera.
     void setNearCut(double mm);
+    /// Cuts off what lies before a surface too; it stays where it is in the volume.
+    void setCutSurface(const std::optional<CutSurface>& surface);
     /// Sets the camera by a pose relative to the beam; the near cut stays.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
@@ -71,6 +74,10 @@ public:
     /// another geometry, which is to be shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
+    /// Whether a motion plays: its frames are cast in high quality and kept, and come from memory in its next turn.
+    void setPlaying(bool playing);
+    /// Frames of the motion that are kept in memory.
+    [[nodiscard]] int keptFrames() const;
     /// True while the hand drags; what it has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
     /// Tells the view in another beam axis's frame. The picture stays as it is.
@@ -100,6 +107,9 @@ public:
     /// The same once the picture is converged, for saving. Where it is not there yet it is cast now, while the person
     /// waits.
     [[nodiscard]] QImage convergedImage();
+    /// Says in the picture what was done to it; an empty text says nothing.
+    void setCaption(const QString& text);
+    [[nodiscard]] QString caption() const;
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
     /// Chooses who renders. The graphics card can be chosen also where OpenGL is software, which is slow (see

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "processing/ray_caster/plain/plain_caster.h"
+#include "processing/volume/sampler.h"
 
 namespace echolucent {
 
@@ -57,6 +58,10 @@ std::optional<PointedSample> samplePointedAt(const PictureRequest& request, doub
     if (column < 0 || column >= settings.width || row < 0 || row >= settings.height) return std::nullopt;
     const std::vector<RaySample> ray = PlainCaster(*request.volume, request.curve, settings).samplesOf(column, row);
     return settings.mode == RenderMode::direct ? sampleByOpacity(request, ray) : sampleByIntensity(request, ray);
+}
+
+std::optional<double> measuredAt(const Volume& volume, const Vec3& gridMm) {
+    return VolumeSampler(volume, Interpolation::trilinear).intensityAt(volume.geometry().voxelFromGridMm(gridMm));
 }
 
 }  // namespace echolucent

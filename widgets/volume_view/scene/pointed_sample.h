@@ -22,4 +22,7 @@ struct PointedSample {
 /// those with which the picture on the screen was made.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y);
 
+/// The normalised intensity that was measured at a place, trilinear; empty where there is no data.
+[[nodiscard]] std::optional<double> measuredAt(const Volume& volume, const Vec3& gridMm);
+
 }  // namespace echolucent

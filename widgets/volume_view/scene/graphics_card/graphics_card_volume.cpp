@@ -71,6 +71,9 @@ std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
     if (look.clippingPlanes.size() + needsNearPlane(look) > mostPlanes) {
         return "There are more clipping planes than VTK's graphics card mapper takes.";
     }
+    if (look.shading && look.shading->asksWhatReaches())
+        return "Light that tells depth is what only the software ray caster has.";
+    if (look.cutSurface) return "A curved cut is what only the software ray caster has.";
     return {};
 }
 

@@ -1,0 +1,29 @@
+#include "widgets/volume_view/kept_frames.h"
+
+#include <algorithm>
+
+namespace echolucent {
+
+void KeptFrames::keep(const CastPicture& picture) {
+    const std::size_t bytes =
+        picture.screen->rgba.size() + picture.screen->depthMm.size() * sizeof(picture.screen->depthMm[0]);
+    if (m_bytes + bytes > byteLimit || find(picture.request)) return;
+    auto frame = std::make_shared<CastPicture>(picture);
+    frame->picture.reset();  // floats that only a fresh picture is asked for
+    frame->followsHand = true;
+    m_frames.push_back(std::move(frame));
+    m_bytes += bytes;
+}
+
+std::shared_ptr<const CastPicture> KeptFrames::find(const PictureRequest& request) const {
+    const auto found = std::find_if(m_frames.begin(), m_frames.end(),
+                                    [&](const auto& frame) { return samePicture(frame->request, request); });
+    return found == m_frames.end() ? nullptr : *found;
+}
+
+void KeptFrames::clear() {
+    m_frames.clear();
+    m_bytes = 0;
+}
+
+}  // namespace echolucent

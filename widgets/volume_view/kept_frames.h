@@ -1,0 +1,30 @@
+// The pictures of a motion that plays over and over, kept from its first turn on.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "widgets/volume_view/cast_picture.h"
+
+namespace echolucent {
+
+/// Finished pictures by what they were made from. A picture of anything else (another volume, curve, camera, look or
+/// size) is not found here, so that nothing stale is ever shown.
+class KeptFrames {
+public:
+    /// Keeps a picture's screen form as long as byteLimit is not reached; the frames kept first stay.
+    void keep(const CastPicture& picture);
+    /// The picture of a request at its full size; null where it is not kept.
+    [[nodiscard]] std::shared_ptr<const CastPicture> find(const PictureRequest& request) const;
+    void clear();
+    [[nodiscard]] int count() const { return static_cast<int>(m_frames.size()); }
+
+    static constexpr std::size_t byteLimit = std::size_t{512} << 20;
+
+private:
+    std::vector<std::shared_ptr<const CastPicture>> m_frames;
+    std::size_t m_bytes = 0;
+};
+
+}  // namespace echolucent
