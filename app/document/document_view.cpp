@@ -27,10 +27,11 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
     showPose();
 }
 
-void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume) {
+void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume,
+                              const std::shared_ptr<const Volume>& measured) {
     m_held = false;
     showCurve();
-    m_widget.setVolume(volume);
+    m_widget.setVolume(volume, measured);
     showLook();
     showPose();
 }
@@ -40,6 +41,7 @@ void DocumentView::showPose() {
     const Document& document = m_model.document();
     m_widget.setPose(shownPose(document, m_view), document.beam.axis);
     m_widget.setNearCut(cutOf(document, m_view).nearCutMm);
+    m_widget.setCutSurface(cutOf(document, m_view).surface);
 }
 
 void DocumentView::showCurve() {

@@ -24,7 +24,8 @@ public:
 
     [[nodiscard]] int view() const { return m_view; }
     /// The volume of the view's phase; takes the newest of the document with it, and ends a hold().
-    void showVolume(const std::shared_ptr<const Volume>& volume);
+    /// Pointed values are those of `measured`, the voxels that were read.
+    void showVolume(const std::shared_ptr<const Volume>& volume, const std::shared_ptr<const Volume>& measured);
     /// The widget goes on showing what it shows, until the next volume: a picture is never made of one study's voxels
     /// and another's values.
     void hold() { m_held = true; }

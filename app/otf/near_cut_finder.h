@@ -27,19 +27,23 @@ public:
 
     /// Looks in the view that the document shows now.
     void find();
+    /// Takes back the cut that is there; looks for one where there is none.
+    void toggle();
+    /// Tells of the cut that was made on opening, with the way back.
+    void tellOpening(const NearCutFinding& finding);
 
 private:
-    void take(const NearCutSuggestion& suggestion);
+    void take(const NearCutFinding& finding);
     void endProgress();
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     void takeBackWhatIsNoLongerTrue();
-    void cutAt(double mm, const ViewDirection& direction);
+    void cutAlong(const Cut& cut, const ViewDirection& direction);
 
     Parts m_parts;
     Viewpoint m_looksFrom;
     bool m_looking = false;
-    QString m_told;  ///< the newest message, which is true while the cut is at m_toldCutMm; then it is empty
-    double m_toldCutMm = 0.0;
+    QString m_told;  ///< the newest message, which is true while the cut is m_toldCut; then it is empty
+    Cut m_toldCut;
 };
 
 }  // namespace echolucent

@@ -9,22 +9,27 @@ OtfComputing::OtfComputing(DocumentModel& model, int view, Session& session, QOb
 }
 
 void OtfComputing::begin() {
+    m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
     m_ofDocument = otfViewpointOf(m_model.document(), m_view);
     m_asked = m_ofDocument;
     m_config = configOf(m_model.document());
 }
 
 void OtfComputing::follow() {
+    m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
     const Viewpoint ofDocument = otfViewpointOf(m_model.document(), m_view);
     const AdaptiveOtfConfig config = configOf(m_model.document());
     if (ofDocument == m_ofDocument && config == m_config) return;
     Viewpoint onlyCut = m_ofDocument;
     onlyCut.nearCutMm = ofDocument.nearCutMm;
+    onlyCut.cutSurface = ofDocument.cutSurface;
     // A cut alone leaves the direction of a frame of the motion as it is.
-    if (ofDocument == onlyCut)
+    if (ofDocument == onlyCut) {
         m_asked.nearCutMm = ofDocument.nearCutMm;
-    else
+        m_asked.cutSurface = ofDocument.cutSurface;
+    } else {
         m_asked = ofDocument;
+    }
     m_ofDocument = ofDocument;
     m_config = config;
     computeAgain();

@@ -112,7 +112,15 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     if (facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
                   << motionSentence(facts.document.motion.otf);
-    if (look.shaded) sentences << lightSentence(look.light);
+    if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);
+    if (look.lighting == Lighting::depth && look.reaching.shadow > 0)
+        sentences << tr(
+            "It falls only as far as it reaches through the tissue before it: hollows are dark, and what "
+            "stands in front casts shadows.");
+    if (look.reduction != SpeckleReduction::off)
+        sentences << tr("Speckle was reduced (%1) in the voxels of the picture; the tube cores read the voxels as they "
+                        "were measured.")
+                         .arg(textOf(nameOf(look.reduction)));
     if (look.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
     return sentences;
 }

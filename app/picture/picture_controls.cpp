@@ -1,5 +1,7 @@
 #include "app/picture/picture_controls.h"
 
+#include <algorithm>
+
 #include "app/picture/picture_status.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/panel_controls.h"
@@ -32,15 +34,11 @@ void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        edit(tr("near cut"), [this, mm](Document& next) { cutOf(next, view()).nearCutMm = mm; });
+        edit(tr("near cut"), [this, mm](Document& next) { cutOf(next, view()) = Cut{.nearCutMm = mm}; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(view(), phase); });
-    connect(panel, &ViewPanel::lookChanged, this, [this](const Look& look) {
-        edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
-             [this, &look](Document& next) { lookOf(next, view()) = look; });
-        keep();
-    });
+    connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
     connect(panel, &ViewPanel::rendererChanged, this, [this] {
         takeRenderer();
         keep();
@@ -64,6 +62,26 @@ void PictureControls::edit(const QString& what, const std::function<void(Documen
     Document next = m_parts.model.document();
     change(next);
     m_parts.model.edit(next, what, m_parts.hand.current());
+}
+
+void PictureControls::setLook(const Look& look) {
+    edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
+         [this, &look](Document& next) { lookOf(next, view()) = look; });
+    keep();
+}
+
+void PictureControls::reduceSpeckle(int levels) {
+    Look look = lookOf(m_parts.model.document(), view());
+    constexpr int strongest = static_cast<int>(allSpeckleReductions.size()) - 1;
+    look.reduction = static_cast<SpeckleReduction>(std::clamp(static_cast<int>(look.reduction) + levels, 0, strongest));
+    setLook(look);
+}
+
+void PictureControls::nextLighting() {
+    Look look = lookOf(m_parts.model.document(), view());
+    constexpr int kinds = static_cast<int>(Lighting::depth) + 1;
+    look.lighting = static_cast<Lighting>((static_cast<int>(look.lighting) + 1) % kinds);
+    setLook(look);
 }
 
 void PictureControls::setBeamAxis(BeamAxis axis) {

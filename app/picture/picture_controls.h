@@ -37,12 +37,17 @@ public:
     void keep();
     /// Shows the whole volume, seen along the beam, as a step of the document.
     void resetView();
+    /// Takes the speckle reduction so many levels on, back where it is negative, up to the ends.
+    void reduceSpeckle(int levels);
+    /// Flat, surface, depth, and around again.
+    void nextLighting();
 
 private:
     void connectPanel();
     void connectPicture();
     [[nodiscard]] bool hasStudy() const;
     void edit(const QString& what, const std::function<void(Document&)>& change);
+    void setLook(const Look& look);
     void setBeamAxis(BeamAxis axis);
     void showDocument();
     void takeRenderer();

@@ -27,12 +27,19 @@ Result<Study> simulated(const SimulatedScan& scan, const Progress& progress) {
 Session::Session(QObject* parent)
     : QObject(parent),
       m_pipeline(&adaptOpacity),
-      m_nearCutSearch(&suggestNearCut),
+      m_nearCutSearch(&findNearCut),
       m_loader(QStringLiteral("study loader")),
       m_otfThread(QStringLiteral("adaptive OTF")) {
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
     connect(&m_loader, &NewestWinsThread::progressed, this, &Session::loadingProgressed);
     connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &Session::computingOtfChanged);
+    connect(&m_quiet, &QuietPhases::made, this, &Session::takeQuietVoxels);
+    connect(&m_quiet, &QuietPhases::busyChanged, this, &Session::quieteningChanged);
+    connect(&m_quiet, &QuietPhases::progressed, this, &Session::quieteningProgressed);
+    connect(&m_quiet, &QuietPhases::failed, this, [this](int, const QString& sentence) {
+        emit quieteningFailed(sentence);
+        requestWaitingOtf();
+    });
 }
 
 void Session::open(const QString& path, const ReadOptions& options) {
@@ -73,11 +80,19 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
         // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
         std::vector<IntensityHistogram> histograms;
         for (const auto& phase : study->phases) histograms.push_back(intensityHistogram(*phase));
+        std::optional<OpeningFinds> finds;
+        if (!path.isEmpty()) {
+            finds = findOnOpening(*study->phases.front(), {nullptr, progress.cancel});
+            if (!finds) return {};
+        }
         auto shared = std::make_shared<const Study>(std::move(*study));
-        return [this, reference, shared, histograms = std::move(histograms)] {
+        return [this, reference, shared, finds = std::move(finds), histograms = std::move(histograms)] {
             m_reference = reference;
             m_study = shared;
             m_histograms = histograms;
+            m_finds = finds;
+            m_quiet.begin(m_study->phases);
+            m_opening = true;
             show(0);
             emit studyOpened();
         };
@@ -94,19 +109,53 @@ void Session::show(int phase) {
     m_phase = phase;
     m_volume = m_study->phases[static_cast<std::size_t>(phase)];
     m_otf.reset();
+    m_voxelsOfOtf.reset();
     cancelComputing();
+    m_quiet.want(m_phase, m_reduction);
     emit volumeChanged();
 }
 
+void Session::setReduction(SpeckleReduction reduction) {
+    if (std::exchange(m_reduction, reduction) == reduction || !m_volume) return;
+    m_quiet.want(m_phase, m_reduction);
+    if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // they are there already
+}
+
+void Session::cancelQuietening() {
+    m_quiet.cancel();
+    requestWaitingOtf();
+}
+
+std::shared_ptr<const Volume> Session::newestVoxels() const {
+    const std::shared_ptr<const Volume> quiet = m_quiet.of(m_phase);
+    return quiet ? quiet : m_volume;
+}
+
+void Session::takeQuietVoxels(int phase) {
+    if (phase != m_phase) return;
+    requestWaitingOtf();
+    emit quietVoxelsMade();
+}
+
+void Session::requestWaitingOtf() {
+    m_opening = false;  // nothing waits from here on
+    if (const auto waiting = std::exchange(m_waiting, std::nullopt)) requestOtf(waiting->view, waiting->config);
+}
+
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    const OtfRequest asked{view, config};
+    const OtfRequest asked{view, config, newestVoxels()};
     if (!m_volume || m_asked == asked) return;
+    if (m_opening && !m_quiet.of(m_phase) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
+        m_waiting = asked;
+        return;
+    }
     m_asked = asked;
-    m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, view,
-                        config](const Progress& progress) -> NewestWinsThread::Deliver {
+    m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, voxels = asked.voxels, reduction = m_reduction,
+                        view, config](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<AdaptiveOtf> result;
         try {
-            result = pipeline(*volume, view, config, progress);
+            const QuietVoxels shown = voxels == volume ? QuietVoxels{} : QuietVoxels{voxels.get(), reduction};
+            result = pipeline(*volume, view, config, progress, shown);
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_asked.reset();
@@ -115,10 +164,12 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
-        return [this, volume, shared] {
+        return [this, volume, voxels, shared] {
             if (volume != m_volume) return;
             m_asked.reset();
+            m_opening = false;
             m_otf = shared;
+            m_voxelsOfOtf = voxels;
             emit otfComputed();
         };
     });
@@ -126,23 +177,24 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
 
 void Session::cancelComputing() {
     m_asked.reset();
+    m_waiting.reset();
     m_otfThread.cancel();
 }
 
-void Session::requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config) {
+void Session::requestNearCut(const Viewpoint& view) {
     if (!m_volume) return;
     m_asked.reset();
-    m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume, view,
-                        config](const Progress& progress) -> NewestWinsThread::Deliver {
-        std::optional<NearCutSuggestion> result;
+    m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume,
+                        view](const Progress& progress) -> NewestWinsThread::Deliver {
+        std::optional<NearCutFinding> result;
         try {
-            result = search(*volume, view, config, progress);
+            result = search(*volume, view, progress);
         } catch (const std::bad_alloc&) {
             return [this] { emit otfFailed(tr("Looking for the near cut needs more memory than this machine has.")); };
         }
         if (!result) return {};
-        return [this, volume, suggestion = std::move(*result)] {
-            if (volume == m_volume) emit nearCutSuggested(suggestion);
+        return [this, volume, finding = std::move(*result)] {
+            if (volume == m_volume) emit nearCutFound(finding);
         };
     });
 }

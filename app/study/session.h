@@ -7,10 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/study/quiet_phases.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
-#include "processing/near_cut.h"
 #include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"
 
@@ -39,7 +40,20 @@ public:
     /// What a document names the study by.
     [[nodiscard]] const StudyReference& reference() const { return m_reference; }
     [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
-    /// Of the volume shown.
+    /// The phase's quiet voxels where they are made, else its raw ones: what its next picture is to be made of.
+    [[nodiscard]] std::shared_ptr<const Volume> newestVoxels() const;
+    /// What was found of the study when it was opened; nothing of simulated scans, whose beam is known.
+    [[nodiscard]] const std::optional<OpeningFinds>& finds() const { return m_finds; }
+    /// The voxels that otf() is meant for; null where there is no OTF.
+    [[nodiscard]] std::shared_ptr<const Volume> voxelsOfOtf() const { return m_voxelsOfOtf; }
+    /// How much speckle is taken away; the voxels are made quiet in the background, the phase shown first.
+    void setReduction(SpeckleReduction reduction);
+    /// The voxels stay as they are until another reduction is set or another phase shown.
+    void cancelQuietening();
+    [[nodiscard]] const QuietPhases& quietPhases() const { return m_quiet; }
+    /// Tests put another filter in its place.
+    [[nodiscard]] QuietPhases& quietPhases() { return m_quiet; }
+    /// Of the raw voxels of the volume shown.
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
@@ -48,25 +62,29 @@ public:
     void setPhase(int phase);
 
     /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
-    /// What is being computed already goes on.
+    /// What is being computed already goes on. The tube cores read the raw voxels; the curve is meant for
+    /// newestVoxels(). The first OTF of a study of up to quietFirstVoxels voxels waits for its quiet voxels, so that
+    /// one picture and not two follow its opening.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
-    [[nodiscard]] bool computingOtf() const { return m_otfThread.busy(); }
+    [[nodiscard]] bool computingOtf() const { return m_otfThread.busy() || m_waiting.has_value(); }
+    static constexpr std::int64_t quietFirstVoxels = 10'000'000;
     /// The newest result for the volume shown; null where there is none yet.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
 
-    /// Looks for the near cut of the volume shown, in the same thread: takes the place of an OTF that is being
-    /// computed, and a newer request takes its place.
-    void requestNearCut(const Viewpoint& view, const AdaptiveOtfConfig& config);
+    /// Looks for the near cut of the volume shown along a view, in the same thread: takes the place of an OTF that is
+    /// being computed, and a newer request takes its place.
+    void requestNearCut(const Viewpoint& view);
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
     void cancelComputing();
 
-    /// The pipeline run by requestOtf; tests put one in its place that ends on command.
+    /// The pipeline run by requestOtf; tests put one in its place that ends on command. `shown` are the voxels that the
+    /// curve is meant for.
     using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
-                                                              const Progress&)>;
+                                                              const Progress&, const QuietVoxels& shown)>;
     void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
     /// The search run by requestNearCut; tests put one in its place that ends on command.
-    using NearCutSearch = std::function<std::optional<NearCutSuggestion>(const Volume&, const Viewpoint&,
-                                                                         const AdaptiveOtfConfig&, const Progress&)>;
+    using NearCutSearch =
+        std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
     void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }
 
 signals:
@@ -79,28 +97,43 @@ signals:
     void volumeChanged();
     void computingOtfChanged(bool computing);
     void otfComputed();
+    /// The quiet voxels of the phase shown are there.
+    void quietVoxelsMade();
+    /// Of all phases; false where all that are kept are made.
+    void quieteningChanged(bool quietening);
+    void quieteningProgressed(double share);
+    void quieteningFailed(const QString& sentence);
     /// The adaptive OTF or the near cut could not be computed; otf() is as it was.
     void otfFailed(const QString& sentence);
-    void nearCutSuggested(const echolucent::NearCutSuggestion& suggestion);
+    void nearCutFound(const echolucent::NearCutFinding& finding);
 
 private:
     void load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read);
     void show(int phase);
+    void takeQuietVoxels(int phase);
+    void requestWaitingOtf();
 
     Pipeline m_pipeline;
     NearCutSearch m_nearCutSearch;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
     std::shared_ptr<const Volume> m_volume;
+    std::optional<OpeningFinds> m_finds;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
+    std::shared_ptr<const Volume> m_voxelsOfOtf;
     struct OtfRequest {
         Viewpoint view;
         AdaptiveOtfConfig config;
+        std::shared_ptr<const Volume> voxels;  ///< those that the curve is meant for
         friend bool operator==(const OtfRequest&, const OtfRequest&) = default;
     };
-    std::optional<OtfRequest> m_asked;  ///< of the volume shown; none where no OTF is under way
+    std::optional<OtfRequest> m_asked;    ///< of the volume shown; none where no OTF is under way
+    std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
+    bool m_opening = false;               ///< no OTF of the study was computed yet
+    SpeckleReduction m_reduction = SpeckleReduction::off;
+    QuietPhases m_quiet;
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
     NewestWinsThread m_otfThread;

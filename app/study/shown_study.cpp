@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include "processing/picture/empty_picture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
@@ -16,11 +17,15 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.session, &Session::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
     connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
+    connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
     connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         if (!playing) showRemark();
     });
     connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
+    connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::looksChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
     connect(&m_parts.model, &DocumentModel::methodChanged, this, &ShownStudy::showNearCutRange);
 }
@@ -70,9 +75,19 @@ void ShownStudy::takeVolume() {
         m_parts.controls.setPhaseCount(phases);
         Document opened = openedDocument(m_parts.model.document(), session.reference());
         const DataBox& box = session.volume()->dataBox();
-        for (Shared<Pose>& pose : opened.poses) pose.value = m_parts.picture.wholeVolume(Viewpoint{}, box);
+        const auto showWhole = [&](Document& document) {
+            const Viewpoint alongBeam{.beamAxis = document.beam.axis};
+            for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
+        };
+        showWhole(opened);
         if (phases < 2) opened.motion.scenario = MotionScenario::probe;
         m_parts.model.begin(opened);
+        if (session.finds()) {
+            // One step that can be taken back.
+            Document found = withFinds(opened, *session.finds());
+            showWhole(found);
+            m_parts.model.edit(found, tr("beam and cut found on opening"));
+        }
         m_parts.motion.beginAtRest(phases);
         m_parts.computing.begin();
         showNearCutRange();
@@ -101,10 +116,15 @@ void ShownStudy::takeOtf() {
     m_parts.editor.setAdaptiveCurve(curve);
     m_parts.method.showResult(*otf);
     m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
-    // While it plays the bar would push the picture up and down.
-    if (!m_parts.player.isPlaying()) showRemark();
-    m_parts.view.showVolume(m_parts.session.volume());
+    showRemarkAtRest();
+    m_parts.view.showVolume(m_parts.session.voxelsOfOtf(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
+}
+
+/// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
+/// with the phase's next turn.
+void ShownStudy::takeQuietVoxels() {
+    if (!m_parts.player.isPlaying() && m_parts.session.otf()) m_parts.computing.computeAgain();
 }
 
 /// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.
@@ -115,12 +135,27 @@ void ShownStudy::doWithoutOtf(const QString& sentence) {
         m_parts.view.setAdaptiveCurve({});
         m_parts.editor.setAdaptiveCurve({});
     }
-    m_parts.view.showVolume(m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.session.newestVoxels(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
 }
 
+/// While it plays the bar would push the picture up and down.
+void ShownStudy::showRemarkAtRest() {
+    if (!m_parts.player.isPlaying()) showRemark();
+}
+
 void ShownStudy::showRemark() {
-    if (const AdaptiveOtf* otf = m_parts.motion.otf()) m_parts.messages.setRemark(QString::fromStdString(otf->message));
+    const AdaptiveOtf* otf = m_parts.motion.otf();
+    if (otf == nullptr || !m_parts.session.volume()) return;
+    const Document& document = m_parts.model.document();
+    const int view = m_parts.view.view();
+    QStringList remarks{QString::fromStdString(otf->message)};
+    // A picture that is black because of its curve says so.
+    if (lookOf(document, view).mode == RenderMode::direct)
+        remarks << QString::fromStdString(
+            whyNothingShows(curveOf(document, view, otf->curve), m_parts.session.histogram()));
+    remarks.removeAll(QString());
+    m_parts.messages.setRemark(remarks.join(QLatin1Char(' ')));
 }
 
 void ShownStudy::showNearCutRange() {

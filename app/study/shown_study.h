@@ -44,8 +44,10 @@ private:
     void tellFacts();
     void takeVolume();
     void takeOtf();
+    void takeQuietVoxels();
     void doWithoutOtf(const QString& sentence);
     void showRemark();
+    void showRemarkAtRest();
     void takePhase();
     void showNearCutRange();
 

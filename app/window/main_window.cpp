@@ -9,6 +9,7 @@
 #include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/explanation.h"
+#include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
@@ -35,6 +36,7 @@ MainWindow::MainWindow(const QString& settingsFile, QWidget* parent)
     createUnits();
     connectProgress();
     connectUnits();
+    connectCaption();
     createActions();
     restoreSettings();
 }
@@ -78,8 +80,23 @@ void MainWindow::connectProgress() {
         updateIdle();
     });
     connect(&m_session, &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
+    connect(&m_session, &Session::quieteningChanged, this, [this](bool quietening) {
+        if (!m_session.loading()) {
+            if (quietening)
+                m_widgets.status->beginProgress(tr("reducing speckle"));
+            else
+                m_widgets.status->endProgress();
+        }
+        updateIdle();
+    });
+    connect(&m_session, &Session::quieteningProgressed, this, [this](double share) {
+        if (!m_session.loading()) m_widgets.status->setProgress(share);
+    });
+    connect(&m_session, &Session::quieteningFailed, this,
+            [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
     connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
         if (m_session.loading()) return m_session.cancelLoading();
+        m_session.cancelQuietening();
         m_session.cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
     });
@@ -118,6 +135,22 @@ void MainWindow::connectUnits() {
     });
 }
 
+void MainWindow::connectCaption() {
+    connect(&m_session, &Session::studyOpened, this, [this] {
+        if (m_session.finds()) m_nearCutFinder->tellOpening(m_session.finds()->cut);
+    });
+    const auto tell = [this] {
+        if (!m_session.volume()) return;
+        const bool quiet = m_session.voxelsOfOtf() != nullptr && m_session.voxelsOfOtf() != m_session.volume();
+        m_widgets.picture->setCaption(pictureCaption({.document = m_document.document(),
+                                                      .view = mainView,
+                                                      .quiet = quiet,
+                                                      .lengthsKnown = m_session.volume()->geometry().spacingKnown}));
+    };
+    connect(&m_document, &DocumentModel::changed, this, tell);
+    connect(&m_session, &Session::otfComputed, this, tell);
+}
+
 void MainWindow::createActions() {
     WindowCommands commands;
     commands.openFile = [this] { m_opening->chooseFile(); };
@@ -127,6 +160,12 @@ void MainWindow::createActions() {
     commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
     commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
+    commands.reduceSpeckle = [this](int levels) { m_pictureControls->reduceSpeckle(levels); };
+    commands.toggleNearCut = [this] {
+        m_motionPlayer.pause();
+        m_nearCutFinder->toggle();
+    };
+    commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
     commands.computeForThisView = [this] { m_computing->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
@@ -168,8 +207,8 @@ void MainWindow::keepSettings() {
 }
 
 bool MainWindow::idle() const {
-    return !m_session.loading() && !m_session.computingOtf() && !m_widgets.picture->busy() &&
-           !m_motionPlayer.isPlaying();
+    return !m_session.loading() && !m_session.computingOtf() && !m_session.quietPhases().busy() &&
+           !m_widgets.picture->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

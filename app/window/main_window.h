@@ -68,6 +68,7 @@ private:
     void createUnits();
     void connectProgress();
     void connectUnits();
+    void connectCaption();
     void createActions();
     void restoreSettings();
     void keepSettings();

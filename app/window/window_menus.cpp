@@ -44,6 +44,12 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
 void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     addAction(view, tr("&Reset view"), "view.resetView", Qt::Key_R, commands.resetView);
+    addAction(view, tr("Reduce speckle &more"), "view.moreReduction", Qt::Key_Q,
+              [reduce = commands.reduceSpeckle] { reduce(1); });
+    addAction(view, tr("Reduce speckle &less"), "view.lessReduction", Qt::SHIFT | Qt::Key_Q,
+              [reduce = commands.reduceSpeckle] { reduce(-1); });
+    addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", Qt::Key_N, commands.toggleNearCut);
+    addAction(view, tr("Next &light"), "view.nextLighting", Qt::Key_L, commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", Qt::Key_F,
               [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); });
     QMenu* docks = view->addMenu(tr("Panels"));

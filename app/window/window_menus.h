@@ -15,7 +15,8 @@ class OtfEditor;
 /// What the menus' own actions do; the OTF editor brings its actions along.
 struct WindowCommands {
     std::function<void()> openFile, openFolder, openRawFile, openSimulatedScan, savePicture, resetView,
-        computeForThisView, playOrPause, explain;
+        computeForThisView, playOrPause, explain, nextLighting, toggleNearCut;
+    std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(QMenu& menu)> fillRecentFiles;
 };

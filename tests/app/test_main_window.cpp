@@ -82,7 +82,9 @@ private slots:
         open(m_shapes);
         Session& session = m_window->session();
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
-        const auto expected = adaptOpacity(*session.volume(), Viewpoint{}, session.otf()->config);
+        const auto expected =
+            adaptOpacity(*session.volume(), session.otf()->view, session.otf()->config, {}, quietVoxels());
+        QVERIFY(session.voxelsOfOtf() != session.volume());  // speckle is reduced
         QVERIFY(expected->tubesWithWeight > 20);
         QVERIFY(session.otf()->curve == expected->curve);
         QVERIFY(m_window->otfEditor().state().adaptive == expected->curve);
@@ -148,7 +150,8 @@ private slots:
         const auto& otf = *m_window->session().otf();
         QVERIFY(qAbs(otf.view.azimuthDegrees - 20) < 1e-6);
         QVERIFY(qAbs(otf.view.elevationDegrees + 10) < 1e-6);
-        QVERIFY(otf.curve == adaptOpacity(*m_window->session().volume(), otf.view, otf.config)->curve);
+        QVERIFY(otf.curve ==
+                adaptOpacity(*m_window->session().volume(), otf.view, otf.config, {}, quietVoxels())->curve);
     }
 
     void theNearCutMovesPictureAndTubes() {
@@ -226,8 +229,9 @@ private slots:
 
     void aStudyWhoseOtfFailsIsShownWithoutIt() {
         open(m_shapes);
-        m_window->session().setPipeline([](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
-                                           const Progress&) -> std::optional<AdaptiveOtf> { throw std::bad_alloc(); });
+        m_window->session().setPipeline(
+            [](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress&,
+               const QuietVoxels&) -> std::optional<AdaptiveOtf> { throw std::bad_alloc(); });
         QSignalSpy failed(&m_window->session(), &Session::otfFailed);
         m_window->open(m_moving);
         QVERIFY(failed.wait(20000));
@@ -389,10 +393,15 @@ private:
         QVERIFY2(button != nullptr, qPrintable(name));
         QTest::mouseClick(button, Qt::LeftButton);
     }
+    /// The voxels that the picture is made of.
+    QuietVoxels quietVoxels() const {
+        const Session& session = m_window->session();
+        return {session.voxelsOfOtf().get(), session.otf()->reduction};
+    }
     Picture shown() const { return *m_window->volumeView().picture(); }
     /// What the ray caster makes of the volume shown with a curve, the window's settings otherwise.
     Picture cast(const OpacityCurve& curve) const {
-        return *castRays(*m_window->session().volume(), curve, m_window->volumeView().settings());
+        return *castRays(*m_window->session().newestVoxels(), curve, m_window->volumeView().settings());
     }
 
     QTemporaryDir m_folder;

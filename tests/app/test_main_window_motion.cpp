@@ -46,7 +46,10 @@ private slots:
             phases.push_back(smallPhantom(PhantomScene::fetus, static_cast<std::uint64_t>(7 + i), 0.25 * i));
         m_moving = m_fixture.file("moving.mha", phases);
     }
-    void init() { m_fixture.show(); }
+    void init() {
+        m_fixture.show();
+        m_fixture.useLook(Look{});
+    }
     void cleanup() { m_fixture.close(); }
 
     void playsTenFrames_data() {
@@ -142,12 +145,12 @@ private slots:
         m_fixture.open(m_still);
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
-        window().session().setPipeline(
-            [](const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config, const Progress& progress) {
-                std::optional<AdaptiveOtf> otf = adaptOpacity(volume, view, config, progress);
-                if (otf) otf->message = "The frame is dark.";
-                return otf;
-            });
+        window().session().setPipeline([](const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
+                                          const Progress& progress, const QuietVoxels& shown) {
+            std::optional<AdaptiveOtf> otf = adaptOpacity(volume, view, config, progress, shown);
+            if (otf) otf->message = "The frame is dark.";
+            return otf;
+        });
         playOneFrame();
         auto* bar = m_fixture.child<MessageBar>("message");
         QVERIFY(!bar->text().contains("The frame is dark."));

@@ -11,10 +11,16 @@ using namespace echolucent;
 
 namespace {
 
-Session::NearCutSearch found(const NearCutSuggestion& suggestion) {
-    return [suggestion](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress&) {
-        return std::optional(suggestion);
-    };
+Session::NearCutSearch found(const NearCutFinding& finding) {
+    return [finding](const Volume&, const Viewpoint&, const Progress&) { return std::optional(finding); };
+}
+
+NearCutFinding wallBeforeFluid(double cutMm) {
+    return {.answer = NearCutAnswer::wallBeforeFluid, .nearCutMm = cutMm, .message = "A wall stands before the fluid."};
+}
+
+NearCutFinding fluidAtFront() {
+    return {.answer = NearCutAnswer::fluidAtFront, .message = "The fluid begins at the front."};
 }
 
 }  // namespace
@@ -34,12 +40,10 @@ private slots:
     void cleanup() { m_fixture.close(); }
 
     void theSuggestedCutIsMadeSaidAndTakenBack() {
-        session().setNearCutSearch(
-            found({.nearCutMm = 18.04, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        session().setNearCutSearch(found(wallBeforeFluid(18.04)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
-        QCOMPARE(message()->text(),
-                 "Near cut at 18.0 mm: 140 of 156 tube cores are in fluid there. It was 0.0 mm before.");
+        QCOMPARE(message()->text(), "A wall stands before the fluid.");
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 18.0);
         QCOMPARE(session().otf()->view.nearCutMm, 18.0);
@@ -53,8 +57,7 @@ private slots:
     }
 
     void theWayBackTurnsNoTubeCores() {
-        session().setNearCutSearch(
-            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        session().setNearCutSearch(found(wallBeforeFluid(18)));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
@@ -67,38 +70,54 @@ private slots:
         QCOMPARE(session().otf()->view.azimuthDegrees, 35.0);
     }
 
-    void itIsLookedForInTheViewOfTheCameraWithTheConfigOfThePanel() {
+    void itIsLookedForInTheViewOfTheCamera() {
         std::optional<Viewpoint> view;
-        std::optional<AdaptiveOtfConfig> config;
         QThread* thread = nullptr;
-        session().setNearCutSearch(
-            [&](const Volume&, const Viewpoint& asked, const AdaptiveOtfConfig& with, const Progress&) {
-                view = asked;
-                config = with;
-                thread = QThread::currentThread();
-                return std::optional(
-                    NearCutSuggestion{.nearCutMm = 5, .tubesWithWeight = 2, .tubesInFluid = 1, .message = {}});
-            });
+        session().setNearCutSearch([&](const Volume&, const Viewpoint& asked, const Progress&) {
+            view = asked;
+            thread = QThread::currentThread();
+            return std::optional(wallBeforeFluid(5));
+        });
         Viewpoint turned;
         turned.azimuthDegrees = 20;
         lookFrom(m_fixture.window(), turned);
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
-        QTRY_VERIFY(message()->text().contains("5.0 mm"));
+        QTRY_COMPARE(m_fixture.window().volumeView().view().nearCutMm, 5.0);
         m_fixture.waitUntilIdle();
         QCOMPARE(view->azimuthDegrees, 20.0);
-        QVERIFY(*config == session().otf()->config);
         QVERIFY(thread != QThread::currentThread());
         QCOMPARE(session().otf()->view.azimuthDegrees, 20.0);
         QCOMPARE(session().otf()->view.nearCutMm, 5.0);
     }
 
-    void whyNotIsSaidAndNothingChanges() {
-        session().setNearCutSearch(found({.message = "No surface found: nothing tells where fluid begins."}));
+    void aCurvedFrontIsOfferedWhereThereIsOne() {
+        NearCutFinding curved = wallBeforeFluid(18);
+        curved.surface = CutSurface{.frame = frameOf(Viewpoint{}),
+                                    .firstRightMm = 0,
+                                    .firstDownMm = 0,
+                                    .spacingMm = 30,
+                                    .columns = 2,
+                                    .rows = 2,
+                                    .depthMm = {16, 20, 16, 20}};
+        session().setNearCutSearch(found(curved));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
-        QCOMPARE(message()->text(),
-                 "The near cut stays at 0.0 mm. No surface found: nothing tells where fluid begins.");
+        m_fixture.click("message.action.0");
+        m_fixture.waitUntilIdle();
+        QVERIFY(cutOf(m_fixture.window().document().document(), 1) == Cut{.surface = curved.surface});
+        QVERIFY(session().otf()->view.cutSurface == curved.surface);
+        QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        m_fixture.waitUntilIdle();
+        QVERIFY(cutOf(m_fixture.window().document().document(), 1) == Cut{});
+    }
+
+    void whyNotIsSaidAndNothingChanges() {
+        session().setNearCutSearch(found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        QCOMPARE(message()->text(), "The near cut stays as it is. No fluid was found.");
         QCOMPARE(message()->kind(), MessageKind::warning);
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
@@ -106,33 +125,32 @@ private slots:
     }
 
     void nothingInFrontNeedsNoCut() {
-        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithWeight = 90, .tubesInFluid = 90, .message = {}}));
+        session().setNearCutSearch(found(fluidAtFront()));
         m_fixture.click("view.nearCut.suggest");
-        QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
+        QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
     }
 
     void noCutTurnsNoTubeCores() {
-        session().setNearCutSearch(found({.nearCutMm = 0, .tubesWithWeight = 90, .tubesInFluid = 90, .message = {}}));
+        session().setNearCutSearch(found(fluidAtFront()));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
-        QTRY_COMPARE(message()->text(), "Nothing stands in front of the fluid: no near cut is needed.");
+        QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
         m_fixture.waitUntilIdle();
         QCOMPARE(session().otf()->view.azimuthDegrees, 0.0);
     }
 
     void theSearchOfTheProgramAgreesWithThePureFunction() {
-        const auto expected = suggestNearCut(*session().volume(), Viewpoint{}, session().otf()->config);
+        const auto expected = findNearCut(*session().volume(), Viewpoint{});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
         const double cut = m_fixture.window().volumeView().view().nearCutMm;
-        QVERIFY(qAbs(cut - (expected->message.empty() ? expected->nearCutMm : 0.0)) <= 0.05 + 1e-9);
+        QVERIFY(qAbs(cut - expected->nearCutMm) <= 0.05 + 1e-9);
     }
 
     void aMessageThatIsNoLongerTrueGoes() {
-        session().setNearCutSearch(
-            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        session().setNearCutSearch(found(wallBeforeFluid(18)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -150,8 +168,7 @@ private slots:
     }
 
     void theWayBackKeepsTheViewOfAFrame() {
-        session().setNearCutSearch(
-            found({.nearCutMm = 18, .tubesWithWeight = 156, .tubesInFluid = 140, .message = {}}));
+        session().setNearCutSearch(found(wallBeforeFluid(18)));
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
@@ -167,8 +184,8 @@ private slots:
     }
 
     void aSearchThatFailsLosesNoOtf() {
-        session().setNearCutSearch([](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
-                                      const Progress&) -> std::optional<NearCutSuggestion> { throw std::bad_alloc(); });
+        session().setNearCutSearch([](const Volume&, const Viewpoint&,
+                                      const Progress&) -> std::optional<NearCutFinding> { throw std::bad_alloc(); });
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
         QVERIFY(session().computingOtf());
@@ -181,11 +198,10 @@ private slots:
 
     void aSearchThatIsOvertakenLosesNoOtf() {
         // A search that ends only when it is cancelled, as by the OTF of a strength that is changed meanwhile.
-        session().setNearCutSearch(
-            [](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress& progress) {
-                while (!progress.cancelled()) QThread::yieldCurrentThread();
-                return std::optional<NearCutSuggestion>();
-            });
+        session().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress& progress) {
+            while (!progress.cancelled()) QThread::yieldCurrentThread();
+            return std::optional<NearCutFinding>();
+        });
         m_fixture.click("view.nearCut.suggest");
         QVERIFY(session().computingOtf());
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);

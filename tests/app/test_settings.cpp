@@ -22,7 +22,7 @@ private slots:
         QVERIFY(settings.windowState().isEmpty());
         QVERIFY(settings.histogramLogarithmic() && settings.motionPingPong());
         QCOMPARE(settings.look(), lookAtStart());
-        QVERIFY(settings.look().shaded);
+        QCOMPARE(settings.look().lighting, Lighting::depth);
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
     }
 
@@ -30,7 +30,7 @@ private slots:
         const QByteArray bytes = QByteArray("\x00\xff\x01;,=\"\n", 8);
         const QString file = fileNamed("größe, 1.mha");
         const Look chosen{.mode = RenderMode::mean,
-                          .shaded = false,
+                          .lighting = Lighting::flat,
                           .light = {71, -12.5},
                           .depthColoured = true,
                           .colourMap = ColourMap::ice,
@@ -63,7 +63,7 @@ private slots:
             QFile file(store());
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(
-                "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nshaded=perhaps\n"
+                "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nlighting=perhaps\n"
                 "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
         }
         const Settings settings(store());
@@ -76,11 +76,12 @@ private slots:
             QFile file(store());
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(
-                "[picture]\ncolourMap=ice\ninterpolation=nearest\nprojection=perspective\nshaded=false\n"
+                "[picture]\ncolourMap=ice\ninterpolation=nearest\nprojection=perspective\nlighting=flat\n"
                 "mode=mean\nlightAzimuth=71\nlightElevation=-12.5\ndepthColoured=true\n");
         }
         const Look expected{.mode = RenderMode::mean,
-                            .shaded = false,
+                            .reduction = lookAtStart().reduction,
+                            .lighting = Lighting::flat,
                             .light = {71, -12.5},
                             .depthColoured = true,
                             .colourMap = ColourMap::ice,

@@ -50,6 +50,12 @@ public:
         // A virtual display has no window manager that would make the window the active one.
         QApplication::setActiveWindow(m_window.get());
     }
+    /// Another look than the window starts with: Look{} takes neither speckle away nor light along.
+    void useLook(const Look& look) {
+        Document next = window().document().document();
+        lookOf(next, 1) = look;
+        window().document().begin(next);
+    }
     void close() {
         if (m_window) m_window->otfEditor().setManualSaved();
         m_window.reset();

@@ -52,7 +52,7 @@ private slots:
             auto& view = m_views[static_cast<std::size_t>(i)];
             view = std::make_unique<DocumentView>(*m_model, i + 1, *m_hand, widget(i));
             connect(m_model.get(), &DocumentModel::changed, view.get(), &DocumentView::showCurve);
-            view->showVolume(volume);
+            view->showVolume(volume, volume);
         }
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
@@ -132,7 +132,7 @@ private slots:
         turnWheel(0);
         QCOMPARE(jsonOf(m_model->document()), document);
         QCOMPARE(m_model->steps().count(), 0);
-        m_views[0]->showVolume(shapes());
+        m_views[0]->showVolume(shapes(), nullptr);
         sameCamera();
         QVERIFY(widget(0).pose() == Pose{});
     }
@@ -188,7 +188,7 @@ private slots:
 private:
     void light() {
         Document lit = m_model->document();
-        lookOf(lit, 1).shaded = true;
+        lookOf(lit, 1).lighting = Lighting::surface;
         m_model->begin(lit);
     }
     VolumeViewWidget& widget(int i) { return *m_widgets[static_cast<std::size_t>(i)]; }

@@ -15,7 +15,7 @@ constexpr int view = 1;
 
 /// Tells what it was asked for and finds nothing.
 std::optional<AdaptiveOtf> echo(const Volume&, const Viewpoint& viewpoint, const AdaptiveOtfConfig& config,
-                                const Progress&) {
+                                const Progress&, const QuietVoxels&) {
     AdaptiveOtf otf;
     otf.view = viewpoint;
     otf.config = config;

@@ -24,8 +24,8 @@ std::shared_ptr<const Volume> constantVolume(std::uint8_t value) {
 class HeldPipeline {
 public:
     Session::Pipeline function() {
-        return [this](const Volume&, const Viewpoint& view, const AdaptiveOtfConfig&,
-                      const Progress& progress) -> std::optional<AdaptiveOtf> {
+        return [this](const Volume&, const Viewpoint& view, const AdaptiveOtfConfig&, const Progress& progress,
+                      const QuietVoxels&) -> std::optional<AdaptiveOtf> {
             std::unique_lock lock(m_mutex);
             ++m_started;
             m_changed.notify_all();

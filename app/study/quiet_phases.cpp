@@ -1,0 +1,112 @@
+#include "app/study/quiet_phases.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace echolucent {
+
+namespace {
+
+std::size_t bytesOf(const Volume& volume) {
+    return std::visit([](const auto& voxels) { return voxels.size() * sizeof(voxels[0]); }, volume.voxels());
+}
+
+}  // namespace
+
+QuietPhases::QuietPhases(QObject* parent)
+    : QObject(parent), m_reduce(&quietVolume), m_thread(QStringLiteral("speckle reduction")) {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &QuietPhases::busyChanged);
+    connect(&m_thread, &NewestWinsThread::progressed, this, [this](double share) {
+        emit progressed((madeCount() + share) / std::max(1, std::min(phaseCount(), keptAtMost())));
+    });
+}
+
+void QuietPhases::begin(Phases raw) {
+    cancel();
+    m_raw = std::move(raw);
+    m_quiet.assign(m_raw.size(), nullptr);
+    m_order.clear();
+    m_wanted = 0;
+}
+
+void QuietPhases::cancel() {
+    m_making = -1;
+    m_thread.cancel();
+}
+
+void QuietPhases::want(int phase, SpeckleReduction reduction) {
+    if (std::exchange(m_reduction, reduction) != reduction) {
+        cancel();
+        std::fill(m_quiet.begin(), m_quiet.end(), nullptr);
+        m_order.clear();
+    }
+    m_wanted = phase;
+    makeNext();
+}
+
+std::shared_ptr<const Volume> QuietPhases::of(int phase) const {
+    if (phase < 0 || phase >= phaseCount()) return nullptr;
+    const auto& volumes = m_reduction == SpeckleReduction::off ? m_raw : m_quiet;
+    return volumes[static_cast<std::size_t>(phase)];
+}
+
+int QuietPhases::madeCount() const { return static_cast<int>(m_order.size()); }
+
+int QuietPhases::keptAtMost() const {
+    if (m_raw.empty()) return 0;
+    const std::size_t fit = keptBytesLimit / std::max<std::size_t>(1, bytesOf(*m_raw.front()));
+    return static_cast<int>(std::clamp<std::size_t>(fit, 1, m_raw.size()));
+}
+
+/// The phase to make now, -1 where all that may be kept is made. The one that is wanted is made whatever is kept.
+int QuietPhases::next() const {
+    if (m_reduction == SpeckleReduction::off || m_raw.empty()) return -1;
+    if (!of(m_wanted)) return m_wanted;
+    if (madeCount() >= keptAtMost()) return -1;
+    for (int ahead = 1; ahead < phaseCount(); ++ahead)
+        if (const int phase = (m_wanted + ahead) % phaseCount(); !of(phase)) return phase;
+    return -1;
+}
+
+void QuietPhases::makeNext() {
+    const int phase = next();
+    if (phase < 0 || phase == m_making) return;
+    m_making = phase;
+    // A phase that is begun runs to its end: in a motion, which wants another one all the time, none would be made.
+    m_thread.submit(
+        [this, phase, reduce = m_reduce, raw = m_raw[static_cast<std::size_t>(phase)],
+         reduction = m_reduction](const Progress& progress) -> NewestWinsThread::Deliver {
+            try {
+                auto quiet = reduce(*raw, reduction, progress);
+                if (!quiet) return {};
+                return [this, phase, raw, reduction,
+                        made = std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox()))] {
+                    const bool current = reduction == m_reduction && phase < phaseCount() &&
+                                         m_raw[static_cast<std::size_t>(phase)] == raw;
+                    if (current) take(phase, made);
+                };
+            } catch (const std::bad_alloc&) {
+                return [this, phase] {
+                    m_making = -1;
+                    emit failed(phase, tr("Reducing the speckle needs more memory than this machine has."));
+                };
+            }
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+}
+
+void QuietPhases::take(int phase, std::shared_ptr<const Volume> quiet) {
+    if (m_making == phase) m_making = -1;
+    if (!m_quiet[static_cast<std::size_t>(phase)]) m_order.push_back(phase);
+    m_quiet[static_cast<std::size_t>(phase)] = std::move(quiet);
+    if (madeCount() > keptAtMost()) {
+        const auto oldest = std::find_if(m_order.begin(), m_order.end(), [&](int made) { return made != phase; });
+        m_quiet[static_cast<std::size_t>(*oldest)].reset();
+        m_order.erase(oldest);
+    }
+    emit made(phase);
+    makeNext();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,72 @@
+// The quiet voxels of a study's phases: made once a phase in a thread of their own, and kept.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "processing/speckle_reduction/speckle_reduction.h"
+#include "processing/volume/volume.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// Makes the phase that is wanted first and then those that follow it, as long as they fit into keptBytesLimit. All of
+/// it is to be called, and every signal is sent, in the thread this lives in.
+class QuietPhases : public QObject {
+    Q_OBJECT
+
+public:
+    using Phases = std::vector<std::shared_ptr<const Volume>>;
+
+    explicit QuietPhases(QObject* parent = nullptr);
+
+    /// Another study is open: what was made is forgotten, and nothing is made until want().
+    void begin(Phases raw);
+    /// Wants a phase (counted from 0) with a reduction. Another reduction forgets what was made.
+    void want(int phase, SpeckleReduction reduction);
+    /// Ends what is being made; the next want() begins again.
+    void cancel();
+
+    /// The quiet voxels of a phase, its raw ones where speckle is not reduced; null where they are not made.
+    [[nodiscard]] std::shared_ptr<const Volume> of(int phase) const;
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+    [[nodiscard]] int phaseCount() const { return static_cast<int>(m_raw.size()); }
+    [[nodiscard]] int madeCount() const;
+    [[nodiscard]] SpeckleReduction reduction() const { return m_reduction; }
+
+    /// Bytes of quiet voxels that are kept at most, but for one phase, which always is.
+    static constexpr std::size_t keptBytesLimit = std::size_t{2} << 30;
+
+    /// What makes voxels quiet; tests put one in its place that ends on command.
+    using Reduce = std::function<std::optional<Volume>(const Volume&, SpeckleReduction, const Progress&)>;
+    void setReduce(Reduce reduce) { m_reduce = std::move(reduce); }
+
+signals:
+    void made(int phase);
+    /// There is not memory enough; the phase stays as it is.
+    void failed(int phase, const QString& sentence);
+    void busyChanged(bool busy);
+    /// Share done of all phases that will be kept.
+    void progressed(double share);
+
+private:
+    [[nodiscard]] int keptAtMost() const;
+    [[nodiscard]] int next() const;
+    void makeNext();
+    void take(int phase, std::shared_ptr<const Volume> quiet);
+
+    Reduce m_reduce;
+    Phases m_raw;
+    Phases m_quiet;            ///< null where not made
+    std::vector<int> m_order;  ///< phases kept, that made first at the front
+    SpeckleReduction m_reduction = SpeckleReduction::off;
+    int m_wanted = 0;
+    int m_making = -1;  ///< -1 where none is
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,160 @@
+// The quiet voxels of a study: the phase shown first, every other one after it, none of a study or a reduction before.
+#include <QSignalSpy>
+#include <QTest>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+
+#include "app/study/quiet_phases.h"
+
+using namespace echolucent;
+
+namespace {
+
+constexpr int patience = 20000;  // ms, a bound for broken programs
+
+std::shared_ptr<const Volume> phaseOf(std::uint8_t value) {
+    VolumeGeometry geometry;
+    geometry.size = {3, 4, 5};
+    return std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(60, value)));
+}
+
+QuietPhases::Phases phases(int count) {
+    QuietPhases::Phases all;
+    for (int i = 0; i < count; ++i) all.push_back(phaseOf(static_cast<std::uint8_t>(10 * (i + 1))));
+    return all;
+}
+
+/// Adds the number of the reduction to every voxel, one volume each time a test lets it.
+class HeldReduction {
+public:
+    QuietPhases::Reduce function() {
+        return [this](const Volume& volume, SpeckleReduction reduction,
+                      const Progress& progress) -> std::optional<Volume> {
+            std::unique_lock lock(m_mutex);
+            ++m_started;
+            m_changed.notify_all();
+            m_changed.wait(lock, [this] { return m_released > 0; });
+            --m_released;
+            if (progress.cancelled()) return std::nullopt;
+            auto voxels = std::get<std::vector<std::uint8_t>>(volume.voxels());
+            for (std::uint8_t& voxel : voxels) voxel = static_cast<std::uint8_t>(voxel + static_cast<int>(reduction));
+            return Volume(volume.geometry(), Voxels(std::move(voxels)));
+        };
+    }
+    void release(int count) {
+        const std::lock_guard lock(m_mutex);
+        m_released += count;
+        m_changed.notify_all();
+    }
+    void waitUntilStarted(int count) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [&] { return m_started >= count; });
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    int m_started = 0, m_released = 0;
+};
+
+}  // namespace
+
+class TestQuietPhases : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePhaseThatIsWantedComesFirstAndTheOthersFollowIt() {
+        HeldReduction held;
+        QuietPhases quiet;
+        quiet.setReduce(held.function());
+        QSignalSpy made(&quiet, &QuietPhases::made);
+        quiet.begin(phases(4));
+        QVERIFY(!quiet.busy());
+        quiet.want(2, SpeckleReduction::light);
+        QVERIFY(quiet.busy());
+        QCOMPARE(quiet.of(2), nullptr);
+        held.release(4);
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 4, patience);
+        QCOMPARE(made[0][0].toInt(), 2);
+        QCOMPARE(made[1][0].toInt(), 3);
+        QCOMPARE(made[2][0].toInt(), 0);
+        QCOMPARE(made[3][0].toInt(), 1);
+        QCOMPARE(quiet.of(2)->storedValue(0), 31.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!quiet.busy(), patience);
+    }
+
+    void withoutReductionTheRawVoxelsAreThereAtOnce() {
+        QuietPhases quiet;
+        const auto raw = phases(2);
+        quiet.begin(raw);
+        quiet.want(1, SpeckleReduction::off);
+        QVERIFY(!quiet.busy());
+        QCOMPARE(quiet.of(1), raw[1]);
+        QCOMPARE(quiet.of(2), nullptr);  // no such phase
+    }
+
+    void anotherReductionForgetsWhatWasMade() {
+        HeldReduction held;
+        QuietPhases quiet;
+        quiet.setReduce(held.function());
+        quiet.begin(phases(1));
+        quiet.want(0, SpeckleReduction::light);
+        held.waitUntilStarted(1);
+        quiet.want(0, SpeckleReduction::strong);
+        held.release(2);
+        QTRY_VERIFY_WITH_TIMEOUT(quiet.of(0) != nullptr, patience);
+        QCOMPARE(quiet.of(0)->storedValue(0), 13.0);  // strong, never light
+        quiet.want(0, SpeckleReduction::light);
+        QCOMPARE(quiet.of(0), nullptr);
+        held.release(1);
+        QTRY_VERIFY_WITH_TIMEOUT(quiet.of(0) != nullptr, patience);
+        QCOMPARE(quiet.of(0)->storedValue(0), 11.0);
+    }
+
+    void aStudyBeforeLeavesNothingBehind() {
+        HeldReduction held;
+        QuietPhases quiet;
+        quiet.setReduce(held.function());
+        QSignalSpy made(&quiet, &QuietPhases::made);
+        quiet.begin(phases(3));
+        quiet.want(0, SpeckleReduction::light);
+        held.waitUntilStarted(1);
+        quiet.begin({phaseOf(200)});
+        quiet.want(0, SpeckleReduction::light);
+        held.release(4);
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, patience);
+        QCOMPARE(quiet.of(0)->storedValue(0), 201.0);
+    }
+
+    void aPhaseThatIsBegunRunsToItsEndWhateverIsWantedMeanwhile() {
+        HeldReduction held;
+        QuietPhases quiet;
+        quiet.setReduce(held.function());
+        QSignalSpy made(&quiet, &QuietPhases::made);
+        quiet.begin(phases(6));
+        quiet.want(0, SpeckleReduction::light);
+        held.waitUntilStarted(1);
+        for (int phase = 1; phase < 6; ++phase) quiet.want(phase, SpeckleReduction::light);
+        held.release(6);
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 6, patience);
+        QCOMPARE(made[0][0].toInt(), 0);
+        QCOMPARE(made[1][0].toInt(), 5);  // the newest that was wanted
+    }
+
+    void whereMemoryEndsItIsSaid() {
+        QuietPhases quiet;
+        quiet.setReduce([](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> {
+            throw std::bad_alloc();
+        });
+        QSignalSpy failed(&quiet, &QuietPhases::failed);
+        quiet.begin(phases(1));
+        quiet.want(0, SpeckleReduction::medium);
+        QVERIFY(failed.wait(patience));
+        QVERIFY(failed[0][1].toString().contains("memory"));
+        QCOMPARE(quiet.of(0), nullptr);
+    }
+};
+
+QTEST_MAIN(TestQuietPhases)
+#include "test_quiet_phases.moc"
