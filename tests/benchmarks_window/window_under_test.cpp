@@ -1,6 +1,6 @@
 #include "tests/benchmarks_window/window_under_test.h"
 
-#include <QCheckBox>
+#include <QComboBox>
 #include <QMouseEvent>
 #include <QTest>
 #include <QWheelEvent>
@@ -31,8 +31,8 @@ WindowUnderTest::WindowUnderTest(const std::shared_ptr<const Volume>& volume, in
     m_window->move(0, 0);
     m_window->show();
     if (!QTest::qWaitForWindowExposed(m_window.get())) qFatal("the window does not show");
-    auto* light = m_window->findChild<QCheckBox*>("view.shaded");
-    if (light->isChecked() != shaded) light->click();
+    auto* light = m_window->findChild<QComboBox*>("view.lighting");
+    light->setCurrentIndex(light->findData(shaded ? "depth" : "flat"));
     openVolume(volume);
     await("the size asked for", [&] { return view().settings().width == edge && view().settings().height == edge; });
     fillTwoThirds();

@@ -1,10 +1,13 @@
 // echolucent-pictures FOLDER [FILE [--beam-axis AXIS] [--near MM] NAME]...: opens each volume (the word "simulated" for
 // the built-in scan) in the real window and saves what is on the screen with the linear, the parabolic and the adaptive
 // OTF; and what is on it with the adaptive one while a hand turns the volume.
+// echolucent-pictures --untouched FOLDER FILE...: the 3D view of each volume as it opens, with nothing touched.
+// echolucent-pictures --sheet FILE.png FOLDER...: one sheet with a column a folder of such pictures and a row a volume.
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QScreen>
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +15,7 @@
 #include <cstdio>
 
 #include "app/window/main_window.h"
+#include "tests/pictures/contact_sheet.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -75,16 +79,20 @@ void takeInMotion(MainWindow& window, const QString& path) {
     waitUntilIdle(window);
 }
 
-void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
+void open(MainWindow& window, const QString& file) {
     bool opened = false;
     QObject::connect(
         &window.session(), &Session::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
-    if (wanted.file == "simulated")
+    if (file == "simulated")
         window.openSimulatedScan();
     else
-        window.open(wanted.file);
+        window.open(file);
     while (!opened) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
     waitUntilIdle(window);
+}
+
+void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
+    open(window, wanted.file);
     auto* panel = window.findChild<ViewPanel*>();
     if (const auto axis = beamAxisFromName(wanted.beamAxis.toStdString()); axis && *axis != BeamAxis::plusZ) {
         panel->setBeamAxis(*axis);
@@ -112,10 +120,20 @@ int main(int count, char** arguments) {
     QApplication::setStyle("Fusion");
     QFile theme(":/dark.qss");
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    const QStringList words = QCoreApplication::arguments();
+    if (words.value(1) == "--sheet") return writeContactSheet(words[2], words.mid(3)) ? 0 : 1;
     const QTemporaryDir settings;
     MainWindow window(settings.filePath("settings.ini"));
     window.show();
-    const QStringList words = QCoreApplication::arguments();
+    if (words.value(1) == "--untouched") {
+        for (const QString& file : words.mid(3)) {
+            open(window, file);
+            const QString path = QString("%1/%2.png").arg(words[2], QFileInfo(file).completeBaseName());
+            window.volumeView().screenImage().save(path);
+            std::printf("%s\n", qPrintable(path));
+        }
+        return 0;
+    }
     for (const Wanted& wanted : parse(words)) take(window, wanted, words[1]);
     return 0;
 }
