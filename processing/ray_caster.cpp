@@ -70,6 +70,8 @@ public:
         return picture;
     }
 
+    [[nodiscard]] double lightMilliseconds() const { return m_reaching.milliseconds(); }
+
     std::shared_ptr<const Volume> volume;
     KeptViews kept;
 
@@ -158,6 +160,8 @@ std::optional<Picture> RayCaster::cast(const OpacityCurve& curve, const RayCastS
                                        const Progress& progress) {
     return m_parts->cast(curve, settings, progress);
 }
+
+double RayCaster::lightMilliseconds() const { return m_parts->lightMilliseconds(); }
 
 SampleUse RayCaster::sampleUse() const { return m_parts->kept.sampleUse(); }
 

@@ -56,6 +56,9 @@ public:
     /// How the newest cast() that was not cancelled used samples.
     [[nodiscard]] SampleUse sampleUse() const;
 
+    /// What the light volume of the newest cast() took, wall time; 0 where none was made.
+    [[nodiscard]] double lightMilliseconds() const;
+
     /// Bytes that the samples of one view may take, 2 each; where they would take more, none are kept.
     static constexpr std::size_t sampleMemoryLimit = std::size_t{512} << 20;
     /// Bytes of kept samples now; 0 where none are kept.

@@ -16,6 +16,8 @@ public:
 
     /// False where it was cancelled; then there is no light volume.
     [[nodiscard]] bool update(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress);
+    /// What the newest update took; 0 where the light volume stayed as it was, or none was asked for.
+    [[nodiscard]] double milliseconds() const { return m_milliseconds; }
     /// Null where the newest picture's light asks for no light volume.
     [[nodiscard]] const PackedLight* packed() const { return m_packed ? &*m_packed : nullptr; }
 
@@ -24,6 +26,7 @@ private:
     std::optional<OpacityCurve> m_curve;
     LightScene m_scene;
     std::optional<PackedLight> m_packed;
+    double m_milliseconds = 0.0;
 };
 
 }  // namespace echolucent::ray_casting

@@ -135,6 +135,33 @@ private slots:
         QCOMPARE(s.commands.started(), 3);
     }
 
+    void aMotionComesFromMemoryInItsSecondTurn() {
+        Setup s;
+        s.caster.setPlaying(true);
+        const std::vector<double> frames{0.1, 0.2, 0.3};
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            s.caster.request(s.turned(frames[i]));
+            QTRY_COMPARE_WITH_TIMEOUT(s.caster.keptFrames(), static_cast<int>(i) + 1, patience);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        const int cast = s.commands.started();
+        for (int turn = 0; turn < 2; ++turn)
+            for (const double frame : frames) {
+                s.delivered.clear();
+                s.caster.request(s.turned(frame));
+                QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty(), patience);
+                QCOMPARE(s.delivered.front()->quality, highQuality);
+                QVERIFY(samePicture(s.delivered.front()->request, s.turned(frame)));
+            }
+        // Nothing but the frame that stayed was cast again.
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QVERIFY(s.commands.started() <= cast + 1);
+        // Another picture that is none of the motion's drops them.
+        s.caster.setPlaying(false);
+        s.caster.request(s.turned(0.9));
+        QCOMPARE(s.caster.keptFrames(), 0);
+    }
+
     void theStepOfTheLookCounts() {
         Setup s;
         PictureRequest fine = s.request(0.5);

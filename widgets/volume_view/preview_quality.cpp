@@ -54,12 +54,21 @@ void PreviewQuality::drawn(double milliseconds) {
     if (++m_drawn > 1) learn(m_drawing, std::min(milliseconds, m_frame));
 }
 
+void PreviewQuality::lit(const RayCastSettings& settings, double milliseconds) {
+    if (settings.shading && settings.shading->asksWhatReaches()) learn(m_light, std::min(milliseconds, m_frame));
+}
+
+double PreviewQuality::budgetFor(const RayCastSettings& asked) const {
+    const bool lit = asked.shading && asked.shading->asksWhatReaches();
+    return std::max(budgetMilliseconds() - (lit ? m_light : 0.0), smallestBudget * m_frame);
+}
+
 double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
 
 std::size_t PreviewQuality::qualityInMotion(const RayCastSettings& asked) {
     m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
     if (const double cost = samplingCost(asked); cost > 0.0)
-        m_motionQuality = qualityWithin(budgetMilliseconds(), m_motionQuality, usual,
+        m_motionQuality = qualityWithin(budgetFor(asked), m_motionQuality, usual,
                                         [&](std::size_t quality) { return cost * samplesAt(quality, asked); });
     return m_motionQuality;
 }
@@ -72,7 +81,7 @@ std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
 
 std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool inSeries) {
     if (samplingCost(asked) > 0.0)
-        m_editQuality = qualityWithin(budgetMilliseconds(), m_editQuality, inSeries ? withinSeries : usual,
+        m_editQuality = qualityWithin(budgetFor(asked), m_editQuality, inSeries ? withinSeries : usual,
                                       [&](std::size_t quality) { return editCost(quality, asked); });
     return std::min(m_editQuality, m_motionQuality);
 }

@@ -27,7 +27,10 @@ public:
     /// count.
     void drawn(double milliseconds);
 
-    /// What casting one picture may take.
+    /// Learns what the light volume of a picture in motion took, which is no matter of its rays and steps.
+    void lit(const RayCastSettings& settings, double milliseconds);
+
+    /// What casting one picture without a light volume may take.
     [[nodiscard]] double budgetMilliseconds() const;
     /// The quality for the next picture of a moving view; `asked` as in settingsAt(). Does not waver between two
     /// qualities on small changes of cost.
@@ -51,11 +54,13 @@ private:
     [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
     /// Measured, or guessed from the other kind; 0 where neither was.
     [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
+    /// What the rays of a picture may take, beside its light volume.
+    [[nodiscard]] double budgetFor(const RayCastSettings& asked) const;
     [[nodiscard]] double editCost(std::size_t quality, const RayCastSettings& asked);
 
     double m_frame;
     Cost m_unshaded, m_shaded;
-    double m_drawing = 0.0;  // ms
+    double m_drawing = 0.0, m_light = 0.0;  // ms
     int m_drawn = 0;
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
     std::size_t m_motionQuality = firstQuality;

@@ -15,10 +15,7 @@ constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts m
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
-    : m_cast(std::move(cast)),
-      m_quality(quality),
-      m_frames(std::make_unique<KeptFrames>()),
-      m_thread("ray caster") {
+    : m_cast(std::move(cast)), m_quality(quality), m_frames(std::make_unique<KeptFrames>()), m_thread("ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::refine);
@@ -112,7 +109,9 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
         auto finished = std::make_shared<const CastPicture>(CastPicture{
             *asked, quality, atQuality.settings, std::make_shared<const Picture>(std::move(*result.picture)),
             std::move(screen), taken.count(), followsHand});
-        return [this, finished, samples = result.samples] { deliver(finished, samples); };
+        return [this, finished, samples = result.samples, light = result.lightMilliseconds] {
+            deliver(finished, samples, light);
+        };
     };
     auto job = [this, cast = m_cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
         try {
@@ -130,12 +129,15 @@ void ProgressiveCaster::fail() {
     emit failed();
 }
 
-void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples) {
+void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples,
+                                double lightMilliseconds) {
+    const double casting = picture->milliseconds - lightMilliseconds;
+    if (picture->followsHand) m_quality.lit(picture->settings, lightMilliseconds);
     if (samples == SampleUse::kept) {
         if (m_newest && sameSamples(*m_newest, picture->request)) m_keptQuality = picture->quality;
-        m_quality.reclassified(picture->settings, picture->milliseconds);
+        m_quality.reclassified(picture->settings, casting);
     } else {
-        m_quality.sampled(picture->settings, picture->milliseconds);
+        m_quality.sampled(picture->settings, casting);
     }
     if (samples == SampleUse::notKept) m_quality.couldNotKeep(picture->settings);
     const bool newest = m_newest && samePicture(*m_newest, picture->request);

@@ -62,7 +62,7 @@ private:
     bool deliverKept(const PictureRequest& request);
     void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
     void fail();
-    void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples);
+    void deliver(const std::shared_ptr<const CastPicture>& picture, SampleUse samples, double lightMilliseconds);
 
     Cast m_cast;
     PreviewQuality m_quality;

@@ -18,7 +18,7 @@ public:
             m_caster.emplace(request.volume);
         }
         std::optional<Picture> picture = m_caster->cast(request.curve, request.settings, progress);
-        return {std::move(picture), m_caster->sampleUse()};
+        return {std::move(picture), m_caster->sampleUse(), m_caster->lightMilliseconds()};
     }
 
 private:

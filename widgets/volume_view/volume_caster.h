@@ -13,6 +13,8 @@ namespace echolucent {
 struct CastResult {
     std::optional<Picture> picture;  ///< none where it was cancelled
     SampleUse samples = SampleUse::taken;
+    double lightMilliseconds =
+        0.0;  ///< of the whole, for the light volume, which costs the same for any picture's size
 };
 
 /// Casts a picture with the request's own settings. Runs in the casting thread, one call at a time. A request without a

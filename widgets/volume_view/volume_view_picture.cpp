@@ -140,8 +140,11 @@ void VolumeViewWidget::showLive(const PictureRequest& request) {
     Parts& parts = *m_parts;
     if (rendersLive() && samePicture(parts.shown->request, request)) return;
     parts.caster.clear();
-    parts.shown = std::make_shared<const CastPicture>(CastPicture{
-        .request = request, .quality = convergedQuality, .settings = request.settings, .followsHand = true, .live = true});
+    parts.shown = std::make_shared<const CastPicture>(CastPicture{.request = request,
+                                                                  .quality = convergedQuality,
+                                                                  .settings = request.settings,
+                                                                  .followsHand = true,
+                                                                  .live = true});
     parts.scene.setTransfer(request.curve, request.settings.colourMap);
     parts.scene.showLive(request.settings.camera, request.settings);
     render(true);
