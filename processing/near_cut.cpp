@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "processing/choice_names.h"
-#include "processing/near_cut/smooth_echo.h"
 #include "processing/near_cut/curved_cut.h"
 #include "processing/near_cut/flat_cut.h"
 #include "processing/near_cut/fluid_stretches.h"
+#include "processing/near_cut/smooth_echo.h"
 #include "processing/near_cut/tissue_level.h"
 #include "processing/near_cut/tube_echo.h"
 

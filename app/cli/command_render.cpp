@@ -123,8 +123,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
         ->type_name("R,G,B")
         ->capture_default_str();
     command.add_option("-o,--output", options->output, "Where the picture goes")->type_name("OUT.png")->required();
-    command.footer(
-        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive -o chest.png");
+    command.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive -o chest.png");
     command.callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

@@ -59,12 +59,11 @@ void LookOptions::addRow(CLI::App& command, const Parameter<Look>& parameter) {
         given.option = command.add_flag(namesOf(parameter), given.flag, std::string(parameter.meaning));
     } else if (const auto* name = std::get_if<std::string>(&standard)) {
         given.choice = *name;
-        given.option =
-            command
-                .add_option(namesOf(parameter), given.choice,
-                            fmt::format("{}: {}", parameter.meaning, listed(parameter.choices)))
-                ->type_name("NAME")
-                ->capture_default_str();
+        given.option = command
+                           .add_option(namesOf(parameter), given.choice,
+                                       fmt::format("{}: {}", parameter.meaning, listed(parameter.choices)))
+                           ->type_name("NAME")
+                           ->capture_default_str();
     } else {
         given.number = *numberOf(standard);
         const std::string unit = parameter.unit.empty() ? "" : fmt::format(", {}", parameter.unit);
@@ -92,7 +91,8 @@ void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& 
 /// An option of the light that was given although it plays no part is a mistake; its default is none.
 Result<void> LookOptions::checkParts(const Look& look) const {
     if (look.mode != RenderMode::direct && (m_shade || !m_light.empty()))
-        return wrongUsage("--shade and --light", "need direct volume rendering", "Leave them out, or use --mode direct.");
+        return wrongUsage("--shade and --light", "need direct volume rendering",
+                          "Leave them out, or use --mode direct.");
     if (look.lighting == Lighting::flat && !m_light.empty())
         return wrongUsage("--light", "needs a light", "Leave it out, or use --lighting surface or depth.");
     for (const Given& given : m_given)

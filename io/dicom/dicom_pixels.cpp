@@ -246,7 +246,8 @@ std::vector<std::string> DicomFrames::warnings() const {
                             "); they were reduced to luma.");
     if (model == ColourModel::monochrome1) sentences.emplace_back("MONOCHROME1: the grey values were inverted.");
     if (lossyCompressed())
-        sentences.emplace_back("The pixels were compressed with loss, which changes their distribution and so the OTF.");
+        sentences.emplace_back(
+            "The pixels were compressed with loss, which changes their distribution and so the OTF.");
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
     return sentences;
 }

@@ -22,10 +22,10 @@ namespace echolucent {
 struct Look {
     RenderMode mode = RenderMode::direct;
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the picture is taken from
-    Lighting lighting = Lighting::flat;  ///< plays a part in direct mode only
-    LightDirection light;                ///< where the light stands; plays a part where lighting is not flat
-    double lightSoftness = 8.0;          ///< degrees, [0, 45]: half the angle under which the light is seen
-    ReachingLight reaching;              ///< plays a part where lighting is depth
+    Lighting lighting = Lighting::flat;                  ///< plays a part in direct mode only
+    LightDirection light;        ///< where the light stands; plays a part where lighting is not flat
+    double lightSoftness = 8.0;  ///< degrees, [0, 45]: half the angle under which the light is seen
+    ReachingLight reaching;      ///< plays a part where lighting is depth
     bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
     ColourMap colourMap = ColourMap::sepia;
     Projection projection = Projection::parallel;
@@ -47,8 +47,8 @@ struct Look {
 /// A choice's name for a person ("Mean (x-ray)" for "mean"), sentence case.
 [[nodiscard]] std::string labelOfChoice(std::string_view choice);
 
-/// The look that the window and the command line start with: quiet voxels and light that tells depth, from whole degrees, as the panel's
-/// sliders show them.
+/// The look that the window and the command line start with: quiet voxels and light that tells depth, from whole
+/// degrees, as the panel's sliders show them.
 [[nodiscard]] Look lookAtStart();
 
 /// The settings of a look; size, place of the camera and cuts are left as RayCastSettings{} has them. Light and depth

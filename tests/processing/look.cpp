@@ -31,7 +31,8 @@ TEST(Look, EveryRowReadsWhatItWrote) {
     }
     EXPECT_TRUE(problemIn(lookParameters(), changed).empty());
     // No member is without a row: a new one does not compile here until it stands in these names and in a line below.
-    [[maybe_unused]] const auto& [mode, reduction, lighting, light, softness, reaching, depthColoured, map, projection, interpolation, step] = changed;
+    [[maybe_unused]] const auto& [mode, reduction, lighting, light, softness, reaching, depthColoured, map, projection,
+                                  interpolation, step] = changed;
     [[maybe_unused]] const auto& [azimuth, elevation] = light;
     [[maybe_unused]] const auto& [shadow, occlusion, translucency] = reaching;
     EXPECT_NE(changed.mode, Look{}.mode);

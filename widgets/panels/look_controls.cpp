@@ -16,7 +16,7 @@ QString objectNameOf(const Parameter<Look>& row) { return "view." + textOf(camel
 QString toolTipOf(const Parameter<Look>& row) {
     const QString meaning = textOf(row.meaning);
     return row.name == "lighting" ? meaning + LookControls::tr(". Ctrl + left drag in the picture moves the light")
-                                : meaning;
+                                  : meaning;
 }
 
 }  // namespace

@@ -171,9 +171,9 @@ void ViewPanel::arrange() {
 
 /// Choices of the look that have no place of their own: a row each, below the others.
 void ViewPanel::addRest(QGridLayout& grid) {
-    static constexpr std::array<std::string_view, 9> placed{
-        "mode",       "reduction",  "lighting",        "light_azimuth", "light_elevation",
-        "colour_map", "projection", "interpolation", "depth_colouring"};
+    static constexpr std::array<std::string_view, 9> placed{"mode",          "reduction",       "lighting",
+                                                            "light_azimuth", "light_elevation", "colour_map",
+                                                            "projection",    "interpolation",   "depth_colouring"};
     for (const Parameter<Look>& row : lookParameters()) {
         QWidget* control = m_look->control(row.name);
         if (control == nullptr || std::find(placed.begin(), placed.end(), row.name) != placed.end()) continue;

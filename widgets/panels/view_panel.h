@@ -19,10 +19,11 @@ namespace echolucent {
 class LookControls;
 class ValueSlider;
 
-/// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.reduction, view.lighting, view.lightAzimuth (+ .value),
-/// view.lightElevation (+ .value), view.lightSoftness, view.shadow, view.occlusion, view.translucency, view.depthColouring, view.colourMap, view.interpolation, view.projection,
-/// view.renderer, view.beamAxis, view.phase (+ .value; hidden with one phase), view.reset, view.savePicture. What plays
-/// no part in the mode chosen is disabled, and the remark says so of the curve. No setter emits a signal.
+/// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.reduction, view.lighting, view.lightAzimuth
+/// (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow, view.occlusion, view.translucency,
+/// view.depthColouring, view.colourMap, view.interpolation, view.projection, view.renderer, view.beamAxis, view.phase
+/// (+ .value; hidden with one phase), view.reset, view.savePicture. What plays no part in the mode chosen is disabled,
+/// and the remark says so of the curve. No setter emits a signal.
 class ViewPanel : public QWidget {
     Q_OBJECT
 

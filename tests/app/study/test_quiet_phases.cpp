@@ -144,9 +144,8 @@ private slots:
 
     void whereMemoryEndsItIsSaid() {
         QuietPhases quiet;
-        quiet.setReduce([](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> {
-            throw std::bad_alloc();
-        });
+        quiet.setReduce(
+            [](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> { throw std::bad_alloc(); });
         QSignalSpy failed(&quiet, &QuietPhases::failed);
         quiet.begin(phases(1));
         quiet.want(0, SpeckleReduction::medium);
