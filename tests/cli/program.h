@@ -59,9 +59,10 @@ inline std::string phantomFile(const std::string& name, const std::string& optio
 }
 inline std::string shapesFile() { return phantomFile("shapes.mha", "--scene shapes --size 110x100x120 --seed 5"); }
 
-/// The OTF for the voxels as they are, which is what follows from the tubes it reports.
+/// The OTF, where no option says otherwise for the voxels as they are: that is what follows from the tubes it reports.
 inline nlohmann::json otfOf(const std::string& volume, const std::string& options = {}) {
-    const Outcome outcome = runProgram("otf \"" + volume + "\" --reduction off --json - " + options);
+    const std::string reduction = options.find("--reduction") == std::string::npos ? "--reduction off " : "";
+    const Outcome outcome = runProgram("otf \"" + volume + "\" --json - " + reduction + options);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return nlohmann::json::parse(outcome.output);
 }

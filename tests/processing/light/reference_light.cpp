@@ -51,7 +51,7 @@ TEST(ReferenceLight, ASlabAttenuatesByItsSlantPath) {
 /// Where all light reaches all places, a picture is that of gradient light alone.
 TEST(ReferenceLight, InAWhiteFurnaceThePictureIsThatOfGradientLight) {
     const Scene scene(PhantomScene::shapes, 32, 24);
-    const auto plain = *castRaysPlainly(*scene.volume, scene.curve, scene.settings);
+    const auto plain = *castRaysPlainly(*scene.volume, scene.curve, scene.settings, {.leastLitOpacity = 1.0 / 2048});
     const auto all = [](const Vec3&) { return ReachingShares{1.0, 1.0}; };
     const auto none = [](const Vec3&) { return ReachingShares{0.0, 0.0}; };
     EXPECT_LT(pictureError(scene.picture(all), plain).largest, 1e-3);
