@@ -11,8 +11,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("caption", text); }
 
-QString beamLine(const Beam& beam) {
+QString beamLine(const Beam& beam, bool simulated) {
     const QString axis = textOf(nameOf(beam.axis));
+    if (simulated) return tr("beam %1").arg(axis);
     switch (beam.source) {
         case BeamSource::assumed: return tr("beam %1, assumed").arg(axis);
         case BeamSource::sectorShape: return tr("beam %1, from the shape of the sector").arg(axis);
@@ -44,7 +45,8 @@ QString lightLine(const Look& look) {
 
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
-    QStringList lines{beamLine(facts.document.beam), cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
+    QStringList lines{beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
+                      cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
                       speckleLine(look.reduction, facts.quiet), lightLine(look)};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));

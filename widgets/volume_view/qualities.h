@@ -24,7 +24,8 @@ struct Quality {
 ///
 /// Errors, in grey levels of 255, of the worst of two phantoms and two curves at 512 x 512 (docs/performance.md,
 /// "Pictures a second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at
-/// step 1, 2.1 and 24 at 1.5. Why these settings: docs/rendering.md.
+/// step 1, 2.1 and 24 at 1.5. Rays are spared before steps: from steps of 2 units on, the steep curve of quiet voxels
+/// shows rings. Why these settings: docs/rendering.md.
 inline constexpr std::array<Quality, 11> qualities{{
     {"converged", 1.0, 0.25, true, 1.0 / 2048},
     {"high quality", 1.0, 0.75, true},
@@ -32,11 +33,11 @@ inline constexpr std::array<Quality, 11> qualities{{
     {"preview", 1.0, 1.5},
     {"preview", 1.5, 1.5},
     {"preview", 2.0, 1.5},
-    {"preview", 2.0, 2.0},
-    {"preview", 3.0, 2.0},
-    {"preview", 4.0, 2.5},
-    {"preview", 6.0, 3.0},
-    {"preview", 8.0, 4.0},
+    {"preview", 2.5, 1.5},
+    {"preview", 3.0, 1.5},
+    {"preview", 4.0, 1.5},
+    {"preview", 6.0, 2.0},
+    {"preview", 8.0, 3.0},
 }};
 inline constexpr std::size_t convergedQuality = 0;
 /// What a motion's frames are kept in.
