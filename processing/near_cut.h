@@ -27,14 +27,14 @@ struct NearCutFinding {
     double nearCutMm = 0.0;     ///< the flat cut, as Viewpoint::nearCutMm; above 0 with wallBeforeFluid only
     double behindDataMm = 0.0;  ///< the same, counted from where the data begin along the view
     /// The curved cut, with wallBeforeFluid only, and only where it leaves as many tube cores in fluid (95 %).
-    std::optional<CutSurface> surface;
+    std::optional<CutSurface> surface{};
     int tubes = 0;  ///< tube cores of the search that meet data; they are many more than those of the adaptive method
     /// Of these, that say the answer: begin in fluid; are in fluid at the flat cut; meet no fluid.
     int tubesThatSaySo = 0;
     int tubesInFluidBehindSurface = 0;  ///< at the curved cut
     double confidence = 0.0;            ///< [0,1]
     bool sure = false;                  ///< whether a program may act on the answer without being asked
-    std::string message;                ///< a sentence that says the answer
+    std::string message{};              ///< a sentence that says the answer
 };
 
 /// Looks along a view, without its own cuts, for large dark regions with a wall before and behind them. The answer

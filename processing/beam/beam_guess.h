@@ -27,7 +27,7 @@ struct BeamGuess {
     BeamEvidence evidence = BeamEvidence::none;
     double confidence = 0.0;  ///< [0,1]; that of the best lead, also where it is not enough
     bool sure = false;        ///< whether the axis may be taken without asking
-    std::string sentence;     ///< what was found, for the person
+    std::string sentence{};   ///< what was found, for the person
     friend bool operator==(const BeamGuess&, const BeamGuess&) = default;
 };
 
