@@ -62,7 +62,9 @@ TEST(SharedVolumesBeam, IsFoundWhereItCanBeKnown) {
         ASSERT_TRUE(study) << study.error().sentence();
         const auto guess = guessBeamAxis(*study->phases.front());
         EXPECT_EQ(guess->sure, row.beam.has_value()) << row.name << " " << guess->confidence;
-        if (row.beam) EXPECT_EQ(guess->axis, *row.beam) << row.name;
+        if (row.beam) {
+            EXPECT_EQ(guess->axis, *row.beam) << row.name;
+        }
     }
 }
 
