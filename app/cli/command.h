@@ -80,10 +80,9 @@ struct ViewOptions {
     [[nodiscard]] ChosenBeam beamOf(const Volume& volume) const;
     /// The view of a volume with that beam, the near cut suggested where that was asked for. What was guessed or
     /// suggested is said on stderr.
-    [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config,
-                                        const ChosenBeam& beam) const;
+    [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const ChosenBeam& beam) const;
     /// The same with the beam of beamOf().
-    [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const AdaptiveOtfConfig& config) const;
+    [[nodiscard]] Result<Viewpoint> get(const Volume& volume) const;
 };
 
 /// The method's options: --reading, --initial, --tube-grid, and one for each row of methodParameters(). The reading

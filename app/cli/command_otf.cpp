@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/look_options.h"
 #include "app/cli/otf_report.h"
-#include "app/cli/reduction_option.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 
@@ -16,7 +16,7 @@ struct OtfOptions {
     VolumeOptions volume;
     ViewOptions view;
     MethodOptions method;
-    ReductionOption reduction{};
+    LookOptions look;
     std::string json, csv, tubesCsv;
 };
 
@@ -47,16 +47,15 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto reduction = options.reduction.get();
-    if (!reduction) return tl::unexpected<Failure>(reduction.error());
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
     const auto volume = options.volume.readPhase(outputs);
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const ChosenBeam beam = options.view.beamOf(**volume);
-    const auto cut = options.view.get(**volume, *config, beam);
+    const auto cut = options.view.get(**volume, beam);
     if (!cut) return tl::unexpected<Failure>(cut.error());
-    const auto quiet = quietVolume(**volume, *reduction);
-    const QuietVoxels shown{*reduction == SpeckleReduction::off ? nullptr : &*quiet, *reduction};
-    const auto otf = adaptOpacity(**volume, *cut, *config, {}, shown);
+    const auto quiet = quietVolume(**volume, look->reduction);
+    const auto otf = adaptOpacity(**volume, *cut, *config, {}, {&*quiet, look->reduction});
     return write(options, **volume, *otf, beam);
 }
 
@@ -68,7 +67,7 @@ void addOtfCommand(CLI::App& program, Action& action) {
     options->volume.addTo(command);
     options->view.addTo(command);
     options->method.addTo(command);
-    options->reduction.addTo(command, "The curve is meant for voxels made quiet by this speckle reduction");
+    options->look.addTo(command, {"reduction"});
     command.add_option("--json", options->json, "Everything as JSON (docs/cli-otf.md); - is standard output")
         ->type_name("FILE");
     command.add_option("--csv", options->csv, "The curve: intensity,opacity,log_opacity,initial_opacity")

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/reduction_option.h"
+#include "app/cli/look_options.h"
 #include "io/output/meta_image_writer.h"
 
 namespace echolucent::cli {
@@ -13,16 +13,16 @@ namespace {
 
 struct QuietOptions {
     VolumeOptions volume;
-    ReductionOption reduction;
+    LookOptions look;
     std::string output;
 };
 
 Result<void> writeQuiet(const QuietOptions& options) {
-    const auto reduction = options.reduction.get();
-    if (!reduction) return tl::unexpected<Failure>(reduction.error());
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
     const auto volume = options.volume.readPhase({options.output});
     if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto quiet = std::make_shared<const Volume>(*quietVolume(**volume, *reduction));
+    const auto quiet = std::make_shared<const Volume>(*quietVolume(**volume, look->reduction));
     return writeMetaImage(options.output, {quiet}, MetaImageVoxels::plain);
 }
 
@@ -33,7 +33,7 @@ void addQuietCommand(CLI::App& program, Action& action) {
     CLI::App& command =
         *program.add_subcommand("quiet", "Writes a volume with less speckle: the voxels a picture is taken from");
     options->volume.addTo(command);
-    options->reduction.addTo(command, "How much speckle is taken out");
+    options->look.addTo(command, {"reduction"});
     command.add_option("-o,--output", options->output, "MetaImage file to write (.mha), not compressed")
         ->type_name("OUT.mha")
         ->required();

@@ -87,7 +87,7 @@ Result<void> render(const RenderOptions& options) {
     const VolumeGeometry& geometry = (*volume)->geometry();
     if (!geometry.spacingKnown)
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the picture may be wrong.\n");
-    const auto view = options.view.get(**volume, *config);
+    const auto view = options.view.get(**volume);
     if (!view) return tl::unexpected<Failure>(view.error());
     const Projection projection = settings->camera.projection;
     settings->camera =

@@ -137,7 +137,7 @@ Result<void> sweep(const SweepOptions& options) {
         return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
                     "Use --object still, or a 4D volume.");
 
-    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(motion->firstPhase)], *config);
+    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(motion->firstPhase)]);
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto frames = motionFrames(*view, *motion, static_cast<int>(study->phases.size()));
     SweepReport report{.volume = options.volume.path, .start = *view, .motion = *motion};

@@ -68,11 +68,9 @@ ChosenBeam ViewOptions::beamOf(const Volume& volume) const {
     return {guess->axis, std::string(nameOf(guess->evidence)), guess->confidence, guess->sentence};
 }
 
-Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig& config) const {
-    return get(volume, config, beamOf(volume));
-}
+Result<Viewpoint> ViewOptions::get(const Volume& volume) const { return get(volume, beamOf(volume)); }
 
-Result<Viewpoint> ViewOptions::get(const Volume& volume, const AdaptiveOtfConfig&, const ChosenBeam& beam) const {
+Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam) const {
     auto chosen = get();
     if (!chosen) return chosen;
     chosen->beamAxis = beam.axis;

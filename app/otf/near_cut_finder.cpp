@@ -50,27 +50,28 @@ void NearCutFinder::take(const NearCutFinding& finding) {
     const Cut cut{.nearCutMm = std::round(10 * finding.nearCutMm) / 10};  // as people set it
     // No cut has no direction: what was computed for another view stays.
     cutAlong(cut, cut.nearCutMm > 0 ? directionOf(m_looksFrom) : m_parts.model.document().method.direction);
-    QList<MessageAction> actions;
-    if (finding.surface)
-        actions << MessageAction{tr("Curved front"), [this, surface = finding.surface] {
-                                     cutAlong({.surface = surface}, directionOf(m_looksFrom));
-                                 }};
-    if (!(cut == before))
-        actions << MessageAction{tr("Take it back"),
-                                 [this, before] { cutAlong(before, m_parts.model.document().method.direction); }};
-    tell(MessageKind::info, said, actions);
+    tell(MessageKind::info, said, waysOn(finding, cut == before ? std::nullopt : std::optional(before)));
 }
 
 void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     if (cutOf(m_parts.model.document(), m_parts.view).source != CutSource::found) return;
+    // What is wrong with the file is said first; the cut stands in the picture's caption too.
+    if (!m_parts.messages.text().isEmpty()) return;
     m_looksFrom = viewpointOf(m_parts.model.document(), m_parts.view);
+    tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Cut{}));
+}
+
+/// The curved front where there is one, and the way back to a cut where one is given.
+QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Cut>& back) {
     QList<MessageAction> actions;
     if (finding.surface)
         actions << MessageAction{tr("Curved front"), [this, surface = finding.surface] {
                                      cutAlong({.surface = surface}, directionOf(m_looksFrom));
                                  }};
-    actions << MessageAction{tr("Take it back"), [this] { cutAlong({}, m_parts.model.document().method.direction); }};
-    tell(MessageKind::info, QString::fromStdString(finding.message), actions);
+    if (back)
+        actions << MessageAction{tr("Take it back"),
+                                 [this, back] { cutAlong(*back, m_parts.model.document().method.direction); }};
+    return actions;
 }
 
 void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {

@@ -34,6 +34,7 @@ public:
 
 private:
     void take(const NearCutFinding& finding);
+    [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Cut>& back);
     void endProgress();
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     void takeBackWhatIsNoLongerTrue();

@@ -64,26 +64,26 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
     const QString path = file ? QString::fromStdString(file->path) : QString();
     m_loader.submit([this, reference, path,
                      read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
+        std::vector<IntensityHistogram> histograms;
+        std::optional<OpeningFinds> finds;
         Result<Study> study = [&]() -> Result<Study> {
             try {
-                return read(progress);
+                Result<Study> opened = read(progress);
+                if (!opened) return opened;
+                // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
+                for (const auto& phase : opened->phases) histograms.push_back(intensityHistogram(*phase));
+                if (!path.isEmpty()) finds = findOnOpening(*opened->phases.front(), {nullptr, progress.cancel});
+                return opened;
             } catch (const std::bad_alloc&) {
                 return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
                             "Close other programs, or reduce the volume.");
             }
         }();
+        if (progress.cancelled()) return {};
         if (!study) {
             return [this, path, failure = study.error()] {
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
             };
-        }
-        // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
-        std::vector<IntensityHistogram> histograms;
-        for (const auto& phase : study->phases) histograms.push_back(intensityHistogram(*phase));
-        std::optional<OpeningFinds> finds;
-        if (!path.isEmpty()) {
-            finds = findOnOpening(*study->phases.front(), {nullptr, progress.cancel});
-            if (!finds) return {};
         }
         auto shared = std::make_shared<const Study>(std::move(*study));
         return [this, reference, shared, finds = std::move(finds), histograms = std::move(histograms)] {

@@ -67,6 +67,8 @@ public:
     /// one picture and not two follow its opening.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
     [[nodiscard]] bool computingOtf() const { return m_otfThread.busy() || m_waiting.has_value(); }
+    /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
+    /// many.
     static constexpr std::int64_t quietFirstVoxels = 10'000'000;
     /// The newest result for the volume shown; null where there is none yet.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
@@ -74,6 +76,7 @@ public:
     /// Looks for the near cut of the volume shown along a view, in the same thread: takes the place of an OTF that is
     /// being computed, and a newer request takes its place.
     void requestNearCut(const Viewpoint& view);
+    [[nodiscard]] bool lookingForNearCut() const { return m_otfThread.busy() && !m_asked; }
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
     void cancelComputing();
 

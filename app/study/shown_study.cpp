@@ -20,7 +20,9 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
     connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
-        if (!playing) showRemark();
+        if (playing) return;
+        showRemark();
+        takeQuietVoxels();  // those that were made while it played
     });
     connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
@@ -124,7 +126,14 @@ void ShownStudy::takeOtf() {
 /// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
 /// with the phase's next turn.
 void ShownStudy::takeQuietVoxels() {
-    if (!m_parts.player.isPlaying() && m_parts.session.otf()) m_parts.computing.computeAgain();
+    const Session& session = m_parts.session;
+    if (m_parts.player.isPlaying() || !session.volume()) return;
+    // A search for the near cut asks for the OTF itself once it has ended.
+    if (session.lookingForNearCut() || (session.otf() && session.voxelsOfOtf() == session.newestVoxels())) return;
+    if (session.otf() || session.computingOtf())
+        m_parts.computing.computeAgain();
+    else if (m_parts.motion.otf())  // one OTF for all phases
+        m_parts.view.showVolume(session.newestVoxels(), session.volume());
 }
 
 /// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.

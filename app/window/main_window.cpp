@@ -137,11 +137,11 @@ void MainWindow::connectUnits() {
 
 void MainWindow::connectCaption() {
     connect(&m_session, &Session::studyOpened, this, [this] {
-        if (m_session.finds()) m_nearCutFinder->tellOpening(m_session.finds()->cut);
+        if (m_session.finds() && m_session.finds()->cut) m_nearCutFinder->tellOpening(*m_session.finds()->cut);
     });
     const auto tell = [this] {
         if (!m_session.volume()) return;
-        const bool quiet = m_session.voxelsOfOtf() != nullptr && m_session.voxelsOfOtf() != m_session.volume();
+        const bool quiet = m_session.newestVoxels() != m_session.volume();
         m_widgets.picture->setCaption(pictureCaption({.document = m_document.document(),
                                                       .view = mainView,
                                                       .quiet = quiet,
@@ -149,6 +149,7 @@ void MainWindow::connectCaption() {
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
     connect(&m_session, &Session::otfComputed, this, tell);
+    connect(&m_session, &Session::quietVoxelsMade, this, tell);
 }
 
 void MainWindow::createActions() {

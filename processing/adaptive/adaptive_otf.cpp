@@ -51,7 +51,7 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
 std::optional<AdaptedCurve> curveFor(const QuietVoxels& shown, std::span<const TubeSamples> samples, AdaptiveOtf& otf,
                                      const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
-    if (shown.volume == nullptr || otf.tubesWithWeight == 0)
+    if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
         return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
     const auto quiet = readQuiet(*shown.volume, config, samples, otf.tubes, progress);
     if (!quiet) return std::nullopt;

@@ -11,10 +11,10 @@
 
 namespace echolucent {
 
-/// Both with their own confidence.
+/// Each with its own confidence.
 struct OpeningFinds {
     BeamGuess beam;
-    NearCutFinding cut;  ///< along the guessed beam
+    std::optional<NearCutFinding> cut{};  ///< looked for along a sure beam only: nobody cuts along another
 };
 
 /// Looks at a volume that was read from a file, the first phase of a study. The result is empty only where it was

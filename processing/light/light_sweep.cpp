@@ -15,23 +15,29 @@
 
 namespace echolucent {
 
-LightScene lightSceneOf(const RayCastSettings& settings) {
+int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t places) {
+    constexpr int coarsest = 16;
+    int coarseness = finest;
+    const auto tooMany = [&] {
+        return static_cast<std::int64_t>(light::LightGrid(geometry, coarseness).places()) > places;
+    };
+    while (coarseness < coarsest && tooMany()) ++coarseness;
+    return coarseness;
+}
+
+LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& geometry) {
     const ViewFrame& frame = settings.camera.frame;
-    const Vec3 light = settings.shading.value_or(Shading{}).towardsLight;
+    const Shading shading = settings.shading.value_or(Shading{});
+    const Vec3 light = shading.towardsLight;
     LightScene scene;
     scene.towardsKey = frame.right * light[0] + frame.down * light[1] + frame.forward * light[2];
     scene.towardsViewer = -frame.forward;
     scene.rendered = {frame.forward, settings.nearPlaneDepthMm, settings.box, settings.clippingPlanes,
                       settings.cutSurface};
+    scene.keyHalfAngleDegrees = shading.keyHalfAngleDegrees;
+    const std::int64_t edge = usualVolumeEdge / settings.lightCoarseness;
+    scene.coarseness = coarsenessWithin(geometry, settings.lightCoarseness, edge * edge * edge);
     return scene;
-}
-
-int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t places) {
-    constexpr int coarsest = 16;
-    int coarseness = finest;
-    while (coarseness<coarsest&& static_cast<std::int64_t>(light::LightGrid(geometry, coarseness).places())> places)
-        ++coarseness;
-    return coarseness;
 }
 
 namespace {

@@ -62,14 +62,10 @@ double ReferenceLight::along(const Vec3& gridMm, const std::vector<WeightedDirec
 }
 
 std::optional<Picture> castRaysInLight(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                                       const ReachingLight& light, const Reaching& reaching, const Progress& progress) {
+                                       const Reaching& reaching, const Progress& progress) {
     if (!settings.shading) throw std::invalid_argument("castRaysInLight: settings.shading must be set");
-    RayCastSettings lit = settings;
-    lit.shading->shadow = light.shadow;
-    lit.shading->occlusion = light.occlusion;
-    lit.shading->translucency = light.translucency;
     constexpr double worthLight = 1.0 / 2048;
-    return castRaysPlainly(volume, curve, lit, {.leastLitOpacity = worthLight, .reaching = &reaching}, progress);
+    return castRaysPlainly(volume, curve, settings, {.leastLitOpacity = worthLight, .reaching = &reaching}, progress);
 }
 
 }  // namespace echolucent::light

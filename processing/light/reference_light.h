@@ -45,11 +45,10 @@ private:
 using Reaching = std::function<ReachingShares(const Vec3& gridMm)>;
 
 /// The plain route's picture (castRaysPlainly(), direct mode) with light that reaches, sample by sample in double.
-/// settings.shading must be set. Samples that add less than 1/2048 to their pixel are lit evenly, as if all light
-/// reached them.
-/// The result is empty only where progress.cancel was raised.
+/// settings.shading must be set; its strengths count. Samples that add less than 1/2048 to their pixel are lit evenly,
+/// as if all light reached them. The result is empty only where progress.cancel was raised.
 [[nodiscard]] std::optional<Picture> castRaysInLight(const Volume& volume, const OpacityCurve& curve,
-                                                     const RayCastSettings& settings, const ReachingLight& light,
-                                                     const Reaching& reaching, const Progress& progress = {});
+                                                     const RayCastSettings& settings, const Reaching& reaching,
+                                                     const Progress& progress = {});
 
 }  // namespace echolucent::light

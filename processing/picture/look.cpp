@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "processing/picture/reaching_light.h"
+
 namespace echolucent {
 
 namespace {
@@ -202,8 +204,9 @@ bool playsAPart(std::string_view name, const Look& look) {
     const bool direct = look.mode == RenderMode::direct;
     if (name == "lighting" || name == "depth_colouring") return direct;
     if (name == "light_azimuth" || name == "light_elevation") return direct && look.lighting != Lighting::flat;
-    if (name == "light_softness" || name == "shadow" || name == "occlusion" || name == "translucency")
-        return direct && look.lighting == Lighting::depth;
+    const bool reaches = direct && look.lighting == Lighting::depth;
+    if (name == "shadow" || name == "occlusion") return reaches;
+    if (name == "light_softness" || name == "translucency") return reaches && look.reaching.shadow > 0.0;
     return true;
 }
 
@@ -237,9 +240,7 @@ RayCastSettings rayCastSettings(const Look& look) {
         settings.shading->ambient = ambientWithReachingLight;
         settings.shading->diffuse = diffuseWithReachingLight;
         settings.shading->keyHalfAngleDegrees = look.lightSoftness;
-        settings.shading->shadow = look.reaching.shadow;
-        settings.shading->occlusion = look.reaching.occlusion;
-        settings.shading->translucency = look.reaching.translucency;
+        settings.shading->reaching = look.reaching;
     }
     if (look.depthColoured) settings.depthColouring = DepthColouring{};
     return settings;

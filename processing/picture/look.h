@@ -11,7 +11,6 @@
 #include "processing/picture/light_direction.h"
 #include "processing/picture/lighting.h"
 #include "processing/picture/ray_cast_settings.h"
-#include "processing/picture/reaching_light.h"
 #include "processing/picture/render_mode.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/volume/interpolation.h"

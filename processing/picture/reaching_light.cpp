@@ -18,8 +18,8 @@ SurfaceLight surfaceLight(const Shading& shading, const Vec3& gradient, const Ve
     return light;
 }
 
-Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double key, double around,
-                    const SurfaceLight& surface) {
+Vec3 reachingFactor(const Shading& shading, double key, double around, const SurfaceLight& surface) {
+    const ReachingLight& light = shading.reaching;
     const double even = surface.share * surface.diffuse + (1.0 - surface.share) * shading.evenLight;
     const double direct = shading.diffuse * even + surface.share * shading.specular * surface.highlight;
     const double open = 1.0 - light.occlusion * (1.0 - around);

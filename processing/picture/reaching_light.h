@@ -6,14 +6,6 @@
 
 namespace echolucent {
 
-/// How a picture uses a light volume (processing/light/light_volume.h).
-struct ReachingLight {
-    double shadow = 0.75;       ///< [0,1]: how dark it is where no key light reaches; 0 is no cast shadow
-    double occlusion = 0.75;    ///< [0,1]: how dark it is where no light around the viewer reaches
-    double translucency = 0.3;  ///< [0,1]: how warm the key light becomes in thin tissue
-    friend bool operator==(const ReachingLight&, const ReachingLight&) = default;
-};
-
 /// Shading's ambient and diffuse light in a picture that uses a light volume: they make up for what reaches no place.
 /// Chosen by looking.
 inline constexpr double ambientWithReachingLight = 0.5, diffuseWithReachingLight = 1.3;
@@ -35,7 +27,6 @@ struct SurfaceLight {
 /// With both strengths 0 that is the factor of Shading; what becomes of it stands there too, channel by channel. Red is
 /// scattered deepest and blue least, so that light that has gone through a little tissue is warm; full light is white,
 /// and where no light comes nothing glows.
-[[nodiscard]] Vec3 reachingFactor(const Shading& shading, const ReachingLight& light, double key, double around,
-                                  const SurfaceLight& surface);
+[[nodiscard]] Vec3 reachingFactor(const Shading& shading, double key, double around, const SurfaceLight& surface);
 
 }  // namespace echolucent

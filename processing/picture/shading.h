@@ -6,6 +6,15 @@
 
 namespace echolucent {
 
+/// How a picture uses a light volume (processing/light/light_volume.h). The defaults were chosen by looking
+/// (docs/light.md).
+struct ReachingLight {
+    double shadow = 0.75;       ///< [0,1]: how dark it is where no key light reaches; 0 is no cast shadow
+    double occlusion = 0.75;    ///< [0,1]: how dark it is where no light around the viewer reaches
+    double translucency = 0.3;  ///< [0,1]: how warm the key light becomes in thin tissue, where it casts shadows
+    friend bool operator==(const ReachingLight&, const ReachingLight&) = default;
+};
+
 /// Light on what is shown: gradient (Blinn-Phong) shading by one directional key light, how much of that light reaches
 /// a place, and how much of the light around the viewer does.
 ///
@@ -17,10 +26,9 @@ namespace echolucent {
 ///                               + w specular max(0, n.h)^specularPower)
 ///     lit    = (1 - u) factor + u
 ///     colour = min(1, colour * lit * (t + (1 - t) min(1, lit)))        t: shadowTintOf(colour map)
-/// k' and o' are what the strengths below make of the light that reaches the place (reachingFactor()); 1 where nothing
-/// asks for it.
-/// Highlights have the colour of what they lie on: white ones turn haze into grey fog. u is the share of a cut's face
-/// (CutFace), which shows grey values as they are.
+/// k' and o' are what ReachingLight makes of the light that reaches the place (reachingFactor()); 1 where nothing asks
+/// for it. Highlights have the colour of what they lie on: white ones turn haze into grey fog. u is the share of a
+/// cut's face (CutFace), which shows grey values as they are.
 struct Shading {
     Vec3 towardsLight =
         echolucent::towardsLight(LightDirection{});  ///< any length above 0, in camera axes (right, down, forward)
@@ -28,17 +36,15 @@ struct Shading {
     double diffuse = 0.85;
     double specular = 0.2;
     double specularPower = 20.0;
-    double gradientReach = 2.0;        ///< units from the sample to each sample of the difference, > 0
-    double gradientFloor = 0.01;       ///< normalised intensity per unit, >= 0: about the gradient of speckle
-    double wrap = 0.4;                 ///< [0,1]: how far light reaches around, 0 is Lambert's law
-    double evenLight = 0.5;            ///< [0,1]: the light where there is no surface
-    double keyHalfAngleDegrees = 8.0;  ///< [0,45]: how soft the key light's shadows are; 0 has no penumbra
-    double shadow = 0.0;               ///< [0,1]: how dark it is where no key light reaches
-    double occlusion = 0.0;            ///< [0,1]: how dark it is where no light around the viewer reaches
-    double translucency = 0.0;         ///< [0,1]: how warm the key light becomes in thin tissue
+    double gradientReach = 2.0;             ///< units from the sample to each sample of the difference, > 0
+    double gradientFloor = 0.01;            ///< normalised intensity per unit, >= 0: about the gradient of speckle
+    double wrap = 0.4;                      ///< [0,1]: how far light reaches around, 0 is Lambert's law
+    double evenLight = 0.5;                 ///< [0,1]: the light where there is no surface
+    double keyHalfAngleDegrees = 8.0;       ///< [0,45]: how soft the key light's shadows are; 0 has no penumbra
+    ReachingLight reaching{0.0, 0.0, 0.0};  ///< nothing of it, unless somebody asks
 
     /// Whether a light volume is asked for.
-    [[nodiscard]] bool asksWhatReaches() const { return shadow > 0.0 || occlusion > 0.0 || translucency > 0.0; }
+    [[nodiscard]] bool asksWhatReaches() const { return reaching.shadow > 0.0 || reaching.occlusion > 0.0; }
     friend bool operator==(const Shading&, const Shading&) = default;
 };
 

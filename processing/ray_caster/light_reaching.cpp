@@ -10,15 +10,14 @@ bool LightReaching::update(const OpacityCurve& curve, const RayCastSettings& set
         m_packed.reset();
         return true;
     }
-    LightScene scene = lightSceneOf(settings);
-    scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
-    scene.coarseness = settings.lightCoarseness;
+    const LightScene scene = lightSceneOf(settings, m_volume->geometry());
     if (m_packed && m_curve == curve && m_scene == scene) return true;
     m_packed.reset();
     const auto begin = std::chrono::steady_clock::now();
-    const auto light = m_sweep.lightVolume(curve, scene, progress);
+    if (!m_sweep) m_sweep.emplace(m_volume);
+    const auto light = m_sweep->lightVolume(curve, scene, progress);
     if (!light) return false;
-    m_packed.emplace(*light, m_sweep.volume()->geometry());
+    m_packed.emplace(*light, m_volume->geometry());
     m_curve = curve;
     m_scene = scene;
     m_milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

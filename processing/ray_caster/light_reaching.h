@@ -12,7 +12,7 @@ namespace echolucent::ray_casting {
 
 class LightReaching {
 public:
-    explicit LightReaching(std::shared_ptr<const Volume> volume) : m_sweep(std::move(volume)) {}
+    explicit LightReaching(std::shared_ptr<const Volume> volume) : m_volume(std::move(volume)) {}
 
     /// False where it was cancelled; then there is no light volume.
     [[nodiscard]] bool update(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress);
@@ -22,7 +22,8 @@ public:
     [[nodiscard]] const PackedLight* packed() const { return m_packed ? &*m_packed : nullptr; }
 
 private:
-    LightSweep m_sweep;
+    std::shared_ptr<const Volume> m_volume;
+    std::optional<LightSweep> m_sweep;  ///< made for the first picture that asks for it
     std::optional<OpacityCurve> m_curve;
     LightScene m_scene;
     std::optional<PackedLight> m_packed;

@@ -23,9 +23,9 @@ LightSource lightSource(const Shading& shading, const VolumeGeometry& geometry, 
     source.diffuse = static_cast<float>(shading.diffuse);
     source.evenLight = static_cast<float>(shading.evenLight);
     source.wrap = static_cast<float>(shading.wrap);
-    source.shadow = static_cast<float>(shading.shadow);
-    source.occlusion = static_cast<float>(shading.occlusion);
-    source.translucency = static_cast<float>(shading.translucency);
+    source.shadow = static_cast<float>(shading.reaching.shadow);
+    source.occlusion = static_cast<float>(shading.reaching.occlusion);
+    source.translucency = static_cast<float>(shading.reaching.translucency);
     source.floorSquare = static_cast<float>(shading.gradientFloor * shading.gradientFloor);
     for (std::size_t i = 0; i < source.highlight.size(); ++i) {
         const double cosine = std::min(1.0, static_cast<double>(i) / LightSource::highlightIntervals);

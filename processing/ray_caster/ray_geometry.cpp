@@ -15,7 +15,7 @@ bool isFinite(const Vec3& vector) {
 
 void requireSensible(const Shading& shading) {
     if (!(shading.gradientReach > 0.0)) throw std::invalid_argument("castRays: the gradient's reach must be above 0");
-    for (const double strength : {shading.shadow, shading.occlusion, shading.translucency})
+    for (const double strength : {shading.reaching.shadow, shading.reaching.occlusion, shading.reaching.translucency})
         if (!(strength >= 0.0 && strength <= 1.0))
             throw std::invalid_argument("castRays: strengths of light must lie between 0 and 1");
 }

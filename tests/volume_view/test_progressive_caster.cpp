@@ -3,110 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <new>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "processing/ray_caster.h"
-#include "tests/volume_view/test_volumes.h"
-#include "widgets/volume_view/progressive_caster.h"
+#include "tests/volume_view/commanded_caster.h"
 
 using namespace echolucent;
-using echolucent::testing::geometryOf;
-using echolucent::testing::volumeOf;
 
 namespace {
-
-constexpr int patience = 20000;  // ms, a bound for broken programs
-
-constexpr double convergedStep = qualities[convergedQuality].step;
-
-/// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
-class CommandedCaster {
-public:
-    CastResult operator()(const PictureRequest& request, const Progress& progress) {
-        std::unique_lock lock(m_mutex);
-        if (!request.volume) {
-            ++m_lettingGo;
-            m_changed.notify_all();
-            return {};
-        }
-        m_started.push_back(request.settings);
-        m_changed.notify_all();
-        m_changed.wait(lock, [&] { return !m_held; });
-        while (request.settings.width == m_endlessWidth && request.settings.step == convergedStep &&
-               !progress.cancelled()) {
-            lock.unlock();
-            std::this_thread::yield();
-            lock.lock();
-        }
-        if (progress.cancelled()) return {};
-        const int width = request.settings.width, height = request.settings.height;
-        const auto level = static_cast<float>(opacityAt(request.curve, 1.0));
-        return {Picture{width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}},
-                SampleUse::taken};
-    }
-    void hold() {
-        set([this] { m_held = true; });
-    }
-    void letGo() {
-        set([this] { m_held = false; });
-    }
-    /// Converged pictures of that width end only when they are cancelled.
-    void convergedOnlyEndsCancelled(int width) {
-        set([&] { m_endlessWidth = width; });
-    }
-    std::vector<RayCastSettings> startedSettings() {
-        const std::lock_guard lock(m_mutex);
-        return m_started;
-    }
-    int started() { return static_cast<int>(startedSettings().size()); }
-    int lettingGo() {
-        const std::lock_guard lock(m_mutex);
-        return m_lettingGo;
-    }
-
-private:
-    template <typename Change>
-    void set(const Change& change) {
-        const std::lock_guard lock(m_mutex);
-        change();
-        m_changed.notify_all();
-    }
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    bool m_held = false;
-    int m_endlessWidth = 0, m_lettingGo = 0;
-    std::vector<RayCastSettings> m_started;
-};
-
-struct Setup {
-    Setup() {
-        QObject::connect(&caster, &ProgressiveCaster::delivered,
-                         [this](const std::shared_ptr<const CastPicture>& picture) { delivered.push_back(picture); });
-    }
-    PictureRequest request(double level, int width = 120) const {
-        PictureRequest made{volume, ManualCurve{{{0.0, level}}}, {}};
-        made.settings.width = width;
-        made.settings.height = 90;
-        return made;
-    }
-    /// Of another camera for each level.
-    PictureRequest turned(double level) const {
-        PictureRequest made = request(level);
-        made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0, 0});
-        return made;
-    }
-    CommandedCaster commands;
-    std::shared_ptr<const Volume> volume = volumeOf(geometryOf(2, 2, 2), [](double, double, double) { return 9; });
-    std::vector<std::shared_ptr<const CastPicture>> delivered;
-    ProgressiveCaster caster{
-        [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); },
-        PreviewQuality{0.0}};  // no budget: always a preview first
-};
 
 float levelOf(const CastPicture& picture) { return picture.picture->rgba.front(); }
 
@@ -133,33 +39,6 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
         // No quality is cast twice.
         QCOMPARE(s.commands.started(), 3);
-    }
-
-    void aMotionComesFromMemoryInItsSecondTurn() {
-        Setup s;
-        s.caster.setPlaying(true);
-        const std::vector<double> frames{0.1, 0.2, 0.3};
-        for (std::size_t i = 0; i < frames.size(); ++i) {
-            s.caster.request(s.turned(frames[i]));
-            QTRY_COMPARE_WITH_TIMEOUT(s.caster.keptFrames(), static_cast<int>(i) + 1, patience);
-        }
-        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
-        const int cast = s.commands.started();
-        for (int turn = 0; turn < 2; ++turn)
-            for (const double frame : frames) {
-                s.delivered.clear();
-                s.caster.request(s.turned(frame));
-                QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty(), patience);
-                QCOMPARE(s.delivered.front()->quality, highQuality);
-                QVERIFY(samePicture(s.delivered.front()->request, s.turned(frame)));
-            }
-        // Nothing but the frame that stayed was cast again.
-        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
-        QVERIFY(s.commands.started() <= cast + 1);
-        // Another picture that is none of the motion's drops them.
-        s.caster.setPlaying(false);
-        s.caster.request(s.turned(0.9));
-        QCOMPARE(s.caster.keptFrames(), 0);
     }
 
     void theStepOfTheLookCounts() {

@@ -138,8 +138,8 @@ Result<void> bench(const BenchOptions& options) {
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto volume = volumeOf(options);
     if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto view = options.view.get(
-        **volume, *config, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(**volume));
+    const auto view =
+        options.view.get(**volume, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(**volume));
     if (!view) return tl::unexpected<Failure>(view.error());
 
     Viewpoint axis = *view, oblique = *view;

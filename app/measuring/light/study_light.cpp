@@ -42,7 +42,7 @@ Result<LightCase> caseOf(const std::string& name, std::shared_ptr<const Volume> 
     if (!pixels) return tl::unexpected<Failure>(pixels.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto view = options.view.get(*volume, *config);
+    const auto view = options.view.get(*volume);
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto named = namedCurve(options.otf, options.method.opacityScale);
     if (!named) return tl::unexpected<Failure>(named.error());
@@ -56,6 +56,7 @@ Result<LightCase> caseOf(const std::string& name, std::shared_ptr<const Volume> 
     one.settings.shading = Shading{};
     one.settings.shading->ambient = ambientWithReachingLight;
     one.settings.shading->diffuse = diffuseWithReachingLight;
+    one.settings.shading->reaching = ReachingLight{};
     return one;
 }
 

@@ -48,7 +48,7 @@ void timeAll(const LightCase& one, std::vector<LightResult>& results, int repeat
 }
 
 Picture pictureOf(const LightCase& one, const light::Reaching& reaching) {
-    return *light::castRaysInLight(*one.volume, one.curve, one.settings, ReachingLight{}, reaching);
+    return *light::castRaysInLight(*one.volume, one.curve, one.settings, reaching);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::vector<LightVariant> lightVariants(const LightScene& usual) {
 LightStudy measureLight(const LightCase& one, int repeats, int rings) {
     LightStudy study;
     study.name = one.name;
-    const LightScene usual = lightSceneOf(one.settings);
+    const LightScene usual = lightSceneOf(one.settings, one.volume->geometry());
     const light::ReferenceLight reference(*one.volume, one.curve, usual, rings);
     study.referenceSeconds =
         1e-3 * millisecondsOf(

@@ -84,7 +84,7 @@ Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, con
     if (options.volume.path.empty()) return cases;
     const auto study = options.volume.readAll(outputs);
     if (!study) return tl::unexpected<Failure>(study.error());
-    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(options.volume.phase)], config);
+    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(options.volume.phase)]);
     if (!view) return tl::unexpected<Failure>(view.error());
     MotionCase base{"volume", study->name, study->phases, *view, motion};
     base.motion.firstPhase = options.volume.phase;

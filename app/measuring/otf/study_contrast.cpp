@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/cli/reduction_option.h"
+#include "app/cli/look_options.h"
 #include "app/measuring/otf/study_phantoms.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
@@ -16,7 +16,7 @@ namespace {
 struct ContrastOptions {
     PhantomChoice phantoms;
     ViewOptions view;
-    ReductionOption reduction;
+    LookOptions look;
     std::string csv;
 };
 
@@ -44,11 +44,11 @@ Result<void> measureContrast(const ContrastOptions& options) {
     if (!bases) return tl::unexpected<Failure>(bases.error());
     const auto view = options.view.get();
     if (!view) return tl::unexpected<Failure>(view.error());
-    const auto reduction = options.reduction.get();
-    if (!reduction) return tl::unexpected<Failure>(reduction.error());
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
     const std::vector<std::string> names = contrastCurveNames();
     std::string text = fmt::format("CNR_S, mean of {} seed(s), speckle reduction {}\n{:<22}", bases->size(),
-                                   nameOf(*reduction), "condition");
+                                   nameOf(look->reduction), "condition");
     for (const std::string& name : names) text += fmt::format("{:>{}}", name, 11);
     text += '\n';
     CsvTable csv({"condition", "seed", "curve", "cnr_s"});
@@ -60,7 +60,7 @@ Result<void> measureContrast(const ContrastOptions& options) {
         for (const PhantomConfig& base : *bases) {
             const NamedPhantom phantom = contrastConditions(base)[c];
             name = phantom.name;
-            seeds.push_back(contrastsOf(StudyPhantom(phantom.config), *view, *reduction));
+            seeds.push_back(contrastsOf(StudyPhantom(phantom.config), *view, look->reduction));
             for (std::size_t i = 0; i < names.size(); ++i)
                 csv.row({name, static_cast<std::int64_t>(base.seed), names[i], seeds.back()[i].value_or(NAN)});
         }
@@ -81,7 +81,7 @@ void addStudyContrastCommand(CLI::App& study, Action& action) {
         *study.add_subcommand("contrast", "How well the curves set known surfaces off from haze and leakage (CNR_S)");
     options->phantoms.addTo(command);
     options->view.addTo(command);
-    options->reduction.addTo(command, "Speckle reduction of the voxels that are shown");
+    options->look.addTo(command, {"reduction"});
     command.add_option("--csv", options->csv, "Also writes every value")->type_name("FILE");
     command.footer("Example: echolucent-cli study contrast --seeds 1-4");
     command.callback([options, &action] { action = [options] { return measureContrast(*options); }; });

@@ -111,7 +111,7 @@ Result<OtfStudy> studyVolume(const OtfStudyOptions& options, const std::vector<s
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto volume = options.volume.readPhase(outputs);
     if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto view = options.view.get(**volume, {});
+    const auto view = options.view.get(**volume);
     if (!view) return tl::unexpected<Failure>(view.error());
     OtfStudy study;
     study.repeats = options.repeats;

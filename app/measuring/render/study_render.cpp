@@ -85,7 +85,7 @@ Result<void> studyRendering(const RenderStudyOptions& options) {
         one.volume = *volume;
     }
     const auto view = options.view.get(
-        *one.volume, *config, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(*one.volume));
+        *one.volume, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(*one.volume));
     if (!view) return tl::unexpected<Failure>(view.error());
     const VolumeGeometry& geometry = one.volume->geometry();
     one.reference.camera =

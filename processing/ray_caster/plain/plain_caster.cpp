@@ -77,11 +77,8 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
     m_towardsLight = normalized(frame.right * light[0] + frame.down * light[1] + frame.forward * light[2]);
     if (settings.mode != RenderMode::direct || !settings.shading->asksWhatReaches() || casting.reaching != nullptr)
         return;
-    LightScene scene = lightSceneOf(settings);
-    scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
-    scene.coarseness = settings.lightCoarseness;
-    m_light =
-        LightSweep(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume)).lightVolume(curve, scene);
+    m_light = LightSweep(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume))
+                  .lightVolume(curve, lightSceneOf(settings, volume.geometry()));
 }
 
 PlainPixel PlainCaster::pixel(int column, int row) const {
@@ -204,8 +201,7 @@ Vec3 PlainCaster::factorsAt(const Seen& seen) const {
         reaching = (*m_casting.reaching)(place);
     else if (m_light && worth)
         reaching = reachingAt(*m_light, place);
-    return reachingFactor(shading, {shading.shadow, shading.occlusion, shading.translucency}, reaching.key,
-                          reaching.around, surface);
+    return reachingFactor(shading, reaching.key, reaching.around, surface);
 }
 
 /// Shading's formula.

@@ -9,9 +9,7 @@ namespace {
 OpeningFinds finds() {
     OpeningFinds all;
     all.beam = {.axis = BeamAxis::minusY, .evidence = BeamEvidence::sectorShape, .confidence = 0.8, .sure = true};
-    all.cut.answer = NearCutAnswer::wallBeforeFluid;
-    all.cut.nearCutMm = 10.6499;
-    all.cut.sure = true;
+    all.cut = NearCutFinding{.answer = NearCutAnswer::wallBeforeFluid, .nearCutMm = 10.6499, .sure = true};
     return all;
 }
 
@@ -30,11 +28,11 @@ TEST(OpeningFinds, WhatIsNotSureStaysAsItIs) {
     unsure.beam.sure = false;
     EXPECT_EQ(withFinds({}, unsure), Document{}) << "without a sure beam nobody knows along what to cut";
     unsure = finds();
-    unsure.cut.sure = false;
+    unsure.cut->sure = false;
     EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
     EXPECT_EQ(withFinds({}, unsure).beam.axis, BeamAxis::minusY);
     unsure = finds();
-    unsure.cut.answer = NearCutAnswer::fluidAtFront;
+    unsure.cut->answer = NearCutAnswer::fluidAtFront;
     EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
 }
 
@@ -44,6 +42,7 @@ TEST(OpeningFinds, AVolumeOfOneValueHasNone) {
     const Volume even(geometry, Voxels(std::vector<std::uint8_t>(20 * 21 * 22, 90)));
     const auto found = findOnOpening(even);
     ASSERT_TRUE(found);
+    EXPECT_FALSE(found->cut) << "without a sure beam nothing is looked for";
     EXPECT_EQ(withFinds({}, *found), Document{});
 }
 

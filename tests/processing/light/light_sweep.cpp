@@ -195,11 +195,18 @@ TEST(LightSweep, TheSceneOfAPictureTurnsWithItsCamera) {
     settings.shading = Shading{};
     settings.shading->towardsLight = {0.1, 0.2, -0.3};
     settings.nearPlaneDepthMm = 4;
-    const LightScene scene = lightSceneOf(settings);
+    settings.shading->keyHalfAngleDegrees = 21;
+    settings.lightCoarseness = 3;
+    const LightScene scene = lightSceneOf(settings, cubeGeometry(100));
     EXPECT_EQ(scene.towardsKey, Vec3(-0.3, 0.1, 0.2));
     EXPECT_EQ(scene.towardsViewer, Vec3(-1, 0, 0));
     EXPECT_EQ(scene.rendered.forward, Vec3(1, 0, 0));
     EXPECT_EQ(scene.rendered.nearPlaneDepthMm, 4);
+    EXPECT_EQ(scene.keyHalfAngleDegrees, 21);
+    EXPECT_EQ(scene.coarseness, 3);
+    EXPECT_EQ(lightSceneOf(settings, cubeGeometry(usualVolumeEdge)).coarseness, 3);
+    EXPECT_EQ(lightSceneOf(settings, cubeGeometry(2 * usualVolumeEdge)).coarseness, 6)
+        << "light of a large volume costs no more than that of a usual one";
 }
 
 TEST(LightSweep, CoarsenessKeepsToANumberOfPlaces) {

@@ -30,8 +30,10 @@ struct Scene {
         settings.camera = defaultCamera(volume->geometry(), view, 1.0);
         settings.shading = Shading{};
     }
-    [[nodiscard]] Picture picture(const light::Reaching& reaching, const ReachingLight& light = {}) const {
-        return *light::castRaysInLight(*volume, curve, settings, light, reaching);
+    [[nodiscard]] Picture picture(const light::Reaching& reaching, const ReachingLight& strengths = {}) const {
+        RayCastSettings lit = settings;
+        lit.shading->reaching = strengths;
+        return *light::castRaysInLight(*volume, curve, lit, reaching);
     }
 };
 
@@ -61,7 +63,7 @@ TEST(ReferenceLight, InAWhiteFurnaceThePictureIsThatOfGradientLight) {
 
 TEST(ReferenceLight, ThePictureOfTheSweepsIsNearThatOfTheReference) {
     const Scene scene(PhantomScene::fetus, 48, 24);
-    LightScene lightScene = lightSceneOf(scene.settings);
+    LightScene lightScene = lightSceneOf(scene.settings, scene.volume->geometry());
     const light::ReferenceLight reference(*scene.volume, scene.curve, lightScene, 3, 1.0);
     const auto wanted = scene.picture([&](const Vec3& place) { return reference.at(place); });
     lightScene.coarseness = 1;
@@ -74,13 +76,14 @@ TEST(ReferenceLight, ThePictureOfTheSweepsIsNearThatOfTheReference) {
 
 TEST(ReachingLight, TheFactorIsWhatItSays) {
     const Shading shading;
+    const auto lit = [](const ReachingLight& reaching) { return Shading{.reaching = reaching}; };
     const SurfaceLight surface{0.6, 0.7, 0.4};
     const double direct = shading.diffuse * (0.6 * 0.7 + 0.4 * shading.evenLight) + 0.6 * shading.specular * 0.4;
-    const Vec3 full = reachingFactor(shading, {1.0, 1.0, 1.0}, 1.0, 1.0, surface);
+    const Vec3 full = reachingFactor(lit({1.0, 1.0, 1.0}), 1.0, 1.0, surface);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(full[i], shading.ambient + direct, 1e-12) << "all light is white";
-    const Vec3 dark = reachingFactor(shading, {1.0, 1.0, 1.0}, 0.0, 0.0, surface);
+    const Vec3 dark = reachingFactor(lit({1.0, 1.0, 1.0}), 0.0, 0.0, surface);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(dark[i], 0.0) << "nothing glows in the dark";
-    const Vec3 some = reachingFactor(shading, {0.5, 0.25, 0.4}, 0.25, 0.25, surface);
+    const Vec3 some = reachingFactor(lit({0.5, 0.25, 0.4}), 0.25, 0.25, surface);
     EXPECT_NEAR(some[1], shading.ambient * (1.0 - 0.25 * 0.75) + direct * (0.5 + 0.5 * 0.25), 1e-12);
     EXPECT_NEAR(some[0] - some[1], direct * 0.5 * 0.4 * (0.5 - 0.25), 1e-12) << "red goes deeper";
     EXPECT_NEAR(some[1] - some[2], direct * 0.5 * 0.4 * (0.25 - 0.0625), 1e-12) << "blue less deep";

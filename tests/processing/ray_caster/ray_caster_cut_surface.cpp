@@ -63,7 +63,7 @@ TEST(RayCasterCutSurface, OpacityBehindACurvedOneIsThatOfWhatIsLeft) {
 TEST(RayCasterCutSurface, BothRoutesShowItsFaceAlike) {
     const Volume volume = sectorOf(speckledShell<float>({31, 37, 35}, {1, 1, 1}, 9));
     RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, -12, 0, 0}, 51, 47);
-    settings.shading = Shading{.shadow = 0.7, .occlusion = 0.7, .translucency = 0.3};
+    settings.shading = Shading{.reaching = {0.7, 0.7, 0.3}};
     settings.cutSurface = surfaceOf([](double x, double y) { return 12.0 + 2.0 * std::sin(0.3 * x) + 0.1 * y; });
     const auto fast = castRays(volume, PowerCurve{2, 0.8}, settings);
     const auto slow = castRaysPlainly(volume, PowerCurve{2, 0.8}, settings, {.leastLitOpacity = 1.0 / 128});

@@ -93,7 +93,7 @@ TEST(RayCasterLight, TheFaceOfACutShowsGreyValuesAsTheyAre) {
     settings.camera.heightMm = 25;
     const OpacityCurve opaque = ManualCurve{{{0, 0.999}, {1, 0.999}}};
     const auto plain = castRays(volume, opaque, settings);
-    settings.shading = Shading{.shadow = 1.0, .occlusion = 1.0};
+    settings.shading = Shading{.reaching = {1.0, 1.0, 0.0}};
     const Apart difference = apart(*plain, *castRays(volume, opaque, settings));
     EXPECT_LT(difference.largest, 0.05 * 255) << "of an opaque cut only the first step is seen, a 32nd of it lit";
     EXPECT_LT(difference.rootMeanSquare, 4.5);
@@ -104,7 +104,7 @@ TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
         std::make_shared<const Volume>(sectorOf(speckledShell<std::uint16_t>({33, 31, 35}, {1, 1.2, 0.8}, 5)));
     RayCaster caster(volume);
     RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
-    settings.shading = Shading{.shadow = 1.0, .occlusion = 1.0, .translucency = 0.4};
+    settings.shading = Shading{.reaching = {1.0, 1.0, 0.4}};
     OpacityCurve curve = PowerCurve{2, 0.9};
     const auto expectFollowed = [&](const char* what) {
         const auto expected = castRays(*volume, curve, settings);
@@ -123,9 +123,9 @@ TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
     expectFollowed("near plane");
     settings.box = RenderBox{{3, 4, 5}, {25, 30, 22}};
     expectFollowed("box");
-    settings.shading->shadow = settings.shading->occlusion = settings.shading->translucency = 0.0;
+    settings.shading->reaching = {0.0, 0.0, 0.0};
     expectFollowed("none");
-    settings.shading->shadow = 1.0;
+    settings.shading->reaching.shadow = 1.0;
     expectFollowed("again");
 }
 
@@ -190,7 +190,7 @@ void compareMasked() {
                 RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 28, -16, 3, 0}, 41, 37);
                 settings.interpolation = interpolation;
                 settings.step = 0.83;
-                if (shaded) settings.shading = Shading{.shadow = 0.8, .occlusion = 0.6, .translucency = 0.5};
+                if (shaded) settings.shading = Shading{.reaching = {0.8, 0.6, 0.5}};
                 EXPECT_LT(largestDifference(volume, PowerCurve{2, 0.6}, settings), noiseTolerance(volume, shaded))
                     << "seed " << seed << (shaded ? " shaded" : "")
                     << (interpolation == Interpolation::nearest ? " nearest" : " trilinear");

@@ -50,9 +50,7 @@ public:
           m_curve(curve),
           m_settings(settings) {
         if (!settings.shading || !settings.shading->asksWhatReaches()) return;
-        LightScene scene = lightSceneOf(settings);
-        scene.keyHalfAngleDegrees = settings.shading->keyHalfAngleDegrees;
-        scene.coarseness = settings.lightCoarseness;
+        const LightScene scene = lightSceneOf(settings, volume.geometry());
         m_light = LightSweep(std::make_shared<const Volume>(volume)).lightVolume(curve, scene);
     }
 
@@ -247,12 +245,12 @@ private:
         }
         ReachingShares reaching;
         if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(voxel));
-        const double around = shading.occlusion * reaching.around + 1.0 - shading.occlusion;
+        const double around = shading.reaching.occlusion * reaching.around + 1.0 - shading.reaching.occlusion;
         const double key =
             shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) + surface * highlight;
         const auto factorOf = [&](double scattered) {
-            const double reached = reaching.key + shading.translucency * (scattered - reaching.key);
-            return shading.ambient * around + key * (1.0 - shading.shadow * (1.0 - reached));
+            const double reached = reaching.key + shading.reaching.translucency * (scattered - reaching.key);
+            return shading.ambient * around + key * (1.0 - shading.reaching.shadow * (1.0 - reached));
         };
         const Vec3 factors{factorOf(std::sqrt(reaching.key)), factorOf(reaching.key),
                            factorOf(reaching.key * reaching.key)};

@@ -1,0 +1,114 @@
+// What opening finds of a scan: it is shown, said in the picture, and taken back by one step or one key.
+#include <QComboBox>
+
+#include "processing/document/opening_finds.h"
+#include "tests/app/window_fixture.h"
+#include "tests/processing/beam/turned_volume.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// A sector scan whose probe stood at y = 0, with fluid behind a wall.
+std::shared_ptr<const Volume> walledSector() {
+    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
+    config.size = {72, 72, 72};
+    config.spacing = Vec3(1, 1, 1);
+    config.seed = 8;
+    config.frontWall = true;
+    const Volume volume = *makePhantom(config);
+    const Volume turned = turnedTo(volume, sectorMask(Sector::pyramid, config.size), BeamAxis::plusY);
+    // A file has no mask: what no sector reaches is 0.
+    auto voxels = std::get<std::vector<std::uint8_t>>(turned.voxels());
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+        voxels[i] = turned.dataMask()[i] == 0 ? std::uint8_t{0} : std::max<std::uint8_t>(voxels[i], 1);
+    VolumeGeometry geometry = turned.geometry();
+    geometry.spacing = Vec3(1, 1, 1);
+    return std::make_shared<const Volume>(geometry, Voxels(std::move(voxels)));
+}
+
+}  // namespace
+
+class TestMainWindowOpening : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_file = file("sector.mha", {walledSector()}); }
+    void init() { show(); }
+    void cleanup() { close(); }
+
+    void aSureBeamIsTakenSaidAndTakenBackByOneStep() {
+        open(m_file);
+        const auto& finds = window().session().finds();
+        QVERIFY(finds && finds->beam.sure);
+        QCOMPARE(document().beam, (Beam{BeamAxis::plusY, BeamSource::sectorShape}));
+        QVERIFY(window().volumeView().caption().contains("beam +y, from the shape of the sector"));
+        QCOMPARE(child<QComboBox>("view.beamAxis")->currentText(), QString("+y"));
+        QVERIFY(document() == withFinds(document(), *finds));
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        waitUntilIdle();
+        QCOMPARE(document().beam, Beam{});
+        QCOMPARE(cutOf(document(), 1), Cut{});
+        QVERIFY(window().volumeView().caption().contains("beam +z, assumed"));
+    }
+
+    void aFoundCutIsTakenBackByOneKeyAndFoundAgainByIt() {
+        open(m_file);
+        // The search may be sure of this wall or not: what it found is put in place as opening does it.
+        Document next = document();
+        cutOf(next, 1) = {.nearCutMm = 9.5, .source = CutSource::found};
+        window().document().edit(next, "cut");
+        waitUntilIdle();
+        QVERIFY(window().volumeView().caption().contains("cut at 9.5 mm, found on opening"));
+        QTest::keyClick(&window(), Qt::Key_N);
+        waitUntilIdle();
+        QCOMPARE(cutOf(document(), 1), Cut{});
+        QVERIFY(!window().volumeView().caption().contains("cut"));
+        window().session().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
+            return std::optional(NearCutFinding{.answer = NearCutAnswer::wallBeforeFluid,
+                                                .nearCutMm = 7,
+                                                .message = "A wall stands before the fluid."});
+        });
+        QTest::keyClick(&window(), Qt::Key_N);
+        QTRY_COMPARE(cutOf(document(), 1), (Cut{.nearCutMm = 7}));
+        waitUntilIdle();
+    }
+
+    void speckleIsReducedStepByStepAndLightsFollowEachOther() {
+        open(m_file);
+        QCOMPARE(lookOf(document(), 1).reduction, defaultSpeckleReduction);
+        QVERIFY(window().volumeView().caption().contains("speckle reduced: medium"));
+        const auto medium = window().session().voxelsOfOtf();
+        QTest::keyClick(&window(), Qt::Key_Q);
+        waitUntilIdle();
+        QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::strong);
+        QVERIFY(window().session().voxelsOfOtf() != medium);
+        QCOMPARE(window().session().otf()->reduction, SpeckleReduction::strong);
+        for (int i = 0; i < 4; ++i) QTest::keyClick(&window(), Qt::Key_Q, Qt::ShiftModifier);
+        waitUntilIdle();
+        QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::off);
+        QCOMPARE(window().session().voxelsOfOtf(), window().session().volume());
+        QVERIFY(!window().volumeView().caption().contains("speckle"));
+        QTest::keyClick(&window(), Qt::Key_L);
+        QCOMPARE(lookOf(document(), 1).lighting, Lighting::flat);
+        QVERIFY(!window().volumeView().caption().contains("light"));
+        QTest::keyClick(&window(), Qt::Key_L);
+        QVERIFY(window().volumeView().caption().contains("light on surfaces"));
+        waitUntilIdle();
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindowOpening test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_opening.moc"
