@@ -48,12 +48,16 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
 }
 
 /// The curve for the voxels that are shown; nothing where the run was cancelled.
-std::optional<AdaptedCurve> curveFor(const QuietVoxels& shown, std::span<const TubeSamples> samples, AdaptiveOtf& otf,
-                                     const Progress& progress) {
+std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& shown,
+                                     std::span<const TubeSamples> samples, AdaptiveOtf& otf, const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
     if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
         return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
-    const auto quiet = readQuiet(*shown.volume, config, samples, otf.tubes, progress);
+    // The surfaces stand where the voxels that were read have data, which the shown ones may know otherwise.
+    const auto& mask = volume.dataMask();
+    const auto quiet = shown.volume->dataMask() == mask
+                           ? readQuiet(*shown.volume, config, samples, otf.tubes, progress)
+                           : readQuiet(shown.volume->withDataMask(mask), config, samples, otf.tubes, progress);
     if (!quiet) return std::nullopt;
     otf.speckleLeft = quiet->speckleLeft;
     return adaptedCurve(quiet->curve, config.initial, quiet->tubes, AdaptiveOtf::sampleCount);
@@ -123,7 +127,7 @@ std::optional<AdaptiveOtf> adaptToData(const Volume& volume, const Viewpoint& vi
 
     // The curve (eqs. 4 to 7, or the mean ramp), for the voxels that are shown.
     if (!run.begin(curveStage)) return std::nullopt;
-    auto adapted = curveFor(shown, samples, otf, progress);
+    auto adapted = curveFor(volume, shown, samples, otf, progress);
     if (!adapted) return std::nullopt;
     otf.logOpacity = std::move(adapted->logOpacity);
     otf.curve = std::move(adapted->curve);
@@ -152,10 +156,11 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
 
     Progress silent = progress;  // it has been reported to its end, and never falls
     silent.report = nullptr;
-    auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, shown);
+    auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, {});
     if (!begun) return std::nullopt;
     if (begun->tubesWithWeight == 0) return otf;
     begun->surfacesWhereDataBegin = true;
+    begun->reduction = otf->reduction;
     // What they see before it is no fluid of the scan: its intensities make no curve.
     begun->logOpacity = std::move(otf->logOpacity);
     begun->curve = std::move(otf->curve);

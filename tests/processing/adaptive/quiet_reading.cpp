@@ -62,6 +62,15 @@ TEST(QuietReading, OnTheVoxelsThatWereReadItIsTheCurveThatWasRead) {
     EXPECT_EQ(same.curve.opacities, raw.curve.opacities);
 }
 
+TEST(QuietReading, HasDataWhereTheVoxelsThatWereReadHaveThem) {
+    const auto voxels = static_cast<std::size_t>(shapes().geometry().voxelCount());
+    const Volume blind = quietShapes().withDataMask(std::vector<std::uint8_t>(voxels, 0));
+    const AdaptiveOtf seeing = *adaptOpacity(shapes(), {}, {}, {}, {&quietShapes(), SpeckleReduction::medium});
+    const AdaptiveOtf masked = *adaptOpacity(shapes(), {}, {}, {}, {&blind, SpeckleReduction::medium});
+    ASSERT_GT(seeing.tubesWithWeight, 0);
+    EXPECT_EQ(masked.curve.opacities, seeing.curve.opacities);
+}
+
 TEST(QuietReading, HasTheSameBitsForAnyNumberOfThreads) {
     std::vector<std::vector<double>> curves;
     for (const std::size_t threads : {1, 4}) {

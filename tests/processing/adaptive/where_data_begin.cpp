@@ -44,6 +44,19 @@ TEST(WhereDataBegin, IsTheSurfaceWhereThereIsNoFluid) {
     EXPECT_EQ(findNearCut(guessed, {})->answer, NearCutAnswer::noFluid) << "so nothing can stand before it";
 }
 
+TEST(WhereDataBegin, NeedsNoQuietVoxelsThere) {
+    const Volume all = tissueBehindNothing();
+    const Volume guessed = all.withDataMask(guessDataMask(all));
+    const auto quiet = quietVolume(guessed, SpeckleReduction::medium);
+    ASSERT_TRUE(quiet);
+    const auto plain = adaptOpacity(guessed, {}, {});
+    const auto found = adaptOpacity(guessed, {}, {}, {}, {&*quiet, SpeckleReduction::medium});
+    EXPECT_TRUE(found->surfacesWhereDataBegin);
+    EXPECT_EQ(found->reduction, SpeckleReduction::medium);
+    EXPECT_EQ(found->tubesWithWeight, plain->tubesWithWeight);
+    EXPECT_EQ(found->curve.opacities, plain->curve.opacities);
+}
+
 TEST(WhereDataBegin, OtherMasksAreNeverTakenBack) {
     const Volume all = tissueBehindNothing();
     // A mask over echoes, and one over everything.
