@@ -15,9 +15,9 @@
 
 namespace echolucent {
 
-int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t places) {
+int coarsenessWithin(const VolumeGeometry& geometry, std::int64_t places) {
     constexpr int coarsest = 16;
-    int coarseness = finest;
+    int coarseness = 1;
     const auto tooMany = [&] {
         return static_cast<std::int64_t>(light::LightGrid(geometry, coarseness).places()) > places;
     };
@@ -36,7 +36,7 @@ LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& g
                       settings.cutSurface};
     scene.keyHalfAngleDegrees = shading.keyHalfAngleDegrees;
     const std::int64_t edge = usualVolumeEdge / settings.lightCoarseness;
-    scene.coarseness = coarsenessWithin(geometry, settings.lightCoarseness, edge * edge * edge);
+    scene.coarseness = coarsenessWithin(geometry, edge * edge * edge);
     return scene;
 }
 

@@ -21,8 +21,8 @@ struct LightScene {
     Vec3 towardsViewer{0, 0, -1};      ///< grid mm, any length above 0
     double keyHalfAngleDegrees = 8.0;  ///< [0, 45]: half the angle under which the key light is seen; 0 has no penumbra
     RenderedPart rendered;
-    /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis: 2 or 3 at
-    /// rest, 4 while the hand moves.
+    /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis.
+    /// lightSceneOf() chooses it for a picture.
     int coarseness = 2;
     /// (0,1]: the share of the curve's extinction that attenuates light. Below 1, because most light in tissue is
     /// scattered forwards; with 1, what is seen of a surface would be half dark before anything stood before it: it
@@ -33,13 +33,13 @@ struct LightScene {
     friend bool operator==(const LightScene&, const LightScene&) = default;
 };
 
-/// The least coarseness, from `finest` on, with which a light volume has at most `places` places, or the coarsest.
-[[nodiscard]] int coarsenessWithin(const VolumeGeometry& geometry, int finest, std::int64_t places);
+/// The least coarseness with which a light volume has at most `places` places, or the coarsest.
+[[nodiscard]] int coarsenessWithin(const VolumeGeometry& geometry, std::int64_t places);
 
 /// The scene of a picture of a grid: its light (settings.shading, or the default light where it is not set), its viewer
-/// and what it renders. Its coarseness is settings.lightCoarseness, or, where a light volume would have more places
-/// than one of usualVolumeEdge^3 voxels has at that coarseness, as much coarser as brings it below: light of a large
-/// volume costs no more than that of a usual one. Directions are LightScene's own.
+/// and what it renders. Its coarseness is the least with which it has no more places than the light of a volume of
+/// usualVolumeEdge^3 voxels has at settings.lightCoarseness: light of a small volume is finer, that of a large one
+/// coarser, and both cost about the same. Directions are LightScene's own.
 [[nodiscard]] LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& geometry);
 inline constexpr int usualVolumeEdge = 216;  ///< a little more than the paper's scans have
 

@@ -47,7 +47,7 @@ struct RayCastSettings {
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
     std::optional<Shading> shading;                ///< where it is not set, no gradient is computed; direct mode only
-    int lightCoarseness = 2;                       ///< LightScene::coarseness; plays a part where light volumes do
+    int lightCoarseness = 2;                       ///< of a usual volume's light, see lightSceneOf(); [1, 16]
     std::optional<DepthColouring> depthColouring;  ///< where it is not set, it costs nothing; direct mode only
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;

@@ -203,16 +203,16 @@ TEST(LightSweep, TheSceneOfAPictureTurnsWithItsCamera) {
     EXPECT_EQ(scene.rendered.forward, Vec3(1, 0, 0));
     EXPECT_EQ(scene.rendered.nearPlaneDepthMm, 4);
     EXPECT_EQ(scene.keyHalfAngleDegrees, 21);
-    EXPECT_EQ(scene.coarseness, 3);
+    EXPECT_EQ(scene.coarseness, 2) << "light of a small volume is finer";
     EXPECT_EQ(lightSceneOf(settings, cubeGeometry(usualVolumeEdge)).coarseness, 3);
     EXPECT_EQ(lightSceneOf(settings, cubeGeometry(2 * usualVolumeEdge)).coarseness, 6)
         << "light of a large volume costs no more than that of a usual one";
 }
 
 TEST(LightSweep, CoarsenessKeepsToANumberOfPlaces) {
-    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 2, 125000), 2);
-    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 2, 124999), 3);
-    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 1, 1), 16);
+    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 125000), 2);
+    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 124999), 3);
+    EXPECT_EQ(coarsenessWithin(cubeGeometry(100), 1), 16);
 }
 
 TEST(LightVolume, IsReadTrilinearlyAndClamped) {

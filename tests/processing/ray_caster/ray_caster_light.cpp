@@ -117,7 +117,7 @@ TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
     expectFollowed("curve");
     settings.shading->towardsLight = {0.8, 0.3, -0.2};
     expectFollowed("light");
-    settings.lightCoarseness = 5;
+    settings.lightCoarseness = 16;
     expectFollowed("coarseness");
     settings.nearPlaneDepthMm = 9.0;
     expectFollowed("near plane");
