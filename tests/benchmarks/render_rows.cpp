@@ -23,6 +23,7 @@ constexpr int shadedStride = 2;
 
 struct Errors {
     PictureError ours, vtk;
+    std::optional<RayCoarseness> coarsest;  ///< of ours with an error that is not larger than VTK's; unshaded only
 };
 
 /// Ours stands on the left, VTK's on the right.
@@ -59,6 +60,7 @@ Errors errorsOf(const BenchPlan& plan, const BenchVolume& volume, const NamedCur
     writeSideBySide(plan, volume.name + (shaded ? ", shaded, " : ", ") + named.name, ours, vtk);
     if (!shaded) {
         errors.vtk = errorOf(vtk, reference, settings);
+        errors.coarsest = coarsestWithin(errors.vtk.rmse, *volume.volume, curve, settings, reference);
         return errors;
     }
     settings.step = referenceStep;
@@ -78,6 +80,14 @@ ordered_json rowOf(const BenchVolume& volume, const NamedCurve& curve, const Ray
     row["repeats"] = costs.repeats;
     addCost(row, "ours_first", costs.oursFirst);
     if (volume.masked) addCost(row, "ours_masked", costs.oursMasked);
+    if (look.shading) addCost(row, "ours_reaching", costs.oursReaching);
+    if (errors.coarsest) {
+        addCost(row, "ours_coarse", costs.oursCoarse);
+        row["coarse_cpu_ratio"] = costs.vtkRays.cpuMs / costs.oursCoarse.cpuMs;
+        row["coarse_reduction"] = errors.coarsest->reduction;
+        row["coarse_step"] = errors.coarsest->step;
+        row["coarse_rmse"] = errors.coarsest->rmse;
+    }
     addCost(row, "vtk_set_up", costs.vtkSetUp);
     addCost(row, "vtk_frame", costs.vtkFrame);
     addCost(row, "vtk_first", costs.vtkFirst);
@@ -105,9 +115,10 @@ private:
     ordered_json measured(VtkScene& vtk, int size, const NamedCurve& curve, bool shaded) {
         const RayCastSettings look = lookOf(shaded);
         vtk.setLook(curve.curve, look, shaded);
-        const Contenders contenders{m_volume, *m_ours.caster, m_masked ? &*m_masked : nullptr, vtk};
+        const Errors& errors = errorsFor(curve, shaded);
+        const Contenders contenders{m_volume, *m_ours.caster, m_masked ? &*m_masked : nullptr, vtk, errors.coarsest};
         const SideBySide costs = measureSideBySide(contenders, curve.curve, look, size, m_plan.repeats);
-        ordered_json row = rowOf(m_volume, curve, look, costs, errorsFor(curve, shaded));
+        ordered_json row = rowOf(m_volume, curve, look, costs, errors);
         row["size"] = size;
         row["error_size"] = m_plan.errorSize;
         addCost(row, "ours_prepare", m_ours.cost);

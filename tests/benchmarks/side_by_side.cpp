@@ -15,6 +15,11 @@ Cost castCost(RayCaster& caster, const OpacityCurve& curve, const RayCastSetting
     return costOf([&] { (void)caster.cast(curve, settings); });
 }
 
+Cost coarseCost(RayCaster& caster, const OpacityCurve& curve, const RayCastSettings& settings,
+                const RayCoarseness& coarseness) {
+    return costOf([&] { (void)screenOf(*caster.cast(curve, coarsened(settings, coarseness)), settings.width); });
+}
+
 }  // namespace
 
 RayCastSettings turnedSettings(const BenchVolume& volume, const RayCastSettings& look, int size, double turnDegrees) {
@@ -35,10 +40,16 @@ SideBySide measureSideBySide(const Contenders& contenders, const OpacityCurve& c
     result.oursFirst = castCost(contenders.ours, curve, turned(-1));
     result.vtkFirst = contenders.vtk.draw(turned(-1)).frame;
     if (contenders.oursMasked) (void)contenders.oursMasked->cast(curve, turned(-1));
-    std::vector<Cost> ours, masked, rays, setUp, frame;
+    std::vector<Cost> ours, coarse, reaching, masked, rays, setUp, frame;
     for (int i = 1; i <= repeats; ++i) {
         const RayCastSettings settings = turned(i);
         ours.push_back(castCost(contenders.ours, curve, settings));
+        if (settings.shading) {
+            RayCastSettings lit = settings;
+            lit.shading->reaching = ReachingLight{};
+            reaching.push_back(castCost(contenders.ours, curve, lit));
+        }
+        if (contenders.coarse) coarse.push_back(coarseCost(contenders.ours, curve, settings, *contenders.coarse));
         const VtkFrameCost vtk = contenders.vtk.draw(settings);
         rays.push_back(vtk.rays);
         setUp.push_back(vtk.setUp);
@@ -48,6 +59,8 @@ SideBySide measureSideBySide(const Contenders& contenders, const OpacityCurve& c
     }
     result.repeats = static_cast<int>(ours.size());
     result.ours = medianOf(ours);
+    if (look.shading) result.oursReaching = medianOf(reaching);
+    if (contenders.coarse) result.oursCoarse = medianOf(coarse);
     result.vtkRays = medianOf(rays);
     result.vtkSetUp = medianOf(setUp);
     result.vtkFrame = medianOf(frame);

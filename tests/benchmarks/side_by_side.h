@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "processing/ray_caster.h"
 #include "tests/benchmarks/bench_scene.h"
+#include "tests/benchmarks/coarsest_rays.h"
 #include "tests/benchmarks/measured_cost.h"
 #include "tests/benchmarks/vtk_scene.h"
 
@@ -13,9 +15,11 @@ namespace echolucent::bench {
 
 /// The medians, and what is paid once.
 struct SideBySide {
-    Cost ours;        ///< RayCaster::cast(), all of it
-    Cost oursFirst;   ///< the first picture under this curve
-    Cost oursMasked;  ///< as ours, with the no-data mask that VTK knows nothing of; 0 where there is none
+    Cost ours;          ///< RayCaster::cast(), all of it
+    Cost oursFirst;     ///< the first picture under this curve
+    Cost oursMasked;    ///< as ours, with the no-data mask that VTK knows nothing of; 0 where there is none
+    Cost oursCoarse;    ///< as ours, with coarser rays, and the way to the full size; 0 where none are asked for
+    Cost oursReaching;  ///< shaded: with light that reaches, whose volume is made anew for each frame; else 0
     Cost vtkRays, vtkSetUp, vtkFrame;  ///< see VtkFrameCost
     Cost vtkFirst;                     ///< the first frame under this curve: tables, bricks and (shaded) gradients
     int repeats = 0;                   ///< frames of each in the medians
@@ -27,6 +31,7 @@ struct Contenders {
     RayCaster& ours;
     RayCaster* oursMasked;  ///< null where there is no mask
     VtkScene& vtk;
+    std::optional<RayCoarseness> coarse = std::nullopt;  ///< a second picture of ours is timed with that
 };
 
 /// Times ours and VTK in turn, one frame each, at most `repeats` of each and fewer (three, or `repeats` if that is

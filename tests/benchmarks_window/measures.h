@@ -12,7 +12,7 @@ namespace echolucent::bench {
 
 /// One line of the table: what was done in a window, and what it took.
 struct Row {
-    QString action;  ///< "orbit", "edit" or "high quality"
+    QString action;  ///< "orbit", "edit", "light", "high quality", "first turn" or "from memory"
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels
     bool shaded = false;

@@ -7,7 +7,7 @@
 #include <QWindow>
 #include <cmath>
 
-#include "io/output/meta_image_writer.h"
+#include "app/motion/motion_player.h"
 #include "widgets/otf_editor/otf_editor.h"
 
 namespace echolucent::bench {
@@ -25,7 +25,7 @@ void await(const char* what, const std::function<bool()>& done) {
 
 }  // namespace
 
-WindowUnderTest::WindowUnderTest(const std::shared_ptr<const Volume>& volume, int edge, bool shaded)
+WindowUnderTest::WindowUnderTest(const QString& volume, int edge, bool shaded)
     : m_window(std::make_unique<MainWindow>(m_folder.filePath("settings.ini"))) {
     setPictureEdge(edge);
     m_window->move(0, 0);
@@ -45,9 +45,7 @@ void WindowUnderTest::setPictureEdge(int edge) {
     m_window->adjustSize();
 }
 
-void WindowUnderTest::openVolume(const std::shared_ptr<const Volume>& volume) {
-    const QString path = m_folder.filePath("volume.mha");
-    if (!writeMetaImage(path.toStdString(), {volume})) qFatal("cannot write %s", qPrintable(path));
+void WindowUnderTest::openVolume(const QString& path) {
     m_window->open(path);
     await("the volume", [&] { return m_window->session().otf() != nullptr; });
     waitUntilConverged();
@@ -113,22 +111,80 @@ Row WindowUnderTest::follow(const Amount& amount, const Change& change) {
     return row;
 }
 
-void WindowUnderTest::turnByOneDegree() {
+/// A view turns by a degree.
+void WindowUnderTest::moveHand(Qt::KeyboardModifiers keys) {
     QWindow* window = pictureWindow();
     m_hand += QPointF(window->height() / 180.0, 0);
-    QMouseEvent move(QEvent::MouseMove, m_hand, window->mapToGlobal(m_hand), Qt::NoButton, Qt::LeftButton, {});
+    QMouseEvent move(QEvent::MouseMove, m_hand, window->mapToGlobal(m_hand), Qt::NoButton, Qt::LeftButton, keys);
     QCoreApplication::sendEvent(window, &move);
 }
 
-Row WindowUnderTest::orbit(const Amount& amount) {
+Row WindowUnderTest::drag(Qt::KeyboardModifiers keys, const Amount& amount) {
     const QPoint centre(pictureWindow()->width() / 2, pictureWindow()->height() / 2);
     m_hand = centre;
-    QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
-    Row row = follow(amount, [&] { turnByOneDegree(); });
-    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre);
+    QTest::mousePress(pictureWindow(), Qt::LeftButton, keys, centre);
+    Row row = follow(amount, [&] { moveHand(keys); });
+    QTest::mouseRelease(pictureWindow(), Qt::LeftButton, keys, centre);
     waitUntilConverged();
+    return row;
+}
+
+Row WindowUnderTest::orbit(const Amount& amount) {
+    Row row = drag({}, amount);
     row.action = "orbit";
     return row;
+}
+
+Row WindowUnderTest::turnLight(const Amount& amount) {
+    Row row = drag(Qt::ControlModifier, amount);
+    row.action = "light";
+    return row;
+}
+
+int WindowUnderTest::phases() const { return static_cast<int>(m_window->session().study()->phases.size()); }
+
+/// What is delivered and drawn until it is enough.
+template <typename Enough>
+Row WindowUnderTest::record(const Enough& enough) {
+    FrameRecord record;
+    QObject context;
+    QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context,
+                     [&](const PictureReport& report) { record.delivered(report); });
+    QObject::connect(&view(), &VolumeViewWidget::pictureDrawn, &context, [&] { record.drawn(); });
+    record.begin();
+    while (!enough(record)) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
+    Row row;
+    record.summarise(row);
+    return row;
+}
+
+QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
+    auto* scenario = m_window->findChild<QComboBox*>("motion.scenario");
+    scenario->setCurrentIndex(scenario->findData(static_cast<int>(MotionScenario::object)));
+    QMetaObject::invokeMethod(m_window->findChild<QWidget*>("motion.mode.eachView"), "click");
+    waitUntilConverged();
+    MotionPlayer& player = m_window->motionPlayer();
+    player.setMinimumFrameInterval(0);
+    int steps = 0, finest = 0;
+    QObject context;
+    QObject::connect(&player, &MotionPlayer::frameChanged, &context, [&] { ++steps; });
+    QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context,
+                     [&](const PictureReport& report) { finest = report.converged ? finest + 1 : 0; });
+    player.play();
+    const auto turn = [&](const auto& enough) {
+        const int before = steps;
+        Row row = record(enough);
+        row.framesPerSecond = (steps - before) / (row.frames / row.framesPerSecond);
+        return row;
+    };
+    Row first = turn([&](const FrameRecord&) { return steps >= phases(); });
+    first.action = "first turn";
+    (void)record([&](const FrameRecord&) { return finest >= 2 * phases(); });
+    Row kept = turn([&](const FrameRecord& now) { return now.milliseconds() > amount.seconds * 1e3; });
+    kept.action = "from memory";
+    player.pause();
+    waitUntilConverged();
+    return {first, kept};
 }
 
 Row WindowUnderTest::edit(const OpacityCurve& curve, const Amount& amount) {
@@ -189,7 +245,7 @@ void WindowUnderTest::takePictures(const QString& folder, const QString& name) {
         bool delivered = false;
         QObject context;
         QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context, [&] { delivered = true; });
-        turnByOneDegree();
+        moveHand({});
         await("a picture in motion", [&] { return delivered; });
     }
     view().screenImage().save(QString("%1/%2-motion.png").arg(folder, name));

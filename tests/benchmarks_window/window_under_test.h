@@ -1,6 +1,7 @@
 // The workstation's real window with a 3D view of exactly the size to measure, and the hand that moves it.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QTemporaryDir>
 #include <memory>
@@ -23,7 +24,7 @@ class WindowUnderTest {
 public:
     /// Opens the volume in the window with a picture of edge x edge device pixels, of which the volume fills two
     /// thirds.
-    WindowUnderTest(const std::shared_ptr<const Volume>& volume, int edge, bool shaded);
+    WindowUnderTest(const QString& volume, int edge, bool shaded);
 
     [[nodiscard]] OpacityCurve adaptiveCurve() const;
     /// Shows a curve and waits for the converged picture.
@@ -34,21 +35,31 @@ public:
     [[nodiscard]] Row orbit(const Amount& amount);
     /// Shows another curve for each picture on the screen, with the camera at rest.
     [[nodiscard]] Row edit(const OpacityCurve& curve, const Amount& amount);
+    /// Moves the light with each mouse event, as orbit() the view.
+    [[nodiscard]] Row turnLight(const Amount& amount);
     /// Measures from a jump to another view to the high-quality picture on the screen.
     [[nodiscard]] Row highQuality(const Amount& amount);
+    [[nodiscard]] int phases() const;
+    /// Plays a 4D study, each phase with its own OTF, as fast as it goes: "first turn" is the first time round, from
+    /// the first phase on; "from memory" is measured once every picture is kept and fine.
+    [[nodiscard]] QList<Row> playPhases(const Amount& amount);
     /// Saves what is on the screen in motion and at rest.
     void takePictures(const QString& folder, const QString& name);
 
 private:
     [[nodiscard]] VolumeViewWidget& view() { return m_window->volumeView(); }
     [[nodiscard]] QWindow* pictureWindow();
-    void openVolume(const std::shared_ptr<const Volume>& volume);
+    void openVolume(const QString& path);
     void setPictureEdge(int edge);
     void fillTwoThirds();
     void waitUntilConverged();
     template <typename Change>
     Row follow(const Amount& amount, const Change& change);
-    void turnByOneDegree();
+    template <typename Enough>
+    Row record(const Enough& enough);
+    /// Drags on and on, as from a hand that does not wait for the picture.
+    Row drag(Qt::KeyboardModifiers keys, const Amount& amount);
+    void moveHand(Qt::KeyboardModifiers keys);
 
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
