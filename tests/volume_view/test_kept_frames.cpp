@@ -1,5 +1,7 @@
 // A motion that plays comes from memory from its second turn on, and nothing stale ever does.
 #include <QTest>
+#include <atomic>
+#include <thread>
 
 #include "tests/volume_view/commanded_caster.h"
 
@@ -44,6 +46,48 @@ private slots:
         QVERIFY(s.delivered.front()->quality > highQuality);  // something is seen at once
         QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
         QVERIFY(s.delivered.back()->converged());  // the frame that stays becomes as fine as at rest
+    }
+
+    void aFrameThatIsCastIsKeptAlthoughAnotherVolumeIsWanted() {
+        std::atomic<bool> begun = false, go = false;
+        ProgressiveCaster caster(
+            [&](const PictureRequest& request, const Progress& progress) -> CastResult {
+                if (!request.volume) return {};
+                const bool fine = request.settings.step == qualities[highQuality].step;
+                begun = begun || fine;
+                while (fine && !go && !progress.cancelled()) std::this_thread::yield();
+                if (progress.cancelled()) return {};
+                const auto pixels = static_cast<std::size_t>(request.settings.width * request.settings.height);
+                return {Picture{request.settings.width, request.settings.height, std::vector<float>(4 * pixels), {}},
+                        SampleUse::taken};
+            },
+            PreviewQuality{0.0});
+        const Setup s;
+        caster.setPlaying(true);
+        caster.request(s.turned(0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(begun, patience);
+        // As a view does it when the next phase is to be shown.
+        PictureRequest next = s.turned(0.2);
+        next.volume = volumeOf(geometryOf(3, 3, 3), [](double, double, double) { return 5; });
+        caster.clear();
+        caster.request(next);
+        go = true;
+        QTRY_COMPARE_WITH_TIMEOUT(caster.keptFrames(), 2, patience);
+    }
+
+    void aConvergedFrameFromMemoryIsRefinedNoFurther() {
+        Setup s;
+        s.caster.setPlaying(true);
+        s.caster.request(s.turned(0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty() && s.delivered.back()->converged(), patience);
+        s.caster.request(s.turned(0.2));
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        s.delivered.clear();
+        s.caster.request(s.turned(0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(!s.delivered.empty() && !s.caster.busy(), patience);
+        s.caster.setPlaying(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QVERIFY(s.delivered.back()->converged());
     }
 
     void anotherLookIsNoFrameOfTheMotion() {

@@ -12,6 +12,7 @@ namespace {
 constexpr int streamMilliseconds = 150;    // requests that follow each other within this belong to one movement
 constexpr int restMilliseconds = 40;       // longer than between two moves of a mouse
 constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
+constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality: it goes on meanwhile
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Cast cast, const PreviewQuality& quality)
@@ -25,6 +26,7 @@ ProgressiveCaster::~ProgressiveCaster() = default;
 
 void ProgressiveCaster::setPlaying(bool playing) {
     if (std::exchange(m_playing, playing) == playing) return;
+    m_passed = passedFrames;  // the first frame is kept at once
     if (!playing && m_newest && !busy() && m_startedQuality != convergedQuality) refine();
 }
 
@@ -36,7 +38,7 @@ bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     if (!frame) return false;
     m_newest = std::make_shared<const PictureRequest>(request);
     m_startedQuality = frame->quality;
-    m_rest.start(editRestMilliseconds);
+    if (!frame->converged()) m_rest.start(editRestMilliseconds);
     QMetaObject::invokeMethod(
         this,
         [this, frame] {
@@ -50,8 +52,8 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     if (m_newest && samePicture(*m_newest, request)) return;
     if (deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
-    // A picture of another volume is not a quick picture of this one.
-    if (m_newest && m_newest->volume != request.volume) m_thread.cancel();
+    // A picture of another volume is not a quick picture of this one; in a motion it is a frame to keep.
+    if (!m_playing && m_newest && m_newest->volume != request.volume) m_thread.cancel();
     const bool edited = m_newest && sameSamples(*m_newest, request);
     m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
     m_sinceRequest.start();
@@ -81,6 +83,8 @@ void ProgressiveCaster::clear() {
     m_newest.reset();
     m_rest.stop();
     m_sinceRequest.invalidate();
+    // Another phase comes next: the frame that is being cast is one to keep, and its caster goes with the next one.
+    if (m_playing) return emit busyChanged();
     m_thread.cancel();
     m_thread.submit(
         [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
@@ -93,6 +97,7 @@ void ProgressiveCaster::clear() {
 
 void ProgressiveCaster::refine() {
     m_inStream = false;
+    if (m_startedQuality == convergedQuality) return;
     start(nextAtRest(m_startedQuality), NewestWinsThread::WhenSuperseded::cancel);
 }
 
@@ -142,13 +147,16 @@ void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& pictur
     if (samples == SampleUse::notKept) m_quality.couldNotKeep(picture->settings);
     const bool newest = m_newest && samePicture(*m_newest, picture->request);
     if (m_playing) {
-        if (picture->quality <= highQuality)
+        if (picture->quality <= highQuality) {
             m_frames->keep(*picture);
-        else if (newest)
+            m_passed = 0;
+        }
+        if (!newest) return;
+        if (picture->quality > highQuality && ++m_passed > passedFrames)
             start(highQuality, NewestWinsThread::WhenSuperseded::finish);
-        // A frame that stays, because the motion is slow, becomes as fine as at rest.
-        if (newest && picture->quality <= highQuality && !picture->converged()) m_rest.start(editRestMilliseconds);
-        if (newest) emit delivered(picture);
+        else if (!picture->converged())
+            m_rest.start(editRestMilliseconds);  // a frame that stays becomes as fine as at rest
+        emit delivered(picture);
         return;
     }
     if (newest && !picture->converged()) {

@@ -26,9 +26,10 @@ class KeptFrames;
 /// Edits of curve and colour map keep one quality, for which the ray caster keeps the samples, and wait longer before
 /// the picture is refined.
 ///
-/// While a motion plays, every frame is also cast in high quality and kept (see KeptFrames): where that takes long, a
-/// quicker picture of the frame is delivered before it. From its second turn on a loop comes from memory. A request
-/// that is none of its frames drops what was kept once it plays no more.
+/// While a motion plays, frames are also cast in high quality and kept (see KeptFrames): each one where that takes no
+/// longer than a frame may, else every third, so that the motion goes on; a quicker picture of the frame is delivered
+/// before it. Turn by turn more of a loop comes from memory. A request that is none of its frames drops what was kept
+/// once it plays no more.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -73,6 +74,7 @@ private:
     std::size_t m_startedQuality = convergedQuality;  // of the newest picture begun
     std::optional<std::size_t> m_keptQuality;         // of the newest picture made of kept samples, of this view
     bool m_playing = false;
+    int m_passed = 0;  // frames of the motion that were not cast in high quality since one was
     std::unique_ptr<KeptFrames> m_frames;
     QTimer m_rest;
     // Last, so that its thread has ended before anything above is destroyed.
