@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -72,6 +73,23 @@ Voxel meanAround(const std::vector<Voxel>& voxels, const Bytes& known, const Row
     return static_cast<Voxel>(std::lround(mean));
 }
 
+/// Which voxels of a row are not known and have a known one among the 27 around them, one byte each, and eight zeros.
+Bytes unknownBesideKnown(const Bytes& known, const RowsAround& rows) {
+    const auto columns = static_cast<std::size_t>(rows.geometry.size[0]);
+    // One more on either side, so that the ends have neighbours.
+    Bytes any(columns + 2), fillable(columns + 8);
+    std::uint8_t* beside = any.data() + 1;
+    for (std::int64_t behind = -1; behind <= 1; ++behind)
+        for (std::int64_t downwards = -1; downwards <= 1; ++downwards) {
+            const std::uint8_t* row = known.data() + rows.offset(downwards, behind);
+            for (std::size_t x = 0; x < columns; ++x) beside[x] |= row[x];
+        }
+    const std::uint8_t *around = any.data(), *own = known.data() + rows.offset(0, 0);
+    for (std::size_t x = 0; x < columns; ++x)
+        fillable[x] = static_cast<std::uint8_t>((around[x] | around[x + 1] | around[x + 2]) & (own[x] ^ 1));
+    return fillable;
+}
+
 /// One layer more of voxels holds a value.
 template <typename Voxel>
 void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, Bytes& known) {
@@ -79,18 +97,18 @@ void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, Bytes
     Bytes grown = known;
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
         const RowsAround rows{geometry, y, z};
-        // One more on either side, so that the ends have neighbours.
-        Bytes any(static_cast<std::size_t>(columns + 2));
-        for (std::int64_t behind = -1; behind <= 1; ++behind)
-            for (std::int64_t downwards = -1; downwards <= 1; ++downwards) {
-                const std::uint8_t* row = known.data() + rows.offset(downwards, behind);
-                for (std::int64_t x = 0; x < columns; ++x) any[static_cast<std::size_t>(x + 1)] |= row[x];
-            }
         const std::int64_t first = rows.offset(0, 0);
+        const Bytes fillable = unknownBesideKnown(known, rows);
+        // Most voxels lie far from the border: eight at once are passed.
         for (std::int64_t x = 0; x < columns; ++x) {
-            const std::uint8_t* around = any.data() + x;
+            std::uint64_t eight = 0;
+            std::memcpy(&eight, fillable.data() + x, sizeof(eight));
+            if (eight == 0) {
+                x += 7;
+                continue;
+            }
+            if (fillable[static_cast<std::size_t>(x)] == 0) continue;
             const auto at = static_cast<std::size_t>(first + x);
-            if (known[at] != 0 || (around[0] | around[1] | around[2]) == 0) continue;
             voxels[at] = meanAround(voxels, known, rows, x);
             grown[at] = 1;
         }
@@ -144,8 +162,11 @@ Bytes presenceOf(const VolumeGeometry& geometry, const Bytes& data) {
     Bytes presence(data.size());
     std::transform(data.begin(), data.end(), presence.begin(), [](std::uint8_t one) { return one != 0 ? 255 : 0; });
     presence = smoothedAcross(geometry, smoothedAcross(geometry, smoothedAlongX(geometry, presence), false), true);
-    std::transform(presence.begin(), presence.end(), data.begin(), presence.begin(),
-                   [](std::uint8_t smooth, std::uint8_t one) { return keptThin(smooth, one != 0); });
+    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+        const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
+            presence[i] = keptThin(presence[i], data[i] != 0);
+    });
     return presence;
 }
 

@@ -50,14 +50,29 @@ struct PlainCaster::Seen {
     double unlit;  ///< share of a cut's face
 };
 
+namespace {
+
 /// A step of a ray or what is left of it, in steps from the ray's origin.
-struct PlainCaster::Stretch {
+struct Stretch {
     double begin, end;
     [[nodiscard]] double length() const { return end - begin; }
     [[nodiscard]] Vec3 middleOn(const ray_casting::Ray& ray) const {
         return ray.origin + ray.step * (0.5 * (begin + end));
     }
 };
+
+/// Calls visit(stretch) from front to back until it returns false.
+template <typename Visit>
+void walk(const ray_casting::Ray& ray, bool wholeSteps, const Visit& visit) {
+    if (!(ray.enter < ray.leave)) return;
+    for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
+        const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
+        const bool seen = wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
+        if (seen && !visit(wholeSteps ? whole : left)) return;
+    }
+}
+
+}  // namespace
 
 PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
                          const PlainCasting& casting)
@@ -86,31 +101,8 @@ PlainPixel PlainCaster::pixel(int column, int row) const {
     return m_settings.mode == RenderMode::direct ? composited(ray) : projected(ray);
 }
 
-std::vector<RaySample> PlainCaster::samplesOf(int column, int row) const {
-    const ray_casting::Ray ray = m_rays.rayThrough(column, row);
-    std::vector<RaySample> samples;
-    walk(ray, [&](const Stretch& stretch) {
-        const Vec3 voxel = stretch.middleOn(ray);
-        const bool any = presenceAt(voxel) >= 0.5;
-        samples.push_back({voxel, stretch.length(), any ? m_sampler.intensityAt(voxel) : std::nullopt});
-        return true;
-    });
-    return samples;
-}
-
 double PlainCaster::depthOf(const Vec3& voxel) const {
     return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
-}
-
-/// Calls visit(stretch) from front to back until it returns false.
-template <typename Visit>
-void PlainCaster::walk(const ray_casting::Ray& ray, const Visit& visit) const {
-    if (!(ray.enter < ray.leave)) return;
-    for (double k = std::floor(ray.enter); k < ray.leave; ++k) {
-        const Stretch whole{k, k + 1.0}, left{std::max(k, ray.enter), std::min(k + 1.0, ray.leave)};
-        const bool seen = m_casting.wholeSteps ? k + 0.5 >= ray.enter && k + 0.5 < ray.leave : left.length() > 0.0;
-        if (seen && !visit(m_casting.wholeSteps ? whole : left)) return;
-    }
 }
 
 /// How present data is at a place, 0 to 1.
@@ -134,9 +126,9 @@ double leftOfCutFace(double opacity, double units) {
 PlainPixel PlainCaster::composited(const ray_casting::Ray& ray) const {
     PlainPixel pixel;
     double transmittance = 1.0, unlit = 1.0;
-    walk(ray, [&](const Stretch& stretch) {
+    walk(ray, m_casting.wholeSteps, [&](const Stretch& stretch) {
         const Vec3 voxel = stretch.middleOn(ray);
-        const Step step = sampleAt(voxel, stretch);
+        const Step step = sampleAt(voxel, stretch.length());
         const double left = leftOfCutFace(step.opacity, m_settings.step * stretch.length());
         const double unlitHere = std::max(unlit * left, step.border);
         unlit = unlitHere * left;
@@ -159,7 +151,7 @@ PlainPixel PlainCaster::composited(const ray_casting::Ray& ray) const {
 PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
     PlainPixel pixel;
     double shown = 0.0, sum = 0.0, steps = 0.0;
-    walk(ray, [&](const Stretch& stretch) {
+    walk(ray, m_casting.wholeSteps, [&](const Stretch& stretch) {
         const Vec3 voxel = stretch.middleOn(ray);
         const auto intensity = presenceAt(voxel) < 0.5 ? std::nullopt : m_sampler.intensityAt(voxel);
         if (!intensity) return true;
@@ -180,9 +172,9 @@ PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
     return pixel;
 }
 
-PlainCaster::Step PlainCaster::sampleAt(const Vec3& voxel, const Stretch& stretch) const {
+PlainCaster::Step PlainCaster::sampleAt(const Vec3& voxel, double length) const {
     const double presence = presenceAt(voxel), intensity = m_sampler.intensityAt(voxel).value_or(0.0);
-    const double opacity = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * stretch.length());
+    const double opacity = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * length);
     const bool nearest = m_settings.interpolation == Interpolation::nearest;
     const double coverage = nearest ? (presence >= 0.5 ? 1.0 : 0.0) : PresenceUse::coverage(presence);
     return {opacity, opacity * coverage, m_filled.presence ? PresenceUse::border(presence) : 0.0,
@@ -238,6 +230,18 @@ void castRow(const PlainCaster& caster, int row, Picture& picture) {
 }
 
 }  // namespace
+
+std::vector<RaySample> samplesAlongRay(const Volume& volume, const RayCastSettings& settings, int column, int row) {
+    const ray_casting::Ray ray = ray_casting::RayGeometry(volume.geometry(), settings).rayThrough(column, row);
+    const VolumeSampler sampler(volume, settings.interpolation);
+    std::vector<RaySample> samples;
+    walk(ray, false, [&](const Stretch& stretch) {
+        const Vec3 voxel = stretch.middleOn(ray);
+        samples.push_back({voxel, stretch.length(), sampler.intensityAt(voxel)});
+        return true;
+    });
+    return samples;
+}
 
 std::string_view nameOf(CompositingPrecision precision) {
     switch (precision) {

@@ -68,18 +68,13 @@ public:
 
     /// As castRaysPlainly() makes it.
     [[nodiscard]] PlainPixel pixel(int column, int row) const;
-    /// All steps of a pixel's ray from front to back, at the places at which the picture samples.
-    [[nodiscard]] std::vector<RaySample> samplesOf(int column, int row) const;
 
 private:
-    struct Stretch;
     struct Step;
-    template <typename Visit>
-    void walk(const ray_casting::Ray& ray, const Visit& visit) const;
     [[nodiscard]] PlainPixel composited(const ray_casting::Ray& ray) const;
     [[nodiscard]] PlainPixel projected(const ray_casting::Ray& ray) const;
     [[nodiscard]] double depthOf(const Vec3& voxel) const;
-    [[nodiscard]] Step sampleAt(const Vec3& voxel, const Stretch& stretch) const;
+    [[nodiscard]] Step sampleAt(const Vec3& voxel, double length) const;
     struct Seen;
     [[nodiscard]] double presenceAt(const Vec3& voxel) const;
     [[nodiscard]] Vec3 lit(const Seen& seen) const;
@@ -97,6 +92,12 @@ private:
     double m_nearestMm, m_farthestMm;  ///< the depths of the depth colouring's ends
     Vec3 m_towardsLight{0, 0, 0};
 };
+
+/// All steps of a pixel's ray from front to back, at the places at which the picture samples. What they meet is read
+/// from the voxels as they are, without the filling at the border of the data that a picture needs, so that it takes no
+/// longer than the ray is. Throws std::invalid_argument where castRays() does.
+[[nodiscard]] std::vector<RaySample> samplesAlongRay(const Volume& volume, const RayCastSettings& settings, int column,
+                                                     int row);
 
 /// The picture that castRays() documents, step by step in double. Rays and places of samples are the same; opacity and
 /// colour come straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early

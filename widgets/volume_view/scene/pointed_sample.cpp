@@ -56,7 +56,7 @@ std::optional<PointedSample> samplePointedAt(const PictureRequest& request, doub
     const RayCastSettings& settings = request.settings;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     if (column < 0 || column >= settings.width || row < 0 || row >= settings.height) return std::nullopt;
-    const std::vector<RaySample> ray = PlainCaster(*request.volume, request.curve, settings).samplesOf(column, row);
+    const std::vector<RaySample> ray = samplesAlongRay(*request.volume, settings, column, row);
     return settings.mode == RenderMode::direct ? sampleByOpacity(request, ray) : sampleByIntensity(request, ray);
 }
 
