@@ -29,6 +29,7 @@ public:
     /// The widget goes on showing what it shows, until the next volume: a picture is never made of one study's voxels
     /// and another's values.
     void hold() { m_held = true; }
+    [[nodiscard]] bool held() const { return m_held; }
     /// Takes the adaptive curve of the phase that is shown.
     void setAdaptiveCurve(const SampledCurve& curve) { m_adaptive = curve; }
 

@@ -3,18 +3,15 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/panels/run_status.h"
-
 namespace echolucent {
 
 NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.session, &Session::nearCutFound, this, &NearCutFinder::take);
     connect(&m_parts.session, &Session::computingOtfChanged, this, [this](bool computing) {
-        if (!computing) endProgress();
+        if (!computing) m_looking = false;
     });
     connect(&m_parts.session, &Session::otfFailed, this, [this] {
-        if (!m_looking) return;
-        endProgress();
+        if (!std::exchange(m_looking, false)) return;
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
     });
     connect(&m_parts.model, &DocumentModel::cutsChanged, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
@@ -24,8 +21,8 @@ void NearCutFinder::find() {
     if (!m_parts.session.volume()) return;
     m_looksFrom = viewpointOf(m_parts.model.document(), m_parts.view);
     m_looking = true;
-    m_parts.status.beginProgress(tr("looking for the near cut"));
     m_parts.session.requestNearCut(m_looksFrom);
+    emit looking();
 }
 
 void NearCutFinder::toggle() {
@@ -34,14 +31,10 @@ void NearCutFinder::toggle() {
     cutAlong({}, document.method.direction);
 }
 
-void NearCutFinder::endProgress() {
-    if (std::exchange(m_looking, false) && !m_parts.session.loading()) m_parts.status.endProgress();
-}
-
 void NearCutFinder::take(const NearCutFinding& finding) {
     const Cut before = cutOf(m_parts.model.document(), m_parts.view);
     const QString said = QString::fromStdString(finding.message);
-    endProgress();
+    m_looking = false;
     if (finding.answer == NearCutAnswer::noFluid) {
         tell(MessageKind::warning, tr("The near cut stays as it is. %1").arg(said));
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
@@ -61,11 +54,11 @@ void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Cut{}));
 }
 
-/// The curved front where there is one, and the way back to a cut where one is given.
+/// The curved cut where there is one, and the way back to a cut where one is given.
 QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Cut>& back) {
     QList<MessageAction> actions;
     if (finding.surface)
-        actions << MessageAction{tr("Curved front"), [this, surface = finding.surface] {
+        actions << MessageAction{tr("Curved cut"), [this, surface = finding.surface] {
                                      cutAlong({.surface = surface}, directionOf(m_looksFrom));
                                  }};
     if (back)

@@ -9,8 +9,6 @@
 
 namespace echolucent {
 
-class RunStatus;
-
 class NearCutFinder : public QObject {
     Q_OBJECT
 
@@ -20,7 +18,6 @@ public:
         int view;
         Session& session;
         OtfComputing& computing;
-        RunStatus& status;
         MessageBar& messages;
     };
     explicit NearCutFinder(const Parts& parts, QObject* parent = nullptr);
@@ -32,10 +29,13 @@ public:
     /// Tells of the cut that was made on opening, with the way back.
     void tellOpening(const NearCutFinding& finding);
 
+signals:
+    /// A search has begun; Session::lookingForNearCut() is true until it ends.
+    void looking();
+
 private:
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Cut>& back);
-    void endProgress();
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     void takeBackWhatIsNoLongerTrue();
     void cutAlong(const Cut& cut, const ViewDirection& direction);

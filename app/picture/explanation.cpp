@@ -117,7 +117,7 @@ QStringList whatIsSeen(const PictureFacts& facts) {
         sentences << tr(
             "It falls only as far as it reaches through the tissue before it: hollows are dark, and what "
             "stands in front casts shadows.");
-    if (look.reduction != SpeckleReduction::off)
+    if (look.reduction != SpeckleReduction::off && facts.speckle == ShownSpeckle::reduced)
         sentences << tr("Speckle was reduced (%1) in the voxels of the picture; the tube cores read the voxels as they "
                         "were measured.")
                          .arg(textOf(nameOf(look.reduction)));
@@ -139,6 +139,8 @@ QString explainPicture(const PictureFacts& facts) {
     if (shown.nearCutMm > 0)
         sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(shown.nearCutMm, 0, 'f', 1);
+    if (cutOf(facts.document, facts.view).surface)
+        sentences << tr("A curved cut removes what lies before it; the tube cores begin there too.");
     sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");

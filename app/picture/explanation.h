@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "app/picture/picture_caption.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
@@ -16,6 +17,7 @@ struct PictureFacts {
     const AdaptiveOtf* otf;  ///< null where it is not computed yet
     const Document& document;
     int view;  ///< of the document
+    ShownSpeckle speckle = ShownSpeckle::asRead;
 };
 
 /// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found

@@ -25,15 +25,20 @@ QString beamLine(const Beam& beam, bool simulated) {
 
 QString cutLine(const Cut& cut, bool lengthsKnown) {
     if (!cut.surface && !(cut.nearCutMm > 0)) return {};
-    const QString what = cut.surface    ? tr("cut along a curved front")
+    const QString what = cut.surface    ? tr("cut along a curved surface")
                          : lengthsKnown ? tr("cut at %1 mm").arg(cut.nearCutMm, 0, 'f', 1)
                                         : tr("cut");
     return cut.source == CutSource::found ? tr("%1, found on opening (N takes it back)").arg(what) : what;
 }
 
-QString speckleLine(SpeckleReduction reduction, bool quiet) {
+QString speckleLine(SpeckleReduction reduction, ShownSpeckle shown) {
     if (reduction == SpeckleReduction::off) return {};
-    return quiet ? tr("speckle reduced: %1").arg(textOf(nameOf(reduction))) : tr("speckle is being reduced");
+    switch (shown) {
+        case ShownSpeckle::asRead: return tr("speckle not reduced");
+        case ShownSpeckle::beingReduced: return tr("speckle is being reduced");
+        case ShownSpeckle::reduced: break;
+    }
+    return tr("speckle reduced: %1").arg(textOf(nameOf(reduction)));
 }
 
 QString lightLine(const Look& look) {
@@ -47,7 +52,7 @@ QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
     QStringList lines{beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
                       cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
-                      speckleLine(look.reduction, facts.quiet), lightLine(look)};
+                      speckleLine(look.reduction, facts.speckle), lightLine(look)};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }

@@ -7,11 +7,18 @@
 
 namespace echolucent {
 
+/// What has become of the speckle in the picture.
+enum class ShownSpeckle {
+    asRead,        ///< the voxels are shown as they were read
+    beingReduced,  ///< so they are, until their quiet voxels are made
+    reduced,       ///< quiet voxels are shown, as the look asks
+};
+
 /// What the caption tells beside the document.
 struct CaptionFacts {
     const Document& document;
-    int view;                  ///< of the document
-    bool quiet = false;        ///< the voxels shown are quiet, as the look asks
+    int view;  ///< of the document
+    ShownSpeckle speckle = ShownSpeckle::asRead;
     bool lengthsKnown = true;  ///< the volume's spacing is known, so that lengths in mm may be told
 };
 

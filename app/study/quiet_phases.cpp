@@ -28,6 +28,7 @@ void QuietPhases::begin(Phases raw) {
     m_quiet.assign(m_raw.size(), nullptr);
     m_order.clear();
     m_wanted = 0;
+    m_failed = false;
 }
 
 void QuietPhases::cancel() {
@@ -40,6 +41,7 @@ void QuietPhases::want(int phase, SpeckleReduction reduction) {
         cancel();
         std::fill(m_quiet.begin(), m_quiet.end(), nullptr);
         m_order.clear();
+        m_failed = false;
     }
     m_wanted = phase;
     makeNext();
@@ -61,7 +63,7 @@ int QuietPhases::keptAtMost() const {
 
 /// The phase to make now, -1 where all that may be kept is made. The one that is wanted is made whatever is kept.
 int QuietPhases::next() const {
-    if (m_reduction == SpeckleReduction::off || m_raw.empty()) return -1;
+    if (m_reduction == SpeckleReduction::off || m_raw.empty() || m_failed) return -1;
     if (!of(m_wanted)) return m_wanted;
     if (madeCount() >= keptAtMost()) return -1;
     for (int ahead = 1; ahead < phaseCount(); ++ahead)
@@ -89,6 +91,7 @@ void QuietPhases::makeNext() {
             } catch (const std::bad_alloc&) {
                 return [this, phase] {
                     m_making = -1;
+                    m_failed = true;  // it would fail again with every phase of a motion
                     emit failed(phase, tr("Reducing the speckle needs more memory than this machine has."));
                 };
             }
@@ -101,9 +104,12 @@ void QuietPhases::take(int phase, std::shared_ptr<const Volume> quiet) {
     if (!m_quiet[static_cast<std::size_t>(phase)]) m_order.push_back(phase);
     m_quiet[static_cast<std::size_t>(phase)] = std::move(quiet);
     if (madeCount() > keptAtMost()) {
-        const auto oldest = std::find_if(m_order.begin(), m_order.end(), [&](int made) { return made != phase; });
-        m_quiet[static_cast<std::size_t>(*oldest)].reset();
-        m_order.erase(oldest);
+        // What is shown stays; where only that and this one are kept, this one goes.
+        const auto spare =
+            std::find_if(m_order.begin(), m_order.end(), [&](int made) { return made != phase && made != m_wanted; });
+        const auto dropped = spare != m_order.end() ? spare : std::find(m_order.begin(), m_order.end(), phase);
+        m_quiet[static_cast<std::size_t>(*dropped)].reset();
+        m_order.erase(dropped);
     }
     emit made(phase);
     makeNext();

@@ -64,7 +64,8 @@ private:
     std::vector<int> m_order;  ///< phases kept, that made first at the front
     SpeckleReduction m_reduction = SpeckleReduction::off;
     int m_wanted = 0;
-    int m_making = -1;  ///< -1 where none is
+    bool m_failed = false;  // with this study and this reduction
+    int m_making = -1;      ///< -1 where none is
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -153,9 +153,11 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
     m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, voxels = asked.voxels, reduction = m_reduction,
                         view, config](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<AdaptiveOtf> result;
+        std::shared_ptr<const IntensityHistogram> histogram;
         try {
             const QuietVoxels shown = voxels == volume ? QuietVoxels{} : QuietVoxels{voxels.get(), reduction};
             result = pipeline(*volume, view, config, progress, shown);
+            if (voxels != volume) histogram = std::make_shared<const IntensityHistogram>(intensityHistogram(*voxels));
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_asked.reset();
@@ -164,12 +166,13 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
-        return [this, volume, voxels, shared] {
+        return [this, volume, voxels, shared, histogram] {
             if (volume != m_volume) return;
             m_asked.reset();
             m_opening = false;
             m_otf = shared;
             m_voxelsOfOtf = voxels;
+            m_histogramOfOtf = histogram;
             emit otfComputed();
         };
     });
@@ -184,6 +187,8 @@ void Session::cancelComputing() {
 void Session::requestNearCut(const Viewpoint& view) {
     if (!m_volume) return;
     m_asked.reset();
+    m_waiting.reset();  // whoever asks for the near cut asks for the OTF afterwards
+    m_opening = false;
     m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume,
                         view](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<NearCutFinding> result;

@@ -162,7 +162,7 @@ void ShownStudy::showRemark() {
     // A picture that is black because of its curve says so.
     if (lookOf(document, view).mode == RenderMode::direct)
         remarks << QString::fromStdString(
-            whyNothingShows(curveOf(document, view, otf->curve), m_parts.session.histogram()));
+            whyNothingShows(curveOf(document, view, otf->curve), m_parts.session.histogramOfOtf()));
     remarks.removeAll(QString());
     m_parts.messages.setRemark(remarks.join(QLatin1Char(' ')));
 }

@@ -65,32 +65,24 @@ void MainWindow::createUnits() {
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
-        NearCutFinder::Parts{m_document, mainView, m_session, *m_computing, *m_widgets.status, *m_widgets.messages});
+        NearCutFinder::Parts{m_document, mainView, m_session, *m_computing, *m_widgets.messages});
     m_opening = std::make_unique<StudyOpening>(*this, m_session, m_settings, *m_widgets.messages);
     m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
         *this, m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
 }
 
 void MainWindow::connectProgress() {
-    connect(&m_session, &Session::loadingChanged, this, [this](bool loading) {
-        if (loading)
-            m_widgets.status->beginProgress(tr("loading"));
-        else
-            m_widgets.status->endProgress();
+    const auto changed = [this] {
+        showProgress();
         updateIdle();
-    });
+    };
+    connect(&m_session, &Session::loadingChanged, this, changed);
     connect(&m_session, &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
-    connect(&m_session, &Session::quieteningChanged, this, [this](bool quietening) {
-        if (!m_session.loading()) {
-            if (quietening)
-                m_widgets.status->beginProgress(tr("reducing speckle"));
-            else
-                m_widgets.status->endProgress();
-        }
-        updateIdle();
-    });
+    connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
+    connect(&m_session, &Session::nearCutFound, this, changed);
+    connect(&m_session, &Session::quieteningChanged, this, changed);
     connect(&m_session, &Session::quieteningProgressed, this, [this](double share) {
-        if (!m_session.loading()) m_widgets.status->setProgress(share);
+        if (!m_session.loading() && !m_session.lookingForNearCut()) m_widgets.status->setProgress(share);
     });
     connect(&m_session, &Session::quieteningFailed, this,
             [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
@@ -103,6 +95,7 @@ void MainWindow::connectProgress() {
     // This connection is made last, so that it runs after all others of these signals.
     const auto somethingEnded = [this] {
         m_motion->announceShownFrame();
+        showProgress();
         updateIdle();
     };
     connect(&m_session, &Session::openFailed, this, &MainWindow::updateIdle);
@@ -112,6 +105,20 @@ void MainWindow::connectProgress() {
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
+}
+
+/// What takes long and runs now. It is asked anew whenever something begins or ends, so that the end of one does not
+/// hide another.
+void MainWindow::showProgress() {
+    RunStatus& status = *m_widgets.status;
+    if (m_session.loading())
+        status.beginProgress(tr("loading"));
+    else if (m_session.lookingForNearCut())
+        status.beginProgress(tr("looking for the near cut"));
+    else if (m_session.quietPhases().busy())
+        status.beginProgress(tr("reducing speckle"));
+    else
+        status.endProgress();
 }
 
 void MainWindow::connectUnits() {
@@ -140,16 +147,24 @@ void MainWindow::connectCaption() {
         if (m_session.finds() && m_session.finds()->cut) m_nearCutFinder->tellOpening(*m_session.finds()->cut);
     });
     const auto tell = [this] {
-        if (!m_session.volume()) return;
-        const bool quiet = m_session.newestVoxels() != m_session.volume();
+        // A picture that is still of the study before keeps its own caption.
+        if (!m_session.volume() || m_view->held()) return;
         m_widgets.picture->setCaption(pictureCaption({.document = m_document.document(),
                                                       .view = mainView,
-                                                      .quiet = quiet,
+                                                      .speckle = shownSpeckle(),
                                                       .lengthsKnown = m_session.volume()->geometry().spacingKnown}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
     connect(&m_session, &Session::otfComputed, this, tell);
+    connect(&m_session, &Session::otfFailed, this, tell);
     connect(&m_session, &Session::quietVoxelsMade, this, tell);
+    connect(&m_session, &Session::quieteningChanged, this, tell);
+}
+
+ShownSpeckle MainWindow::shownSpeckle() const {
+    const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
+    if (shown && shown != m_session.volume()) return ShownSpeckle::reduced;
+    return m_session.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
 void MainWindow::createActions() {
@@ -224,7 +239,8 @@ QString MainWindow::explanation() const {
                            .volume = *m_session.volume(),
                            .otf = m_motion->otf(),
                            .document = m_document.document(),
-                           .view = mainView});
+                           .view = mainView,
+                           .speckle = shownSpeckle()});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

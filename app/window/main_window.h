@@ -7,6 +7,7 @@
 #include "app/document/document_curves.h"
 #include "app/document/document_view.h"
 #include "app/motion/motion_frames.h"
+#include "app/picture/picture_caption.h"
 #include "app/study/shown_study.h"
 #include "app/window/settings.h"
 #include "app/window/window_layout.h"
@@ -73,6 +74,8 @@ private:
     void restoreSettings();
     void keepSettings();
     void updateIdle();
+    void showProgress();
+    [[nodiscard]] ShownSpeckle shownSpeckle() const;
 
     Settings m_settings;
     DocumentModel m_document;

@@ -75,6 +75,17 @@ private slots:
         waitUntilIdle();
     }
 
+    void speckleThatIsNotReducedIsNotSaidToBe() {
+        window().session().quietPhases().setReduce(
+            [](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> { throw std::bad_alloc(); });
+        open(m_file);
+        QVERIFY(lookOf(document(), 1).reduction != SpeckleReduction::off);
+        QVERIFY2(window().volumeView().caption().contains("speckle not reduced"),
+                 qPrintable(window().volumeView().caption()));
+        QVERIFY(!window().explanation().contains("Speckle was reduced"));
+        QVERIFY(child<MessageBar>("message")->text().contains("memory"));
+    }
+
     void speckleIsReducedStepByStepAndLightsFollowEachOther() {
         open(m_file);
         QCOMPARE(lookOf(document(), 1).reduction, defaultSpeckleReduction);

@@ -110,7 +110,7 @@ void ViewPanel::createPhaseSelector() {
 
 QLayout* ViewPanel::createNearCutRow() {
     auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a near cut"),
-                          tr("Cuts where most tube cores have left the tissue in front and have entered fluid"));
+                          tr("Looks along this view for fluid behind a wall, and cuts inside the fluid"));
     connect(suggest, &QPushButton::clicked, this, &ViewPanel::nearCutSuggestionRequested);
     auto* row = new QHBoxLayout;
     row->addWidget(m_nearCut, 1);

@@ -146,6 +146,8 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shar
     schedule();
 }
 
+const std::shared_ptr<const Volume>& VolumeViewWidget::volume() const { return m_parts->volume; }
+
 void VolumeViewWidget::setCurve(const OpacityCurve& curve) {
     if (curve == m_parts->curve) return;
     m_parts->curve = curve;

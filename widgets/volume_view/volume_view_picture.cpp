@@ -4,6 +4,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QElapsedTimer>
+#include <new>
 #include <utility>
 
 #include "processing/ray_caster.h"
@@ -104,8 +105,12 @@ QImage VolumeViewWidget::convergedImage() {
     Parts& parts = *m_parts;
     if (parts.volume && parts.window->isValid() && !rendersLive() && !(pictureIsFine() && pictureIsCurrent())) {
         const RayCastSettings converged = settings();
-        const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
-        parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
+        try {
+            const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
+            parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
+        } catch (const std::bad_alloc&) {
+            emit pictureFailed();  // what is on the screen is saved
+        }
     }
     return screenImage();
 }

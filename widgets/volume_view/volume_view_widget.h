@@ -59,6 +59,7 @@ public:
     /// that of the default camera of the present view.
     /// Pointed values are read from `measured`, whose grid is the volume's; null stands for the volume itself.
     void setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured = nullptr);
+    [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;

@@ -1,6 +1,7 @@
 // The quiet voxels of a study: the phase shown first, every other one after it, none of a study or a reduction before.
 #include <QSignalSpy>
 #include <QTest>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <new>
@@ -152,6 +153,25 @@ private slots:
         QVERIFY(failed.wait(patience));
         QVERIFY(failed[0][1].toString().contains("memory"));
         QCOMPARE(quiet.of(0), nullptr);
+    }
+
+    void whatFailedIsTriedAgainWithAnotherReductionOnly() {
+        QuietPhases quiet;
+        std::atomic<int> tries = 0;
+        quiet.setReduce([&](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> {
+            ++tries;
+            throw std::bad_alloc();
+        });
+        QSignalSpy failed(&quiet, &QuietPhases::failed);
+        quiet.begin(phases(3));
+        quiet.want(0, SpeckleReduction::medium);
+        QVERIFY(failed.wait(patience));
+        for (int phase = 0; phase < 3; ++phase) quiet.want(phase, SpeckleReduction::medium);
+        QTRY_VERIFY_WITH_TIMEOUT(!quiet.busy(), patience);
+        QCOMPARE(tries, 1);
+        quiet.want(0, SpeckleReduction::light);
+        QVERIFY(failed.wait(patience));
+        QCOMPARE(tries, 2);
     }
 };
 

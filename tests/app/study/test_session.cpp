@@ -3,8 +3,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <thread>
 
 #include "app/study/session.h"
 #include "io/output/meta_image_writer.h"
@@ -137,6 +139,34 @@ private slots:
         QTRY_VERIFY(!session.computingOtf());
         QCOMPARE(computed.count(), 2);
         QCOMPARE(held.started(), 3);
+    }
+
+    void aNearCutIsFoundAlthoughTheFirstOtfWaitsForItsVoxels() {
+        HeldPipeline held;
+        held.release(2);
+        std::atomic<bool> go = false;
+        Session session;
+        session.setPipeline(held.function());
+        session.setReduction(SpeckleReduction::light);
+        session.quietPhases().setReduce(
+            [&](const Volume& volume, SpeckleReduction, const Progress&) -> std::optional<Volume> {
+                while (!go) std::this_thread::yield();
+                return volume;
+            });
+        session.setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
+            return std::optional(NearCutFinding{.nearCutMm = 3});
+        });
+        open(session, m_bright);
+        session.requestOtf(turned(1), {});
+        QVERIFY(session.computingOtf());
+        QCOMPARE(held.started(), 0);
+        QSignalSpy found(&session, &Session::nearCutFound);
+        session.requestNearCut(turned(1));
+        go = true;
+        QTRY_COMPARE(found.count(), 1);
+        QTRY_VERIFY(!session.quietPhases().busy());
+        session.requestOtf(turned(1), {});  // as the finder asks
+        QTRY_VERIFY(session.otf() != nullptr);
     }
 
     void aResultOfAnotherPhaseIsDropped() {
