@@ -124,7 +124,7 @@ NearCutFinding judged(const Seen& seen) {
         finding.confidence = frontShare;
     } else if (flat.fluid < leastFluid) {
         finding.tubesThatSaySo = seen.meetData - seen.meetFluid;
-        finding.confidence = 1.0 - flat.fluid / leastFluid;
+        finding.confidence = seen.meetData > 0 ? 1.0 - flat.fluid / leastFluid : 0.0;
     } else {
         finding.answer = NearCutAnswer::wallBeforeFluid;
         finding.tubesThatSaySo = opened;
@@ -154,6 +154,7 @@ std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
             return "A wall stands before the fluid: behind a cut at " + oneDecimal(finding.nearCutMm) + " mm " +
                    (spacingKnown ? "" : "(by a guessed spacing) ") + of + "are in fluid." + doubt;
         case NearCutAnswer::noFluid:
+            if (finding.tubes == 0) return "No tube core meets data here, so no near cut can be suggested.";
             return "No fluid was found (" + of + "meet none), so no near cut can be suggested." + doubt;
     }
     return {};

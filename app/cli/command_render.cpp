@@ -98,7 +98,7 @@ Result<void> render(const RenderOptions& options) {
     const Volume shown = *quietVolume(**volume, look->reduction);
     const OpacityCurve curve = curveFor(**volume, {&shown, look->reduction}, *view, *named, *config);
     const auto picture = castRays(shown, curve, *settings);
-    if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, **volume);
+    if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, shown);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
     if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
     return writePng(options.output, picture->width, picture->height, rgb);

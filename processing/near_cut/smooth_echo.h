@@ -1,4 +1,4 @@
-// A volume's echo in cells of a millimetre scale, free of its resolution and most of its speckle.
+// A volume's echo in cells of a 64th of the data's extent, free of its resolution and most of its speckle.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The coarse echo along a dense grid of tube cores.
+// The smooth echo along a dense grid of tube cores.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// The coarse echo, read along tube cores that lie a cell apart across a view and cover its data. Their samples lie a
+/// The smooth echo, read along tube cores that lie a cell apart across a view and cover its data. Their samples lie a
 /// cell apart too, in planes across the view; the grid passes through the middle of the data.
 struct TubeEcho {
     ViewFrame frame;

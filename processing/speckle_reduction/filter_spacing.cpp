@@ -1,5 +1,6 @@
 #include "processing/speckle_reduction/filter_spacing.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echolucent {
@@ -14,7 +15,10 @@ Vec3 filterSpacing(const VolumeGeometry& geometry) {
         ++axes;
     }
     if (axes == 0) return {1, 1, 1};
-    return geometry.spacing * std::exp(-logarithms / axes);
+    const double perMean = std::exp(-logarithms / axes);
+    Vec3 spacing = geometry.spacing * perMean;
+    for (int axis = 0; axis < 3; ++axis) spacing[axis] = std::max(spacing[axis], leastFilterSpacing);
+    return spacing;
 }
 
 }  // namespace echolucent

@@ -7,7 +7,9 @@ namespace echolucent {
 
 /// The distance between neighbours along each axis, in mean voxels: the geometric mean of the spacings is 1, so that a
 /// filter gathers as many voxels as it would where all spacings are equal. Axes of one voxel have no say; where the
-/// spacing is not known, every distance is 1.
+/// spacing is not known, every distance is 1. None is below leastFilterSpacing, so that a filter stays bounded on flat
+/// voxels.
+inline constexpr double leastFilterSpacing = 0.25;
 [[nodiscard]] Vec3 filterSpacing(const VolumeGeometry& geometry);
 
 }  // namespace echolucent

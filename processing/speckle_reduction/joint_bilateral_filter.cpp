@@ -21,8 +21,6 @@ namespace {
 
 /// Farther from every guide than any voxel that could take part; its square is a float.
 constexpr float noGuide = 1e18F;
-/// Sums of larger floats might not be floats.
-constexpr float largestSummed = 0x1p+100F;
 
 /// A rim around the grid, as wide as the taps reach, so that no voxel is special.
 struct PaddedGrid {
@@ -64,25 +62,23 @@ std::vector<BilateralTap> tapsOf(const PaddedGrid& grid, const Vec3& spacing, co
 /// The speckle's scale in units of a pass's reach, tabulated.
 class GuideScale {
 public:
-    GuideScale(const SpeckleLaw& law, double spreads, double whiteLevel)
-        : m_perStored(static_cast<float>(intervals / whiteLevel)) {
+    GuideScale(const SpeckleLaw& law, double spreads) {
         for (int i = 0; i <= intervals; ++i)
             m_scaled[static_cast<std::size_t>(i)] =
                 static_cast<float>((law.scaled(static_cast<double>(i) / intervals) - law.scaled(0.0)) / spreads);
     }
-    [[nodiscard]] float at(float stored) const {
-        const float position = std::clamp(stored * m_perStored, 0.0F, static_cast<float>(intervals));
+    [[nodiscard]] float at(float intensity) const {
+        const float position = std::clamp(intensity, 0.0F, 1.0F) * static_cast<float>(intervals);
         const std::size_t low = std::min<std::size_t>(intervals - 1, static_cast<std::size_t>(position));
         return m_scaled[low] + (position - static_cast<float>(low)) * (m_scaled[low + 1] - m_scaled[low]);
     }
 
 private:
     static constexpr int intervals = 4096;
-    float m_perStored;
     std::array<float, intervals + 1> m_scaled{};
 };
 
-/// One pass over a volume of floats, whose voxels without data are 0.
+/// One pass over a volume of normalised intensities, whose voxels without data are 0.
 class JointBilateral {
 public:
     JointBilateral(const Volume& volume, const Volume& guide, const JointBilateralPass& pass)
@@ -91,7 +87,7 @@ public:
           m_taps(tapsOf(m_grid, filterSpacing(m_geometry), pass)),
           m_guide(m_grid.count(), noGuide),
           m_values(m_grid.count(), 0.0F) {
-        const GuideScale scale(speckleLawOf(guide), pass.spreads, guide.whiteLevel());
+        const GuideScale scale(speckleLawOf(guide), pass.spreads);
         const auto& values = std::get<std::vector<float>>(volume.voxels());
         const auto& guides = std::get<std::vector<float>>(guide.voxels());
         parallelFor<std::int64_t>(0, m_geometry.size[1] * m_geometry.size[2], [&](std::int64_t row) {
@@ -148,18 +144,19 @@ std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& p
     return Volume(geometry, std::move(results), volume.whiteLevel()).withDataMask(volume.dataMask());
 }
 
-/// The volume as floats within what a picture can show, 0 where it has no data.
-Volume asFloats(const Volume& volume) {
+/// The volume as normalised intensities, as a picture shows them, 0 where it has no data: neither very large nor very
+/// small stored values leave what a float can hold.
+Volume asIntensities(const Volume& volume) {
     std::vector<float> floats(static_cast<std::size_t>(volume.geometry().voxelCount()));
-    const float white = std::min(static_cast<float>(volume.whiteLevel()), largestSummed);
+    const double white = volume.whiteLevel();
     std::visit(
         [&](const auto& voxels) {
             for (std::size_t i = 0; i < voxels.size(); ++i)
                 if (volume.hasData(static_cast<std::int64_t>(i)))
-                    floats[i] = std::clamp(static_cast<float>(voxels[i]), 0.0F, white);
+                    floats[i] = static_cast<float>(std::clamp(static_cast<double>(voxels[i]) / white, 0.0, 1.0));
         },
         volume.voxels());
-    return Volume(volume.geometry(), std::move(floats), volume.whiteLevel()).withDataMask(volume.dataMask());
+    return Volume(volume.geometry(), std::move(floats), 1.0).withDataMask(volume.dataMask());
 }
 
 /// The results in the volume's own type and between its bounds.
@@ -168,14 +165,14 @@ Volume stored(const Volume& volume, const Volume& results) {
     const StoredBounds bounds = storedBounds(volume);
     Voxels quiet = std::visit(
         [&]<typename Voxel>(std::vector<Voxel> voxels) -> Voxels {
-            const auto lowest = static_cast<float>(bounds.lowest), highest = static_cast<float>(bounds.highest);
             for (std::size_t i = 0; i < voxels.size(); ++i) {
                 if (!volume.hasData(static_cast<std::int64_t>(i))) continue;
-                const float mean = std::clamp(means[i], lowest, highest);
+                const double mean =
+                    std::clamp(static_cast<double>(means[i]) * volume.whiteLevel(), bounds.lowest, bounds.highest);
                 if constexpr (std::is_floating_point_v<Voxel>)
-                    voxels[i] = mean;
+                    voxels[i] = static_cast<Voxel>(mean);
                 else
-                    voxels[i] = static_cast<Voxel>(mean + 0.5F);
+                    voxels[i] = static_cast<Voxel>(mean + 0.5);
             }
             return voxels;
         },
@@ -190,7 +187,7 @@ std::optional<Volume> jointBilateralFiltered(const Volume& volume, std::span<con
     for (const JointBilateralPass& pass : passes)
         if (!(pass.guideSigma > 0.0 && pass.spreads > 0.0 && pass.radius > 0.0 && pass.sigma > 0.0))
             throw std::invalid_argument("jointBilateralFiltered: every value of a pass must be above 0");
-    Volume floats = asFloats(volume);
+    Volume floats = asIntensities(volume);
     const double share = 1.0 / static_cast<double>(passes.size());
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const double from = share * static_cast<double>(i);

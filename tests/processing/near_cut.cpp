@@ -12,6 +12,7 @@
 #include "app/measuring/measures/detection_quality.h"
 #include "processing/phantom/phantom.h"
 #include "processing/tube_core/tube_grid.h"
+#include "tests/processing/tube_core/plane_volume.h"
 
 namespace echolucent {
 namespace {
@@ -129,6 +130,15 @@ TEST(NearCut, IsNoneWithoutASurface) {
     EXPECT_EQ(cut.nearCutMm, 0.0);
     EXPECT_EQ(cut.answer, NearCutAnswer::noFluid);
     EXPECT_NE(cut.message.find("No fluid was found"), std::string::npos) << cut.message;
+}
+
+TEST(NearCut, OfAViewWithoutDataIsNotSure) {
+    const Volume some = PlaneVolume().make();
+    const auto voxels = static_cast<std::size_t>(some.geometry().voxelCount());
+    const auto found = findNearCut(some.withDataMask(std::vector<std::uint8_t>(voxels, 0)), {});
+    EXPECT_EQ(found->answer, NearCutAnswer::noFluid);
+    EXPECT_FALSE(found->sure);
+    EXPECT_EQ(found->message, "No tube core meets data here, so no near cut can be suggested.");
 }
 
 TEST(NearCut, OfACancelledRunIsNone) {

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "processing/speckle_reduction/gaussian_filter.h"
 #include "processing/speckle_reduction/speckle_law.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/processing/speckle_reduction/noisy_volumes.h"
 
 namespace echolucent {
@@ -58,6 +60,26 @@ TEST(JointBilateral, AgreesWithThePlainMeanWhereAllIsAlike) {
                 sum += weight * volume.storedValue(volume.geometry().offset(6 + x, 5 + y, 4 + z));
             }
     EXPECT_NEAR(quiet.storedValue(volume.geometry().offset(6, 5, 4)), sum / weights, 1e-3);
+}
+
+TEST(JointBilateral, HasNoScaleOfItsOwn) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> echo(0.0F, 1.0F);
+    VolumeGeometry geometry;
+    geometry.size = {14, 13, 12};
+    std::vector<float> usual(static_cast<std::size_t>(geometry.voxelCount()));
+    for (float& voxel : usual) voxel = echo(random);
+    const auto quietOf = [&](float scale) {
+        std::vector<float> scaled = usual;
+        for (float& voxel : scaled) voxel *= scale;
+        return *quietVolume(Volume(geometry, scaled, static_cast<double>(scale)), SpeckleReduction::medium);
+    };
+    const Volume expected = quietOf(1.0F);
+    for (const float scale : {1e36F, 1e-36F}) {
+        const Volume quiet = quietOf(scale);
+        for (std::int64_t i = 0; i < geometry.voxelCount(); ++i)
+            ASSERT_NEAR(quiet.storedValue(i) / static_cast<double>(scale), expected.storedValue(i), 1e-5) << scale;
+    }
 }
 
 TEST(JointBilateral, RefusesAPassThatMakesNoSense) {
