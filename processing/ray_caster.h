@@ -20,13 +20,14 @@ namespace echolucent {
 /// left of the step is sampled in its own middle and counts with its length, so that the picture converges with the
 /// square of the step also at the faces of the box.
 ///
-/// Trilinear samples are means over the data voxels around them; a sample with less than half its weight on data is
-/// transparent. Positions are exact to 1/8192 voxel. Bytes are interpolated with shares of 15 bits, along y of 7, as if
-/// a sample lay up to 1/128 voxel beside its place (a tenth of a level where neighbours differ by 12); other voxels in
-/// float. Opacities come from one table of 2041 intensities, linear between (its nodes are the 8-bit values and seven
-/// between each two): exact to 2e-7 for x^2 of scale 1, to 1/2040 in intensity at a step of a curve; those of bytes of
-/// a white level from 128 on from the nearest of 16 intensities between two values: to 1/8160 in intensity. Opacity is
-/// gathered in float over at most 64 samples and then in double, as opacity, not as transmittance: exact to 1e-5 over 2
+/// Trilinear samples read voxels without data as what lies beside them, and the presence of data says how much of a
+/// step's opacity counts: nothing up to 1/4, all from 3/4 (FilledVolume, PresenceUse). Positions are exact to 1/8192
+/// voxel. Bytes are interpolated with shares of 15 bits, along y of 7, as if a sample lay up to 1/128 voxel beside its
+/// place (a tenth of a level where neighbours differ by 12); other voxels in float. Opacities come from one table of
+/// 2041 intensities, linear between (its nodes are the 8-bit values and seven between each two): exact to 2e-7 for x^2
+/// of scale 1, to 1/2040 in intensity at a step of a curve; those of bytes of a white level from 128 on from the
+/// nearest of 16 intensities between two values: to 1/8160 in intensity. Opacity is gathered in float over at most 64
+/// samples and then in double, as opacity, not as transmittance: exact to 1e-5 over 2
 /// * 10^5 samples. A ray ends at a multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1,
 /// step) / 128 to its pixel's opacity. Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
 ///

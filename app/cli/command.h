@@ -65,21 +65,26 @@ struct ChosenBeam {
     std::string sentence;              ///< of a guess; else it is empty
 };
 
+/// What is looked at: a volume that was read, or a scan that the command simulates, of which nothing is guessed.
+enum class ViewOf { file, simulatedScan };
+
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
     Viewpoint view;
     std::string beamAxis;  ///< empty where it is not given
     std::string near = "0";
-    void addTo(CLI::App& command);
+    void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
     [[nodiscard]] Result<Viewpoint> get() const;
+    /// The same of a simulated scan: fails (wrong usage) where the near cut is to be suggested.
+    [[nodiscard]] Result<Viewpoint> getOfSimulatedScan() const;
     /// The axis of --beam-axis, else +z: that of simulated scans. An option that is out of range counts as not given.
     [[nodiscard]] ChosenBeam beam() const;
     /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z where that is not sure.
     [[nodiscard]] ChosenBeam beamOf(const Volume& volume) const;
-    /// The view of a volume with that beam, the near cut suggested where that was asked for. What was guessed or
-    /// suggested is said on stderr.
+    /// The view of a volume with that beam, the near cut suggested where that was asked for. A sure guess and
+    /// a suggestion are said on stderr.
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const ChosenBeam& beam) const;
     /// The same with the beam of beamOf().
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume) const;

@@ -116,10 +116,7 @@ Result<void> writePhantom(const PhantomOptions& options) {
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;
-    if (options.view.nearCutSuggested())
-        return wrongUsage("--near", "must be 0 mm or more",
-                          "A near cut is suggested for a volume that is there already.");
-    const auto view = options.view.get();
+    const auto view = options.view.getOfSimulatedScan();
     if (!view) return tl::unexpected<Failure>(view.error());
     const Result<TubeGrid> tubes =
         options.tubeGrid.empty() ? Result<TubeGrid>(options.tubes) : tubeGridFrom(options.tubeGrid, options.tubes);
@@ -172,7 +169,7 @@ void addTruth(CLI::App& command, PhantomOptions& options) {
     };
     command.add_option("--truth", options.truth, "Also writes the true surfaces as JSON (docs/cli-phantom.md)")
         ->type_name("FILE");
-    options.view.addTo(command);
+    options.view.addTo(command, ViewOf::simulatedScan);
     command.add_option("--tube-grid", options.tubeGrid, "Tube cores of the truth across and down the view [15x15]")
         ->type_name("NxM");
     command.add_option("--tube-spacing", options.tubes.spacing, "Units between tube cores; 0: automatic")

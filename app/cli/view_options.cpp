@@ -9,11 +9,12 @@
 
 namespace echolucent::cli {
 
-void ViewOptions::addTo(CLI::App& command) {
+void ViewOptions::addTo(CLI::App& command, ViewOf of) {
+    const bool ofFile = of == ViewOf::file;
+    const std::string axis = "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z ";
     command
         .add_option("--beam-axis", beamAxis,
-                    "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z [guessed from the "
-                    "scan; +z where that is not sure]")
+                    axis + (ofFile ? "[guessed from the scan; +z where that is not sure]" : "[+z]"))
         ->type_name("AXIS");
     command
         .add_option("--view-azimuth", view.azimuthDegrees,
@@ -23,12 +24,9 @@ void ViewOptions::addTo(CLI::App& command) {
     command.add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
         ->type_name("DEG")
         ->capture_default_str();
-    command
-        .add_option(
-            "--near", near,
-            "Near cut: nothing nearer than this behind the foremost corner, mm; auto: where the wall before the "
-            "fluid ends")
-        ->type_name("MM|auto")
+    const std::string cut = "Near cut: nothing nearer than this behind the foremost corner, mm";
+    command.add_option("--near", near, cut + (ofFile ? "; auto: inside the fluid behind a wall" : ""))
+        ->type_name(ofFile ? "MM|auto" : "MM")
         ->capture_default_str();
 }
 
@@ -54,6 +52,13 @@ Result<Viewpoint> ViewOptions::get() const {
         return wrongUsage("--near", "must be 0 mm or more, or auto");
     chosen.nearCutMm = cut->front();
     return chosen;
+}
+
+Result<Viewpoint> ViewOptions::getOfSimulatedScan() const {
+    if (nearCutSuggested())
+        return wrongUsage("--near", "must be 0 mm or more",
+                          "A near cut is suggested for a volume that is there already.");
+    return get();
 }
 
 ChosenBeam ViewOptions::beam() const {

@@ -18,7 +18,7 @@ namespace echolucent {
 /// data begin (AdaptiveOtf::surfacesWhereDataBegin). The result is empty only where progress.cancel was raised, and
 /// has the same bits for any number of threads.
 /// Where the picture is taken from other voxels than the volume's, `shown` is what they are, and the curve is meant for
-/// them; surfaces and weights are the volume's. Without them the result has the bits it always had.
+/// them; surfaces and weights are the volume's. Without them the curve is meant for the volume's own voxels.
 /// It throws std::invalid_argument where problemOf(config) is not empty, or where the shown voxels have another grid.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {},

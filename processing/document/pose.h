@@ -14,7 +14,7 @@ namespace echolucent {
 enum class BeamSource {
     assumed,      ///< nobody did; the default is taken
     sectorShape,  ///< found on opening: the scanned sector widens along it
-    echo,         ///< found on opening: speckle is finer along it, and shadows run along it
+    echo,         ///< found on opening: the echo falls along it, or shadows lie along it behind bright places
     person,       ///< chosen in the program
 };
 /// "assumed", "sector shape", "echo", "person".

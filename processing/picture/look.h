@@ -34,7 +34,7 @@ struct Look {
 };
 
 /// A row for every member of Look, in the order in which people are shown them. The command line, the settings file,
-/// the panel, the JSON and docs/cli-render.md are made from these rows; a default is what Look{} holds.
+/// the panel, the JSON and docs/cli-render.md are made from these rows; a default is what lookAtStart() holds.
 [[nodiscard]] std::span<const Parameter<Look>> lookParameters();
 
 /// Whether a person chooses a row's value in a window: all but the step, which the qualities of the view choose.

@@ -9,7 +9,7 @@
 namespace echolucent {
 
 enum class RendererChoice {
-    automatic,     ///< a wish only: the graphics card where there is a real one, else the software ray caster
+    automatic,     ///< a wish only: the graphics card where a real one can show the look, else the software
     software,      ///< castRays(), on the processor
     graphicsCard,  ///< VTK's GPU mapper, through OpenGL, also where OpenGL is software
 };

@@ -42,7 +42,8 @@ Result<LightCase> caseOf(const std::string& name, std::shared_ptr<const Volume> 
     if (!pixels) return tl::unexpected<Failure>(pixels.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto view = options.view.get(*volume);
+    const auto view =
+        options.view.get(*volume, options.volume.path.empty() ? options.view.beam() : options.view.beamOf(*volume));
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto named = namedCurve(options.otf, options.method.opacityScale);
     if (!named) return tl::unexpected<Failure>(named.error());

@@ -73,8 +73,7 @@ std::vector<std::string> namesOfFiles() {
     return names;
 }
 
-Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const AdaptiveOtfConfig& config,
-                                          const std::vector<std::string>& outputs) {
+Result<std::vector<MotionCase>> casesFrom(const MotionStudyOptions& options, const std::vector<std::string>& outputs) {
     const Motion motion{.axis = MotionAxis::y, .from = options.from, .to = options.to, .step = options.step};
     std::vector<MotionCase> cases;
     if (options.phantoms || options.volume.path.empty()) {
@@ -108,7 +107,7 @@ Result<void> studyMotion(const MotionStudyOptions& options) {
     const auto folder = StudyFolder::at(options.output, namesOfFiles());
     if (!folder) return tl::unexpected<Failure>(folder.error());
     if (auto checked = checkOutputs(folder->paths(), {options.method.initial}); !checked) return checked;
-    const auto cases = casesFrom(options, *config, folder->paths());
+    const auto cases = casesFrom(options, folder->paths());
     if (!cases) return tl::unexpected<Failure>(cases.error());
 
     std::vector<MotionFigures> figures;

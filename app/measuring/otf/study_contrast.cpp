@@ -42,7 +42,7 @@ Values columnMeans(const std::vector<Values>& rows) {
 Result<void> measureContrast(const ContrastOptions& options) {
     const auto bases = options.phantoms.bases();
     if (!bases) return tl::unexpected<Failure>(bases.error());
-    const auto view = options.view.get();
+    const auto view = options.view.getOfSimulatedScan();
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
@@ -80,7 +80,7 @@ void addStudyContrastCommand(CLI::App& study, Action& action) {
     CLI::App& command =
         *study.add_subcommand("contrast", "How well the curves set known surfaces off from haze and leakage (CNR_S)");
     options->phantoms.addTo(command);
-    options->view.addTo(command);
+    options->view.addTo(command, ViewOf::simulatedScan);
     options->look.addTo(command, {"reduction"});
     command.add_option("--csv", options->csv, "Also writes every value")->type_name("FILE");
     command.footer("Example: echolucent-cli study contrast --seeds 1-4");

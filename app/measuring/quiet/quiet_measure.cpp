@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "app/measuring/measures/median.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/speckle.h"
 #include "processing/speckle_reduction/gaussian_filter.h"
@@ -96,15 +98,15 @@ Volume sector(const Volume& volume) {
     return volume.withDataMask(std::move(mask));
 }
 
-double leastTime(const Volume& volume, const QuietFilter& filter, int repeats) {
+double medianTime(const Volume& volume, const QuietFilter& filter, int repeats) {
     using Clock = std::chrono::steady_clock;
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<double> times;
     for (int i = 0; i < repeats; ++i) {
         const auto start = Clock::now();
         const Volume quiet = filter.run(volume);
-        least = std::min(least, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     }
-    return least / (static_cast<double>(volume.geometry().voxelCount()) * 1e-6);
+    return medianOf(times) / (static_cast<double>(volume.geometry().voxelCount()) * 1e-6);
 }
 
 QuietFilter gaussian(double sigma, const std::string& name, const std::string& setting) {
@@ -154,7 +156,7 @@ QuietTimes quietTimesOf(const QuietFilter& filter, int edgeTimed, int repeats) {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
     config.size = {edgeTimed, edgeTimed, edgeTimed};
     const Volume volume = *makePhantom(config);
-    return {leastTime(volume, filter, repeats), leastTime(sector(volume), filter, repeats)};
+    return {medianTime(volume, filter, repeats), medianTime(sector(volume), filter, repeats)};
 }
 
 std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<ObjectRay>& rays,

@@ -31,7 +31,7 @@ struct StructureError {
 };
 [[nodiscard]] StructureError structureErrorOf(const QuietFilter& filter, std::uint64_t seed);
 
-/// Wall time of a filter, ms per million voxels of 8 bits: the least of `repeats` runs.
+/// Wall time of a filter, ms per million voxels of 8 bits: the median of `repeats` runs.
 struct QuietTimes {
     double whole = 0.0;   ///< all voxels are data
     double masked = 0.0;  ///< a sector of two thirds of the voxels is

@@ -30,8 +30,11 @@ struct QuietResult {
 };
 
 const std::vector<std::string>& conditionNames() {
-    static const std::vector<std::string> names{"base",        "specular",     "little speckle",
-                                                "attenuation", "full speckle", "log compressed"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const NamedPhantom& one : contrastConditions({})) all.push_back(one.name);
+        return all;
+    }();
     return names;
 }
 
@@ -104,7 +107,7 @@ std::string pageOf(const std::vector<QuietResult>& results, const QuietStudyOpti
         "many "
         "units as the middle of the mean profile does. Membrane (2 voxels of tissue in fluid) and finger (4 voxels of "
         "object in fluid): the share of their contrast that is left. Times are wall time in ms per million voxels of 8 "
-        "bits, the least of several runs, without and with a data mask. CNR_S is that of the default curve, which is "
+        "bits, the median of several runs, without and with a data mask. CNR_S is that of the default curve, which is "
         "meant for the voxels that are shown, of the fetus on all its first surfaces; mean over the seeds " +
         options.phantoms.seeds + " and six conditions.");
     const TextTable filters = filterTable(results);
