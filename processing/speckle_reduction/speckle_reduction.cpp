@@ -13,19 +13,23 @@ namespace {
 constexpr double lightSigma = 1.0;
 constexpr std::array mediumPasses{JointBilateralPass{}};
 constexpr std::array strongPasses{JointBilateralPass{}, JointBilateralPass{.guideSigma = 0.7}};
-}  // namespace
 
-std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
+std::optional<Volume> reduced(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
     switch (reduction) {
-        case SpeckleReduction::off:
-            if (progress.cancelled()) return std::nullopt;
-            progress.at(1.0);
-            return volume;
+        case SpeckleReduction::off: return progress.cancelled() ? std::nullopt : std::optional(volume);
         case SpeckleReduction::light: return gaussianFiltered(volume, lightSigma, progress);
         case SpeckleReduction::medium: return jointBilateralFiltered(volume, mediumPasses, progress);
         case SpeckleReduction::strong: return jointBilateralFiltered(volume, strongPasses, progress);
     }
     throw std::invalid_argument("quietVolume: no such reduction");
+}
+
+}  // namespace
+
+std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
+    auto quiet = reduced(volume, reduction, progress);
+    if (quiet) progress.at(1.0);  // the last part may have been another thread's, which reports nothing
+    return quiet;
 }
 
 }  // namespace echolucent

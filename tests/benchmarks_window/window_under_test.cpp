@@ -23,6 +23,8 @@ void await(const char* what, const std::function<bool()>& done) {
     if (!QTest::qWaitFor(done, patience)) qFatal("%s did not happen", what);
 }
 
+bool isFine(const PictureReport& report) { return report.converged || report.quality == "high quality"; }
+
 }  // namespace
 
 WindowUnderTest::WindowUnderTest(const QString& volume, int edge, bool shaded)
@@ -165,11 +167,11 @@ QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
     waitUntilConverged();
     MotionPlayer& player = m_window->motionPlayer();
     player.setMinimumFrameInterval(0);
-    int steps = 0, finest = 0;
+    int steps = 0, fine = 0;  // fine: pictures in a row
     QObject context;
     QObject::connect(&player, &MotionPlayer::frameChanged, &context, [&] { ++steps; });
     QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context,
-                     [&](const PictureReport& report) { finest = report.converged ? finest + 1 : 0; });
+                     [&](const PictureReport& report) { fine = isFine(report) ? fine + 1 : 0; });
     player.play();
     const auto turn = [&](const auto& enough) {
         const int before = steps;
@@ -179,7 +181,7 @@ QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
     };
     Row first = turn([&](const FrameRecord&) { return steps >= phases(); });
     first.action = "first turn";
-    (void)record([&](const FrameRecord&) { return finest >= 2 * phases(); });
+    (void)record([&](const FrameRecord&) { return fine >= 2 * phases(); });
     Row kept = turn([&](const FrameRecord& now) { return now.milliseconds() > amount.seconds * 1e3; });
     kept.action = "from memory";
     player.pause();
@@ -209,7 +211,7 @@ Row WindowUnderTest::highQuality(const Amount& amount) {
         bool made = false, drawn = false;
         QObject context;
         QObject::connect(&view(), &VolumeViewWidget::pictureDelivered, &context, [&](const PictureReport& report) {
-            if (made || !(report.converged || report.quality == "high quality")) return;
+            if (made || !isFine(report)) return;
             record.delivered(report);
             made = true;
         });
