@@ -25,7 +25,7 @@ QuietPhases::QuietPhases(QObject* parent)
 void QuietPhases::begin(Phases raw) {
     cancel();
     m_raw = std::move(raw);
-    m_quiet.assign(m_raw.size(), nullptr);
+    m_quiet.assign(m_raw.size(), {});
     m_order.clear();
     m_wanted = 0;
     m_failed = false;
@@ -39,7 +39,7 @@ void QuietPhases::cancel() {
 void QuietPhases::want(int phase, SpeckleReduction reduction) {
     if (std::exchange(m_reduction, reduction) != reduction) {
         cancel();
-        std::fill(m_quiet.begin(), m_quiet.end(), nullptr);
+        m_quiet.assign(m_raw.size(), {});
         m_order.clear();
         m_failed = false;
     }
@@ -49,8 +49,13 @@ void QuietPhases::want(int phase, SpeckleReduction reduction) {
 
 std::shared_ptr<const Volume> QuietPhases::of(int phase) const {
     if (phase < 0 || phase >= phaseCount()) return nullptr;
-    const auto& volumes = m_reduction == SpeckleReduction::off ? m_raw : m_quiet;
-    return volumes[static_cast<std::size_t>(phase)];
+    const auto index = static_cast<std::size_t>(phase);
+    return m_reduction == SpeckleReduction::off ? m_raw[index] : m_quiet[index].voxels;
+}
+
+std::shared_ptr<const IntensityHistogram> QuietPhases::histogramOf(int phase) const {
+    if (phase < 0 || phase >= phaseCount()) return nullptr;
+    return m_quiet[static_cast<std::size_t>(phase)].histogram;
 }
 
 int QuietPhases::madeCount() const { return static_cast<int>(m_order.size()); }
@@ -82,8 +87,9 @@ void QuietPhases::makeNext() {
             try {
                 auto quiet = reduce(*raw, reduction, progress);
                 if (!quiet) return {};
-                return [this, phase, raw, reduction,
-                        made = std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox()))] {
+                Quiet made{std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox())),
+                           std::make_shared<const IntensityHistogram>(intensityHistogram(*quiet))};
+                return [this, phase, raw, reduction, made = std::move(made)] {
                     const bool current = reduction == m_reduction && phase < phaseCount() &&
                                          m_raw[static_cast<std::size_t>(phase)] == raw;
                     if (current) take(phase, made);
@@ -99,16 +105,16 @@ void QuietPhases::makeNext() {
         NewestWinsThread::WhenSuperseded::finish);
 }
 
-void QuietPhases::take(int phase, std::shared_ptr<const Volume> quiet) {
+void QuietPhases::take(int phase, Quiet quiet) {
     if (m_making == phase) m_making = -1;
-    if (!m_quiet[static_cast<std::size_t>(phase)]) m_order.push_back(phase);
+    if (!m_quiet[static_cast<std::size_t>(phase)].voxels) m_order.push_back(phase);
     m_quiet[static_cast<std::size_t>(phase)] = std::move(quiet);
     if (madeCount() > keptAtMost()) {
         // What is shown stays; where only that and this one are kept, this one goes.
         const auto spare =
             std::find_if(m_order.begin(), m_order.end(), [&](int made) { return made != phase && made != m_wanted; });
         const auto dropped = spare != m_order.end() ? spare : std::find(m_order.begin(), m_order.end(), phase);
-        m_quiet[static_cast<std::size_t>(*dropped)].reset();
+        m_quiet[static_cast<std::size_t>(*dropped)] = {};
         m_order.erase(dropped);
     }
     emit made(phase);

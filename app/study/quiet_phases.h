@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "processing/volume/histogram.h"
 #include "processing/volume/volume.h"
 #include "widgets/newest_wins_thread.h"
 
@@ -32,6 +33,8 @@ public:
 
     /// The quiet voxels of a phase, its raw ones where speckle is not reduced; null where they are not made.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase) const;
+    /// Of the phase's quiet voxels; null where they are not made.
+    [[nodiscard]] std::shared_ptr<const IntensityHistogram> histogramOf(int phase) const;
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_raw.size()); }
     [[nodiscard]] int madeCount() const;
@@ -56,11 +59,16 @@ private:
     [[nodiscard]] int keptAtMost() const;
     [[nodiscard]] int next() const;
     void makeNext();
-    void take(int phase, std::shared_ptr<const Volume> quiet);
+    /// The quiet voxels of a phase, and how their intensities are spread.
+    struct Quiet {
+        std::shared_ptr<const Volume> voxels;  ///< null where not made
+        std::shared_ptr<const IntensityHistogram> histogram;
+    };
+    void take(int phase, Quiet quiet);
 
     Reduce m_reduce;
     Phases m_raw;
-    Phases m_quiet;            ///< null where not made
+    std::vector<Quiet> m_quiet;
     std::vector<int> m_order;  ///< phases kept, that made first at the front
     SpeckleReduction m_reduction = SpeckleReduction::off;
     int m_wanted = 0;

@@ -131,6 +131,11 @@ std::shared_ptr<const Volume> Session::newestVoxels() const {
     return quiet ? quiet : m_volume;
 }
 
+const IntensityHistogram& Session::histogramOfOtf() const {
+    const auto quiet = m_quiet.histogramOf(m_phase);
+    return quiet && m_voxelsOfOtf == m_quiet.of(m_phase) ? *quiet : histogram();
+}
+
 void Session::takeQuietVoxels(int phase) {
     if (phase != m_phase) return;
     requestWaitingOtf();
@@ -153,11 +158,9 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
     m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, voxels = asked.voxels, reduction = m_reduction,
                         view, config](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<AdaptiveOtf> result;
-        std::shared_ptr<const IntensityHistogram> histogram;
         try {
             const QuietVoxels shown = voxels == volume ? QuietVoxels{} : QuietVoxels{voxels.get(), reduction};
             result = pipeline(*volume, view, config, progress, shown);
-            if (voxels != volume) histogram = std::make_shared<const IntensityHistogram>(intensityHistogram(*voxels));
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_asked.reset();
@@ -166,13 +169,12 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
-        return [this, volume, voxels, shared, histogram] {
+        return [this, volume, voxels, shared] {
             if (volume != m_volume) return;
             m_asked.reset();
             m_opening = false;
             m_otf = shared;
             m_voxelsOfOtf = voxels;
-            m_histogramOfOtf = histogram;
             emit otfComputed();
         };
     });

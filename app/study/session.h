@@ -57,10 +57,8 @@ public:
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
-    /// Of the voxels that otf() is meant for; of the raw ones where there is no OTF.
-    [[nodiscard]] const IntensityHistogram& histogramOfOtf() const {
-        return m_otf && m_histogramOfOtf ? *m_histogramOfOtf : histogram();
-    }
+    /// Of the voxels that otf() is meant for; of the raw ones where these are, or where there is no OTF.
+    [[nodiscard]] const IntensityHistogram& histogramOfOtf() const;
     [[nodiscard]] int phase() const { return m_phase; }
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
@@ -130,7 +128,6 @@ private:
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
     std::shared_ptr<const Volume> m_voxelsOfOtf;
-    std::shared_ptr<const IntensityHistogram> m_histogramOfOtf;  // null where that of the raw voxels serves
     struct OtfRequest {
         Viewpoint view;
         AdaptiveOtfConfig config;

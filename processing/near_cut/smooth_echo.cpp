@@ -12,7 +12,7 @@ namespace {
 
 constexpr double cellsPerExtent = 64.0;
 constexpr double smoothingCells = 1.25;  ///< standard deviation
-constexpr double mostCells = 160.0;      ///< along an edge: sparse data in a large box get larger cells
+constexpr double mostCells = 160.0;      ///< along an edge, 50 MB: sparse data in a large box get larger cells
 
 /// Which cells a voxel reaches into along one axis, and with how much of its extent.
 struct Overlap {

@@ -44,7 +44,7 @@ public:
     /// Frames of the motion that are kept in high quality.
     [[nodiscard]] int keptFrames() const;
     /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
-    /// go.
+    /// go. While a motion plays, what runs ends first, so that its frame is kept.
     void clear();
     /// True from a request until its converged picture was delivered or it was cleared.
     [[nodiscard]] bool busy() const { return m_newest && (m_thread.busy() || m_rest.isActive()); }
