@@ -1,9 +1,12 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
+#include <QFileInfo>
 #include <QIcon>
 #include <QTextStream>
+#include <memory>
 
+#include "app/study/session.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -35,12 +38,14 @@ int main(int count, char** arguments) {
     QFile theme(QStringLiteral(":/dark.qss"));
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
 
-    MainWindow window;
+    // The study is being read while the window is made: they take about as long as each other.
+    auto session = std::make_unique<Session>();
+    if (const QString file = parser.positionalArguments().value(0); !file.isEmpty())
+        session->open(QFileInfo(file).absoluteFilePath());
+    else
+        session->openSimulatedScan();
+    MainWindow window({}, std::move(session));
     if (parser.isSet(firstPicture)) printStartTimes(window);
     window.show();
-    if (const QStringList files = parser.positionalArguments(); !files.isEmpty())
-        window.open(files.first());
-    else
-        window.openSimulatedScan();
     return QApplication::exec();
 }

@@ -13,7 +13,9 @@ StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings
     : QObject(&window), m_window(window), m_session(session), m_settings(settings), m_messages(messages) {
     connect(&m_session, &Session::openFailed, this, &StudyOpening::tellFailure);
     connect(&m_session, &Session::studyOpened, this, [this] {
-        if (!m_session.isSimulatedScan()) m_settings.addRecentFile(m_session.path());
+        if (m_session.isSimulatedScan()) return;
+        m_settings.addRecentFile(m_session.path());
+        m_settings.setLastFolder(QFileInfo(m_session.path()).absolutePath());
     });
 }
 

@@ -26,8 +26,8 @@ namespace {
 constexpr int mainView = 1;  // the view of the default document
 }
 
-MainWindow::MainWindow(const QString& settingsFile, QWidget* parent)
-    : QMainWindow(parent), m_settings(settingsFile), m_curves(m_document, mainView) {
+MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> session)
+    : m_settings(settingsFile), m_curves(m_document, mainView), m_session(std::move(session)) {
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
@@ -39,11 +39,13 @@ MainWindow::MainWindow(const QString& settingsFile, QWidget* parent)
     connectCaption();
     createActions();
     restoreSettings();
+    showProgress();
+    updateIdle();
 }
 
 MainWindow::~MainWindow() {
     // What the widgets still tell while they go has nobody to act on it.
-    m_session.disconnect(this);
+    m_session->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_widgets.picture->disconnect(this);
     // The editor edits the document, which is gone before the window's children are.
@@ -52,23 +54,23 @@ MainWindow::~MainWindow() {
 
 void MainWindow::createUnits() {
     m_view = std::make_unique<DocumentView>(m_document, mainView, m_hand, *m_widgets.picture);
-    m_computing = std::make_unique<OtfComputing>(m_document, mainView, m_session);
+    m_computing = std::make_unique<OtfComputing>(m_document, mainView, *m_session);
     m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
-    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_session, *m_computing, *m_view,
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course});
     m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
+        ShownStudy::Parts{*this, m_document, *m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
-        NearCutFinder::Parts{m_document, mainView, m_session, *m_computing, *m_widgets.messages});
-    m_opening = std::make_unique<StudyOpening>(*this, m_session, m_settings, *m_widgets.messages);
+        NearCutFinder::Parts{m_document, mainView, *m_session, *m_computing, *m_widgets.messages});
+    m_opening = std::make_unique<StudyOpening>(*this, *m_session, m_settings, *m_widgets.messages);
     m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
-        *this, m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
+        *this, *m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
 }
 
 void MainWindow::connectProgress() {
@@ -76,20 +78,20 @@ void MainWindow::connectProgress() {
         showProgress();
         updateIdle();
     };
-    connect(&m_session, &Session::loadingChanged, this, changed);
-    connect(&m_session, &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
+    connect(m_session.get(), &Session::loadingChanged, this, changed);
+    connect(m_session.get(), &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
     connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
-    connect(&m_session, &Session::nearCutFound, this, changed);
-    connect(&m_session, &Session::quieteningChanged, this, changed);
-    connect(&m_session, &Session::quieteningProgressed, this, [this](double share) {
-        if (!m_session.loading() && !m_session.lookingForNearCut()) m_widgets.status->setProgress(share);
+    connect(m_session.get(), &Session::nearCutFound, this, changed);
+    connect(m_session.get(), &Session::quieteningChanged, this, changed);
+    connect(m_session.get(), &Session::quieteningProgressed, this, [this](double share) {
+        if (!m_session->loading() && !m_session->lookingForNearCut()) m_widgets.status->setProgress(share);
     });
-    connect(&m_session, &Session::quieteningFailed, this,
+    connect(m_session.get(), &Session::quieteningFailed, this,
             [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
     connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
-        if (m_session.loading()) return m_session.cancelLoading();
-        m_session.cancelQuietening();
-        m_session.cancelComputing();
+        if (m_session->loading()) return m_session->cancelLoading();
+        m_session->cancelQuietening();
+        m_session->cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
     });
     // This connection is made last, so that it runs after all others of these signals.
@@ -98,9 +100,9 @@ void MainWindow::connectProgress() {
         showProgress();
         updateIdle();
     };
-    connect(&m_session, &Session::openFailed, this, &MainWindow::updateIdle);
-    connect(&m_session, &Session::computingOtfChanged, this, somethingEnded);
-    connect(&m_session, &Session::otfComputed, this, somethingEnded);
+    connect(m_session.get(), &Session::openFailed, this, &MainWindow::updateIdle);
+    connect(m_session.get(), &Session::computingOtfChanged, this, somethingEnded);
+    connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
@@ -111,11 +113,11 @@ void MainWindow::connectProgress() {
 /// hide another.
 void MainWindow::showProgress() {
     RunStatus& status = *m_widgets.status;
-    if (m_session.loading())
+    if (m_session->loading())
         status.beginProgress(tr("loading"));
-    else if (m_session.lookingForNearCut())
+    else if (m_session->lookingForNearCut())
         status.beginProgress(tr("looking for the near cut"));
-    else if (m_session.quietPhases().busy())
+    else if (m_session->quietPhases().busy())
         status.beginProgress(tr("reducing speckle"));
     else
         status.endProgress();
@@ -143,28 +145,28 @@ void MainWindow::connectUnits() {
 }
 
 void MainWindow::connectCaption() {
-    connect(&m_session, &Session::studyOpened, this, [this] {
-        if (m_session.finds() && m_session.finds()->cut) m_nearCutFinder->tellOpening(*m_session.finds()->cut);
+    connect(m_session.get(), &Session::studyOpened, this, [this] {
+        if (m_session->finds() && m_session->finds()->cut) m_nearCutFinder->tellOpening(*m_session->finds()->cut);
     });
     const auto tell = [this] {
         // A picture that is still of the study before keeps its own caption.
-        if (!m_session.volume() || m_view->held()) return;
+        if (!m_session->volume() || m_view->held()) return;
         m_widgets.picture->setCaption(pictureCaption({.document = m_document.document(),
                                                       .view = mainView,
                                                       .speckle = shownSpeckle(),
-                                                      .lengthsKnown = m_session.volume()->geometry().spacingKnown}));
+                                                      .lengthsKnown = m_session->volume()->geometry().spacingKnown}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
-    connect(&m_session, &Session::otfComputed, this, tell);
-    connect(&m_session, &Session::otfFailed, this, tell);
-    connect(&m_session, &Session::quietVoxelsMade, this, tell);
-    connect(&m_session, &Session::quieteningChanged, this, tell);
+    connect(m_session.get(), &Session::otfComputed, this, tell);
+    connect(m_session.get(), &Session::otfFailed, this, tell);
+    connect(m_session.get(), &Session::quietVoxelsMade, this, tell);
+    connect(m_session.get(), &Session::quieteningChanged, this, tell);
 }
 
 ShownSpeckle MainWindow::shownSpeckle() const {
     const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
-    if (shown && shown != m_session.volume()) return ShownSpeckle::reduced;
-    return m_session.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
+    if (shown && shown != m_session->volume()) return ShownSpeckle::reduced;
+    return m_session->quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
 void MainWindow::createActions() {
@@ -195,7 +197,7 @@ void MainWindow::open(const QString& path, const ReadOptions& options) {
 }
 
 void MainWindow::openSimulatedScan() {
-    m_session.openSimulatedScan();
+    m_session->openSimulatedScan();
     updateIdle();
 }
 
@@ -223,7 +225,7 @@ void MainWindow::keepSettings() {
 }
 
 bool MainWindow::idle() const {
-    return !m_session.loading() && !m_session.computingOtf() && !m_session.quietPhases().busy() &&
+    return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
            !m_widgets.picture->busy() && !m_motionPlayer.isPlaying();
 }
 
@@ -234,9 +236,9 @@ void MainWindow::updateIdle() {
 }
 
 QString MainWindow::explanation() const {
-    if (!m_session.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    return explainPicture({.study = *m_session.study(),
-                           .volume = *m_session.volume(),
+    if (!m_session->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    return explainPicture({.study = *m_session->study(),
+                           .volume = *m_session->volume(),
                            .otf = m_motion->otf(),
                            .document = m_document.document(),
                            .view = mainView,

@@ -30,8 +30,10 @@ class MainWindow : public QMainWindow {
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// `settingsFile` is handed to Settings; tests give one of their own.
-    explicit MainWindow(const QString& settingsFile = {}, QWidget* parent = nullptr);
+    /// `settingsFile` is handed to Settings; tests give one of their own. `session` may be loading a study already,
+    /// which goes on while the window is made; must not be null.
+    explicit MainWindow(const QString& settingsFile = {},
+                        std::unique_ptr<Session> session = std::make_unique<Session>());
     ~MainWindow() override;
 
     /// As StudyOpening::open().
@@ -44,7 +46,7 @@ public:
 
     [[nodiscard]] bool idle() const;
     [[nodiscard]] DocumentModel& document() { return m_document; }
-    [[nodiscard]] Session& session() { return m_session; }
+    [[nodiscard]] Session& session() { return *m_session; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
@@ -81,7 +83,7 @@ private:
     DocumentModel m_document;
     DocumentCurves m_curves;
     HandGesture m_hand;
-    Session m_session;
+    std::unique_ptr<Session> m_session;
     MotionPlayer m_motionPlayer;
     OtfCourse m_course;
 

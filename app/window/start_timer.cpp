@@ -45,7 +45,7 @@ void printStartTimes(MainWindow& window) {
                      [print, first, &window](const PictureReport& report) {
                          if (!window.session().otf()) return;
                          if (std::exchange(*first, false)) print("first picture");
-                         if (!report.converged) return;
+                         if (!report.converged) return print(report.quality.toUtf8().constData());
                          print("converged picture");
                          QApplication::quit();
                      });

@@ -53,6 +53,20 @@ private slots:
         QVERIFY(window().volumeView().caption().contains("beam +z, assumed"));
     }
 
+    void aStudyIsReadWhileTheWindowIsMade() {
+        auto session = std::make_unique<Session>();
+        session->open(m_file);
+        MainWindow early(settingsFile(), std::move(session));
+        QVERIFY(!early.idle());
+        QVERIFY(early.session().loading());
+        early.show();
+        QTRY_VERIFY_WITH_TIMEOUT(early.idle() && early.volumeView().pictureIsFine(), 30000);
+        open(m_file);
+        QVERIFY(early.document().document() == document());
+        QCOMPARE(early.volumeView().caption(), window().volumeView().caption());
+        QCOMPARE(early.session().path(), m_file);
+    }
+
     void aFoundCutIsTakenBackByOneKeyAndFoundAgainByIt() {
         open(m_file);
         // The search may be sure of this wall or not: what it found is put in place as opening does it.
