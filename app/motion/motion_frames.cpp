@@ -187,7 +187,7 @@ void MotionFrames::showFrameRate() {
     if (!(seconds > 0)) return;
     // A running mean over about ten frames, so that the number can be read.
     m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
-    m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
+    if (m_pace.due()) m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
 }
 
 }  // namespace echolucent

@@ -10,6 +10,7 @@
 #include "app/motion/motion_player.h"
 #include "app/otf/otf_computing.h"
 #include "widgets/motion/otf_course.h"
+#include "widgets/pace.h"
 
 namespace echolucent {
 
@@ -78,6 +79,7 @@ private:
     };
     std::optional<CourseKey> m_courseKey;
     QElapsedTimer m_frameClock;  ///< runs since the frame shown last
+    Pace m_pace;                 ///< of the frame rate that is shown
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
 };
 

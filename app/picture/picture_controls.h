@@ -6,6 +6,7 @@
 
 #include "app/document/document_view.h"
 #include "app/window/settings.h"
+#include "widgets/pace.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -55,6 +56,7 @@ private:
     [[nodiscard]] int view() const { return m_parts.view.view(); }
 
     Parts m_parts;
+    Pace m_pace;                              ///< of what is told of pictures that follow the hand
     std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
 };
 

@@ -91,6 +91,7 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
             m_study = shared;
             m_histograms = histograms;
             m_finds = finds;
+            m_kept.clear();
             m_quiet.begin(m_study->phases);
             m_opening = true;
             show(0);
@@ -148,19 +149,34 @@ void Session::requestWaitingOtf() {
 }
 
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    const OtfRequest asked{view, config, newestVoxels()};
+    const OtfQuestion asked{m_volume, newestVoxels(), view, config};
     if (!m_volume || m_asked == asked) return;
     if (m_opening && !m_quiet.of(m_phase) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
         m_waiting = asked;
         return;
     }
     m_asked = asked;
-    m_otfThread.submit([this, pipeline = m_pipeline, volume = m_volume, voxels = asked.voxels, reduction = m_reduction,
-                        view, config](const Progress& progress) -> NewestWinsThread::Deliver {
+    if (auto kept = m_kept.find(asked)) {
+        m_otfThread.cancel();
+        // Delivered as one that was computed would be: after the request has returned, and not where another was made.
+        QMetaObject::invokeMethod(
+            this,
+            [this, asked, otf = std::move(kept)] {
+                if (m_asked != asked) return;
+                takeOtf(asked, otf);
+                emit computingOtfChanged(computingOtf());
+            },
+            Qt::QueuedConnection);
+        emit computingOtfChanged(true);
+        return;
+    }
+    m_otfThread.submit([this, pipeline = m_pipeline, asked,
+                        reduction = m_reduction](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<AdaptiveOtf> result;
         try {
-            const QuietVoxels shown = voxels == volume ? QuietVoxels{} : QuietVoxels{voxels.get(), reduction};
-            result = pipeline(*volume, view, config, progress, shown);
+            const QuietVoxels shown =
+                asked.voxels == asked.volume ? QuietVoxels{} : QuietVoxels{asked.voxels.get(), reduction};
+            result = pipeline(*asked.volume, asked.view, asked.config, progress, shown);
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_asked.reset();
@@ -169,15 +185,19 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         }
         if (!result) return {};
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
-        return [this, volume, voxels, shared] {
-            if (volume != m_volume) return;
-            m_asked.reset();
-            m_opening = false;
-            m_otf = shared;
-            m_voxelsOfOtf = voxels;
-            emit otfComputed();
+        return [this, asked, shared] {
+            m_kept.keep(asked, shared);
+            if (asked.volume == m_volume) takeOtf(asked, shared);
         };
     });
+}
+
+void Session::takeOtf(const OtfQuestion& asked, std::shared_ptr<const AdaptiveOtf> otf) {
+    m_asked.reset();
+    m_opening = false;
+    m_otf = std::move(otf);
+    m_voxelsOfOtf = asked.voxels;
+    emit otfComputed();
 }
 
 void Session::cancelComputing() {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -64,11 +65,13 @@ public:
     void setPhase(int phase);
 
     /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
-    /// What is being computed already goes on. The tube cores read the raw voxels; the curve is meant for
-    /// newestVoxels(). The first OTF of a study of up to quietFirstVoxels voxels waits for its quiet voxels, so that
-    /// one picture and not two follow its opening.
+    /// What is being computed already goes on, and what was computed before is delivered from memory. The tube cores
+    /// read the raw voxels; the curve is meant for newestVoxels(). The first OTF of a study of up to quietFirstVoxels
+    /// voxels waits for its quiet voxels, so that one picture and not two follow its opening.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
-    [[nodiscard]] bool computingOtf() const { return m_otfThread.busy() || m_waiting.has_value(); }
+    [[nodiscard]] bool computingOtf() const {
+        return m_otfThread.busy() || m_asked.has_value() || m_waiting.has_value();
+    }
     /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
     /// many.
     static constexpr std::int64_t quietFirstVoxels = 10'000'000;
@@ -86,7 +89,10 @@ public:
     /// curve is meant for.
     using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
                                                               const Progress&, const QuietVoxels& shown)>;
-    void setPipeline(Pipeline pipeline) { m_pipeline = std::move(pipeline); }
+    void setPipeline(Pipeline pipeline) {
+        m_pipeline = std::move(pipeline);
+        m_kept.clear();
+    }
     /// The search run by requestNearCut; tests put one in its place that ends on command.
     using NearCutSearch =
         std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
@@ -117,6 +123,7 @@ private:
     void show(int phase);
     void takeQuietVoxels(int phase);
     void requestWaitingOtf();
+    void takeOtf(const OtfQuestion& asked, std::shared_ptr<const AdaptiveOtf> otf);
 
     Pipeline m_pipeline;
     NearCutSearch m_nearCutSearch;
@@ -128,15 +135,10 @@ private:
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
     std::shared_ptr<const Volume> m_voxelsOfOtf;
-    struct OtfRequest {
-        Viewpoint view;
-        AdaptiveOtfConfig config;
-        std::shared_ptr<const Volume> voxels;  ///< those that the curve is meant for
-        friend bool operator==(const OtfRequest&, const OtfRequest&) = default;
-    };
-    std::optional<OtfRequest> m_asked;    ///< of the volume shown; none where no OTF is under way
-    std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
-    bool m_opening = false;               ///< no OTF of the study was computed yet
+    std::optional<OtfQuestion> m_asked;    ///< of the volume shown; none where no OTF is under way
+    std::optional<OtfQuestion> m_waiting;  ///< for the quiet voxels of the study that was opened just now
+    bool m_opening = false;                ///< no OTF of the study was computed yet
+    KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;
     // Last, so that both threads have ended before anything above is destroyed.

@@ -20,7 +20,9 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
     connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
+        m_parts.editor.setPlaying(playing);
         if (playing) return;
+        showNumbers();
         showRemark();
         takeQuietVoxels();  // those that were made while it played
     });
@@ -116,11 +118,17 @@ void ShownStudy::takeOtf() {
     const SampledCurve curve = m_parts.motion.curveToShow(otf);
     m_parts.view.setAdaptiveCurve(curve);
     m_parts.editor.setAdaptiveCurve(curve);
-    m_parts.method.showResult(*otf);
-    m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
+    if (!m_parts.player.isPlaying() || m_pace.due()) showNumbers();
     showRemarkAtRest();
     m_parts.view.showVolume(m_parts.session.voxelsOfOtf(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
+}
+
+void ShownStudy::showNumbers() {
+    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.session.otf();
+    if (!otf) return;
+    m_parts.method.showResult(*otf);
+    m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
 }
 
 /// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them

@@ -6,6 +6,7 @@
 #include "app/motion/motion_frames.h"
 
 class QMainWindow;
+#include "widgets/pace.h"
 
 namespace echolucent {
 
@@ -44,6 +45,7 @@ private:
     void tellFacts();
     void takeVolume();
     void takeOtf();
+    void showNumbers();
     void takeQuietVoxels();
     void doWithoutOtf(const QString& sentence);
     void showRemark();
@@ -53,6 +55,7 @@ private:
 
     Parts m_parts;
     const Study* m_study = nullptr;  ///< told apart by address only
+    Pace m_pace;                     ///< of the OTF's numbers while a motion plays
 };
 
 }  // namespace echolucent

@@ -284,7 +284,13 @@ void OtfEditor::showState() {
     showReadout();
 }
 
+void OtfEditor::setPlaying(bool playing) {
+    m_playing = playing;
+    if (!playing) showAdaptiveFacts();
+}
+
 void OtfEditor::showAdaptiveFacts() {
+    if (m_playing && !m_pace.due()) return;
     const bool computed = !state().adaptive.opacities.empty();
     m_adaptiveNote->setText(computed ? adaptiveFacts() : tr("No adaptive curve yet: it is computed from the volume."));
 }

@@ -12,6 +12,7 @@
 class QLabel;
 class QMenu;
 class QStackedWidget;
+#include "widgets/pace.h"
 
 namespace echolucent {
 
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
     void setActive(CurveKind kind) { m_model.setActive(kind); }
     void setAdaptiveCurve(const SampledCurve& curve);
+    /// While a motion plays, the table of the adaptive curve's numbers follows at the pace of words.
+    void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
     /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
     void setWhiteLevel(double whiteLevel);
@@ -108,6 +111,8 @@ private:
     std::array<QAction*, 5> m_activate{};
     std::optional<CurveNode> m_hovered;
     int m_hoveredNode = -1;
+    bool m_playing = false;
+    Pace m_pace;
     std::optional<double> m_cursorIntensity;
     double m_whiteLevel = 255.0;
 };

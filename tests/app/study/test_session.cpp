@@ -130,15 +130,47 @@ private slots:
         QCOMPARE(computed.count(), 1);
         QVERIFY(!held.sawCancel());
         QCOMPARE(held.started(), 1);
-        // Once it is there, or cancelled, the same request is a new one.
-        session.requestOtf(turned(1), {});
+        // Once it is cancelled, the same request is a new one.
+        session.requestOtf(turned(2), {});
         held.waitUntilStarted(2);
         session.cancelComputing();
-        session.requestOtf(turned(1), {});
+        session.requestOtf(turned(2), {});
         held.release(2);
         QTRY_VERIFY(!session.computingOtf());
         QCOMPARE(computed.count(), 2);
         QCOMPARE(held.started(), 3);
+    }
+
+    void whatWasComputedBeforeComesFromMemory() {
+        HeldPipeline held;
+        held.release(3);
+        Session session;
+        session.setPipeline(held.function());
+        open(session, m_dark);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        for (const int phase : {0, 1}) {
+            session.setPhase(phase);
+            session.requestOtf(turned(1), {});
+            QTRY_COMPARE(computed.count(), phase + 1);
+        }
+        QTRY_VERIFY(!session.computingOtf());
+        const auto ofSecondPhase = session.otf();
+        session.setPhase(0);
+        session.requestOtf(turned(1), {});
+        QVERIFY(session.computingOtf());
+        QCOMPARE(session.otf(), nullptr);  // delivered after the request has returned, as one that is computed
+        session.setPhase(1);               // that answer is not this phase's
+        session.requestOtf(turned(1), {});
+        QTRY_COMPARE(computed.count(), 3);
+        QVERIFY(!session.computingOtf());
+        QCOMPARE(session.otf(), ofSecondPhase);
+        QCOMPARE(session.voxelsOfOtf(), session.volume());
+        QCOMPARE(held.started(), 2);
+        AdaptiveOtfConfig other;
+        other.grid.columns = 3;
+        session.requestOtf(turned(1), other);
+        QTRY_COMPARE(held.started(), 3);
+        QTRY_VERIFY(!session.computingOtf());
     }
 
     void aNearCutIsFoundAlthoughTheFirstOtfWaitsForItsVoxels() {
