@@ -38,7 +38,7 @@ int main(int count, char** arguments) {
     QFile theme(QStringLiteral(":/dark.qss"));
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
 
-    // The study is being read while the window is made: they take about as long as each other.
+    // The study is being read while the window is made: neither waits for the other.
     auto session = std::make_unique<Session>();
     if (const QString file = parser.positionalArguments().value(0); !file.isEmpty())
         session->open(QFileInfo(file).absoluteFilePath());

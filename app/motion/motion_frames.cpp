@@ -187,7 +187,12 @@ void MotionFrames::showFrameRate() {
     if (!(seconds > 0)) return;
     // A running mean over about ten frames, so that the number can be read.
     m_frameSeconds = m_frameSeconds > 0 ? 0.9 * m_frameSeconds + 0.1 * seconds : seconds;
-    if (m_pace.due()) m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
+    m_frameRate.tell();
+}
+
+void MotionFrames::tellFrameRate() {
+    if (m_parts.player.isPlaying() && m_frameSeconds > 0)
+        m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
 }
 
 }  // namespace echolucent

@@ -10,7 +10,7 @@
 #include "app/motion/motion_player.h"
 #include "app/otf/otf_computing.h"
 #include "widgets/motion/otf_course.h"
-#include "widgets/pace.h"
+#include "widgets/paced_words.h"
 
 namespace echolucent {
 
@@ -59,6 +59,7 @@ private:
     void showFrameWithItsOtf();
     void endByHand();
     void showFrameRate();
+    void tellFrameRate();
     [[nodiscard]] MotionOtf mode() const { return m_parts.model.document().motion.otf; }
     [[nodiscard]] Viewpoint frameView() const;
     [[nodiscard]] CourseFrame courseFrame() const;
@@ -79,8 +80,8 @@ private:
     };
     std::optional<CourseKey> m_courseKey;
     QElapsedTimer m_frameClock;  ///< runs since the frame shown last
-    Pace m_pace;                 ///< of the frame rate that is shown
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
+    PacedWords m_frameRate{[this] { tellFrameRate(); }};
 };
 
 }  // namespace echolucent

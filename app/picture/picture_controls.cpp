@@ -120,12 +120,15 @@ void PictureControls::takeRenderer() {
 
 void PictureControls::tellPicture(const PictureReport& report) {
     if (report.framesPerSecond && report.followsHand) m_movement = report;
-    // The picture that follows when the hand rests is always told.
-    if (report.followsHand && !report.converged && !m_pace.due()) return;
-    m_parts.status.setRenderer(
-        m_parts.picture.rendererName(), report.castMilliseconds + report.drawMilliseconds,
-        pictureToolTip(report, m_movement) + QLatin1Char('\n') + m_parts.picture.rendererRemark());
+    m_newest = report;
+    report.followsHand && !report.converged ? m_cost.tell() : m_cost.tellNow();
     takeRenderer();
+}
+
+void PictureControls::showCost() {
+    m_parts.status.setRenderer(
+        m_parts.picture.rendererName(), m_newest.castMilliseconds + m_newest.drawMilliseconds,
+        pictureToolTip(m_newest, m_movement) + QLatin1Char('\n') + m_parts.picture.rendererRemark());
 }
 
 void PictureControls::restore() {

@@ -6,7 +6,7 @@
 
 #include "app/document/document_view.h"
 #include "app/window/settings.h"
-#include "widgets/pace.h"
+#include "widgets/paced_words.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -53,10 +53,12 @@ private:
     void showDocument();
     void takeRenderer();
     void tellPicture(const PictureReport& report);
+    void showCost();
     [[nodiscard]] int view() const { return m_parts.view.view(); }
 
     Parts m_parts;
-    Pace m_pace;                              ///< of what is told of pictures that follow the hand
+    PictureReport m_newest;  ///< of the picture on the screen
+    PacedWords m_cost{[this] { showCost(); }};
     std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
 };
 

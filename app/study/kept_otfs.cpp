@@ -21,12 +21,16 @@ std::size_t bytesOf(const AdaptiveOtf& otf) {
 void KeptOtfs::keep(const OtfQuestion& question, std::shared_ptr<const AdaptiveOtf> otf) {
     if (find(question)) return;
     const std::size_t bytes = bytesOf(*otf);
+    if (m_bytes + bytes > byteLimit) {
+        std::erase_if(m_answers, [&](const Answer& answer) {
+            return answer.volume.expired() || answer.voxels.expired() || !(answer.config == question.config);
+        });
+        m_bytes = 0;
+        for (const Answer& answer : m_answers) m_bytes += answer.bytes;
+    }
+    if (m_bytes + bytes > byteLimit) return;
     m_answers.push_back({question.volume, question.voxels, question.view, question.config, std::move(otf), bytes});
     m_bytes += bytes;
-    while (m_bytes > byteLimit) {
-        m_bytes -= m_answers.front().bytes;
-        m_answers.erase(m_answers.begin());
-    }
 }
 
 std::shared_ptr<const AdaptiveOtf> KeptOtfs::find(const OtfQuestion& question) const {

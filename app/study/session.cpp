@@ -156,6 +156,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         return;
     }
     m_asked = asked;
+    m_searching = false;
     if (auto kept = m_kept.find(asked)) {
         m_otfThread.cancel();
         // Delivered as one that was computed would be: after the request has returned, and not where another was made.
@@ -183,7 +184,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
                 emit otfFailed(tr("The adaptive OTF needs more memory than this machine has."));
             };
         }
-        if (!result) return {};
+        if (!result) return [this] { m_asked.reset(); };  // never of a run that was cancelled
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
         return [this, asked, shared] {
             m_kept.keep(asked, shared);
@@ -201,6 +202,7 @@ void Session::takeOtf(const OtfQuestion& asked, std::shared_ptr<const AdaptiveOt
 }
 
 void Session::cancelComputing() {
+    m_searching = false;
     m_asked.reset();
     m_waiting.reset();
     m_otfThread.cancel();
@@ -211,6 +213,7 @@ void Session::requestNearCut(const Viewpoint& view) {
     m_asked.reset();
     m_waiting.reset();  // whoever asks for the near cut asks for the OTF afterwards
     m_opening = false;
+    m_searching = true;
     m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume,
                         view](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<NearCutFinding> result;

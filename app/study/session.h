@@ -81,7 +81,7 @@ public:
     /// Looks for the near cut of the volume shown along a view, in the same thread: takes the place of an OTF that is
     /// being computed, and a newer request takes its place.
     void requestNearCut(const Viewpoint& view);
-    [[nodiscard]] bool lookingForNearCut() const { return m_otfThread.busy() && !m_asked; }
+    [[nodiscard]] bool lookingForNearCut() const { return m_searching && m_otfThread.busy(); }
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
     void cancelComputing();
 
@@ -138,6 +138,7 @@ private:
     std::optional<OtfQuestion> m_asked;    ///< of the volume shown; none where no OTF is under way
     std::optional<OtfQuestion> m_waiting;  ///< for the quiet voxels of the study that was opened just now
     bool m_opening = false;                ///< no OTF of the study was computed yet
+    bool m_searching = false;              ///< the newest request is one for the near cut
     KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;

@@ -22,7 +22,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.editor.setPlaying(playing);
         if (playing) return;
-        showNumbers();
+        m_numbers.tellNow();
         showRemark();
         takeQuietVoxels();  // those that were made while it played
     });
@@ -118,15 +118,15 @@ void ShownStudy::takeOtf() {
     const SampledCurve curve = m_parts.motion.curveToShow(otf);
     m_parts.view.setAdaptiveCurve(curve);
     m_parts.editor.setAdaptiveCurve(curve);
-    if (!m_parts.player.isPlaying() || m_pace.due()) showNumbers();
+    m_parts.player.isPlaying() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
     m_parts.view.showVolume(m_parts.session.voxelsOfOtf(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
 }
 
 void ShownStudy::showNumbers() {
-    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.session.otf();
-    if (!otf) return;
+    const AdaptiveOtf* otf = m_parts.motion.otf();
+    if (otf == nullptr) return;
     m_parts.method.showResult(*otf);
     m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
 }

@@ -4,9 +4,9 @@
 #include <QObject>
 
 #include "app/motion/motion_frames.h"
+#include "widgets/paced_words.h"
 
 class QMainWindow;
-#include "widgets/pace.h"
 
 namespace echolucent {
 
@@ -54,8 +54,8 @@ private:
     void showNearCutRange();
 
     Parts m_parts;
-    const Study* m_study = nullptr;  ///< told apart by address only
-    Pace m_pace;                     ///< of the OTF's numbers while a motion plays
+    const Study* m_study = nullptr;                   ///< told apart by address only
+    PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF
 };
 
 }  // namespace echolucent

@@ -21,9 +21,7 @@ StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings
 
 void StudyOpening::open(const QString& path, const ReadOptions& options) {
     if (path.isEmpty()) return;
-    const QFileInfo info(path);
-    m_settings.setLastFolder(info.absolutePath());
-    m_session.open(info.absoluteFilePath(), options);
+    m_session.open(QFileInfo(path).absoluteFilePath(), options);
 }
 
 void StudyOpening::chooseFile() {
@@ -57,6 +55,7 @@ void StudyOpening::openRaw(const QString& path) {
 }
 
 void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
+    m_settings.setLastFolder(QFileInfo(path).absolutePath());
     QList<MessageAction> actions;
     if (failure.framesCouldBeSlices)
         actions << MessageAction{tr("Take the frames as slices"), [this, path] {

@@ -30,8 +30,8 @@ class MainWindow : public QMainWindow {
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// `settingsFile` is handed to Settings; tests give one of their own. `session` may be loading a study already,
-    /// which goes on while the window is made; must not be null.
+    /// `settingsFile` is handed to Settings; tests give one of their own. `session` may be reading a study already,
+    /// which goes on while the window is made; it has opened none yet, and must not be null.
     explicit MainWindow(const QString& settingsFile = {},
                         std::unique_ptr<Session> session = std::make_unique<Session>());
     ~MainWindow() override;

@@ -8,8 +8,9 @@ class MainWindow;
 /// Milliseconds since this process was started by the system (10 ms resolution).
 [[nodiscard]] double millisecondsSinceProcessStart();
 
-/// Prints one line each for the window, the volume, the OTF, the first (coarse) and the fine picture with the
-/// milliseconds since the process started; quits after the fine picture. For `echolucent FILE --first-picture`.
+/// Prints one line each for the window, the volume, the OTF, the first (coarse) picture, every picture by its quality,
+/// and the converged one, with the milliseconds since the process started; quits after the last. For `echolucent FILE
+/// --first-picture`.
 void printStartTimes(MainWindow& window);
 
 }  // namespace echolucent

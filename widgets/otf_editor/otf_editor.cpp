@@ -232,7 +232,7 @@ void OtfEditor::connectModel() {
 
 void OtfEditor::setAdaptiveCurve(const SampledCurve& curve) {
     m_model.setAdaptiveCurve(curve);
-    showAdaptiveFacts();
+    m_playing ? m_adaptiveFacts.tell() : m_adaptiveFacts.tellNow();
 }
 
 void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
@@ -286,11 +286,10 @@ void OtfEditor::showState() {
 
 void OtfEditor::setPlaying(bool playing) {
     m_playing = playing;
-    if (!playing) showAdaptiveFacts();
+    m_adaptiveFacts.tellNow();
 }
 
 void OtfEditor::showAdaptiveFacts() {
-    if (m_playing && !m_pace.due()) return;
     const bool computed = !state().adaptive.opacities.empty();
     m_adaptiveNote->setText(computed ? adaptiveFacts() : tr("No adaptive curve yet: it is computed from the volume."));
 }

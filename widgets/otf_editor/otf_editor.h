@@ -8,11 +8,11 @@
 
 #include "processing/volume/histogram.h"
 #include "widgets/otf_editor/otf_editor_model.h"
+#include "widgets/paced_words.h"
 
 class QLabel;
 class QMenu;
 class QStackedWidget;
-#include "widgets/pace.h"
 
 namespace echolucent {
 
@@ -112,7 +112,7 @@ private:
     std::optional<CurveNode> m_hovered;
     int m_hoveredNode = -1;
     bool m_playing = false;
-    Pace m_pace;
+    PacedWords m_adaptiveFacts{[this] { showAdaptiveFacts(); }};
     std::optional<double> m_cursorIntensity;
     double m_whiteLevel = 255.0;
 };

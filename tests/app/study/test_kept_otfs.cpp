@@ -13,6 +13,9 @@ std::shared_ptr<const Volume> someVolume() {
     return std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(8, 1)));
 }
 
+/// Cells of which two answers fit, but not three.
+constexpr std::size_t third = KeptOtfs::byteLimit / sizeof(float) / 3;
+
 OtfQuestion question(double azimuth = 0) {
     return {.volume = someVolume(), .voxels = someVolume(), .view = {.azimuthDegrees = azimuth}, .config = {}};
 }
@@ -69,20 +72,32 @@ private slots:
         QCOMPARE(kept.find(asked), nullptr);
     }
 
-    void theOldestGoWhereTheyTakeTooMuch() {
+    void whatWasKeptFirstStaysWhereALoopIsTooLong() {
         KeptOtfs kept;
-        const std::size_t third = KeptOtfs::byteLimit / sizeof(float) / 3;
         const OtfQuestion first = question(1), second = question(2), last = question(3);
-        kept.keep(first, answerOf(third));
-        kept.keep(second, answerOf(third));
-        kept.keep(last, answerOf(third));
-        QCOMPARE(kept.find(first), nullptr);
-        QVERIFY(kept.find(second) && kept.find(last));
-        kept.keep(second, answerOf(third));  // once is enough
+        for (const OtfQuestion& asked : {first, second, last}) kept.keep(asked, answerOf(third));
+        QVERIFY(kept.find(first) && kept.find(second));
+        QCOMPARE(kept.find(last), nullptr);
+        kept.keep(second, answerOf(1));  // once is enough
         QCOMPARE(kept.count(), std::size_t(2));
         kept.clear();
-        QCOMPARE(kept.count(), std::size_t(0));
-        QCOMPARE(kept.find(last), nullptr);
+        QCOMPARE(kept.find(first), nullptr);
+        kept.keep(last, answerOf(third));
+        QVERIFY(kept.find(last));
+    }
+
+    void whatIsOfNoUseMakesRoom() {
+        KeptOtfs kept;
+        OtfQuestion otherMethod = question(1), gone = question(2);
+        otherMethod.config.grid.rows += 1;
+        kept.keep(otherMethod, answerOf(third));
+        kept.keep(gone, answerOf(third));
+        gone.volume.reset();
+        const OtfQuestion next = question(3), last = question(4);
+        kept.keep(next, answerOf(third));
+        kept.keep(last, answerOf(third));
+        QVERIFY(kept.find(next) && kept.find(last));
+        QCOMPARE(kept.count(), std::size_t(2));
     }
 };
 
