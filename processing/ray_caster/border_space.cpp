@@ -13,8 +13,7 @@ BorderSpace::BorderSpace(const FilledVolume& volume) {
     if (!volume.presence) return;
     m_distances.assign(static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]), farthest);
     findBorders(*volume.presence);
-    sweep(true);
-    sweep(false);
+    findDistances();
 }
 
 void BorderSpace::findBorders(const Volume& presence) {
@@ -43,26 +42,36 @@ void BorderSpace::findBorders(const Volume& presence) {
     });
 }
 
-/// One of the two sweeps after which distances over faces, edges and corners are exact.
-void BorderSpace::sweep(bool forwards) {
-    const auto at = [&](std::int64_t axis, std::int64_t i) {
-        return forwards ? i : m_size[static_cast<std::size_t>(axis)] - 1 - i;
+/// Distances over faces, edges and corners are exact after two sweeps, there and back. A frame of far bricks around the
+/// grid spares both the question where it ends.
+void BorderSpace::findDistances() {
+    const std::int64_t row = m_size[0] + 2, slice = row * (m_size[1] + 2);
+    std::vector<std::uint8_t> framed(static_cast<std::size_t>(slice * (m_size[2] + 2)), farthest);
+    const auto rowAt = [&](std::int64_t y, std::int64_t z) {
+        return framed.data() + 1 + row * (y + 1) + slice * (z + 1);
     };
-    const auto offset = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-        return static_cast<std::size_t>(at(0, x) + m_size[0] * (at(1, y) + m_size[1] * at(2, z)));
+    const auto forEachRow = [&](const auto& visit) {
+        for (std::int64_t z = 0; z < m_size[2]; ++z)
+            for (std::int64_t y = 0; y < m_size[1]; ++y)
+                visit(rowAt(y, z), m_distances.data() + m_size[0] * (y + m_size[1] * z));
+    };
+    forEachRow([&](std::uint8_t* to, const std::uint8_t* from) { std::copy_n(from, m_size[0], to); });
+    // The thirteen neighbours that a sweep has passed; on the way back they lie on the other side.
+    std::array<std::int64_t, 13> passed{};
+    for (std::int64_t i = 0; i < 13; ++i)
+        passed[static_cast<std::size_t>(i)] = i % 3 - 1 + row * (i / 3 % 3 - 1) + slice * (i / 9 - 1);
+    const auto relax = [&](std::uint8_t* brick, std::int64_t side) {
+        int nearest = *brick;
+        for (const std::int64_t offset : passed) nearest = std::min(nearest, brick[side * offset] + 1);
+        *brick = static_cast<std::uint8_t>(nearest);
     };
     for (std::int64_t z = 0; z < m_size[2]; ++z)
         for (std::int64_t y = 0; y < m_size[1]; ++y)
-            for (std::int64_t x = 0; x < m_size[0]; ++x) {
-                int nearest = m_distances[offset(x, y, z)];
-                // The thirteen neighbours that this sweep has passed.
-                for (int passed = 0; passed < 13; ++passed) {
-                    const std::int64_t i = x + passed % 3 - 1, j = y + passed / 3 % 3 - 1, k = z + passed / 9 - 1;
-                    if (i < 0 || j < 0 || k < 0 || i >= m_size[0] || j >= m_size[1]) continue;
-                    nearest = std::min(nearest, m_distances[offset(i, j, k)] + 1);
-                }
-                m_distances[offset(x, y, z)] = static_cast<std::uint8_t>(nearest);
-            }
+            for (std::int64_t x = 0; x < m_size[0]; ++x) relax(rowAt(y, z) + x, 1);
+    for (std::int64_t z = m_size[2] - 1; z >= 0; --z)
+        for (std::int64_t y = m_size[1] - 1; y >= 0; --y)
+            for (std::int64_t x = m_size[0] - 1; x >= 0; --x) relax(rowAt(y, z) + x, -1);
+    forEachRow([&](const std::uint8_t* from, std::uint8_t* to) { std::copy_n(from, m_size[0], to); });
 }
 
 }  // namespace echolucent::ray_casting

@@ -26,7 +26,7 @@ public:
 
 private:
     void findBorders(const Volume& presence);
-    void sweep(bool forwards);
+    void findDistances();
 
     std::array<std::int64_t, 3> m_size{};
     std::vector<std::uint8_t> m_distances;

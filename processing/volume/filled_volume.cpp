@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
 #include "processing/parallel.h"
+#include "processing/volume/bit_grid.h"
 
 namespace echolucent {
 
@@ -54,64 +56,96 @@ struct RowsAround {
     }
 };
 
-/// The mean of the known voxels among the 27 around place x of a row; there is at least one.
-template <typename Voxel>
-Voxel meanAround(const std::vector<Voxel>& voxels, const Bytes& known, const RowsAround& rows, std::int64_t x) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::int64_t behind = -1; behind <= 1; ++behind)
-        for (std::int64_t downwards = -1; downwards <= 1; ++downwards)
-            for (std::int64_t i = std::max<std::int64_t>(x - 1, 0); i <= std::min(x + 1, rows.geometry.size[0] - 1);
-                 ++i) {
-                const auto at = static_cast<std::size_t>(rows.offset(downwards, behind) + i);
-                if (known[at] == 0) continue;
-                sum += static_cast<double>(voxels[at]);
-                ++count;
-            }
-    const double mean = sum / count;
-    if constexpr (std::is_same_v<Voxel, float>) return static_cast<float>(mean);
-    return static_cast<Voxel>(std::lround(mean));
+/// The same as bits: a pass over them is short, and most voxels lie far from the border.
+BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
+    BitGrid bits(geometry.size);
+    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+        const std::uint8_t* from = data.data() + geometry.offset(0, y, z);
+        std::uint64_t* to = bits.row(y, z);
+        std::int64_t x = 0;
+        for (; x + 8 <= geometry.size[0]; x += 8) {
+            std::uint64_t eight = 0;
+            std::memcpy(&eight, from + x, sizeof(eight));
+            // The product gathers the lowest bit of each byte in the uppermost byte, the first one lowest.
+            to[x / 64] |= (eight * 0x0102040810204080 >> 56) << (x % 64);
+        }
+        for (; x < geometry.size[0]; ++x) to[x / 64] |= std::uint64_t{from[x]} << (x % 64);
+    });
+    return bits;
 }
 
-/// Which voxels of a row are not known and have a known one among the 27 around them, one byte each, and eight zeros.
-Bytes unknownBesideKnown(const Bytes& known, const RowsAround& rows) {
-    const auto columns = static_cast<std::size_t>(rows.geometry.size[0]);
-    // One more on either side, so that the ends have neighbours.
-    Bytes any(columns + 2), fillable(columns + 8);
-    std::uint8_t* beside = any.data() + 1;
-    for (std::int64_t behind = -1; behind <= 1; ++behind)
-        for (std::int64_t downwards = -1; downwards <= 1; ++downwards) {
-            const std::uint8_t* row = known.data() + rows.offset(downwards, behind);
-            for (std::size_t x = 0; x < columns; ++x) beside[x] |= row[x];
+/// The nine rows around a row, itself among them, as voxels and as bits of which are known.
+template <typename Voxel>
+struct NineRows {
+    std::array<const Voxel*, 9> voxels{};
+    std::array<const std::uint64_t*, 9> known{};
+    std::int64_t columns, words;
+
+    NineRows(const VolumeGeometry& geometry, const std::vector<Voxel>& from, const BitGrid& bits, std::int64_t y,
+             std::int64_t z)
+        : columns(geometry.size[0]), words(bits.words()) {
+        std::size_t row = 0;
+        for (std::int64_t behind = -1; behind <= 1; ++behind)
+            for (std::int64_t downwards = -1; downwards <= 1; ++downwards) {
+                const std::int64_t atY = std::clamp<std::int64_t>(y + downwards, 0, geometry.size[1] - 1),
+                                   atZ = std::clamp<std::int64_t>(z + behind, 0, geometry.size[2] - 1);
+                voxels[row] = from.data() + geometry.offset(0, atY, atZ);
+                known[row++] = bits.row(atY, atZ);
+            }
+    }
+
+    /// A voxel of the middle row that is not known is visited where one of the 26 around it is.
+    template <typename Visit>
+    void forEachBesideKnown(const Visit& visit) const {
+        const std::uint64_t* own = known[4];
+        const auto any = [&](std::int64_t word) {
+            std::uint64_t bits = 0;
+            for (const std::uint64_t* row : known) bits |= row[word];
+            return bits;
+        };
+        std::uint64_t before = 0, here = any(0);
+        for (std::int64_t word = 0; word < words; ++word) {
+            const std::uint64_t after = word + 1 < words ? any(word + 1) : 0;
+            std::uint64_t beside = (here | here << 1 | here >> 1 | before >> 63 | after << 63) & ~own[word];
+            for (; beside != 0; beside &= beside - 1) {
+                const std::int64_t x = word * 64 + std::countr_zero(beside);
+                if (x < columns) visit(x);
+            }
+            before = here;
+            here = after;
         }
-    const std::uint8_t *around = any.data(), *own = known.data() + rows.offset(0, 0);
-    for (std::size_t x = 0; x < columns; ++x)
-        fillable[x] = static_cast<std::uint8_t>((around[x] | around[x + 1] | around[x + 2]) & (own[x] ^ 1));
-    return fillable;
-}
+    }
+
+    /// The mean of the known voxels among the 27 around place x; there is at least one.
+    [[nodiscard]] Voxel meanAround(std::int64_t x) const {
+        double sum = 0.0;
+        int count = 0;
+        const std::int64_t first = std::max<std::int64_t>(x - 1, 0), last = std::min(x + 1, columns - 1);
+        for (std::size_t row = 0; row < voxels.size(); ++row)
+            for (std::int64_t i = first; i <= last; ++i) {
+                if ((known[row][i / 64] >> (i % 64) & 1) == 0) continue;
+                sum += static_cast<double>(voxels[row][i]);
+                ++count;
+            }
+        const double mean = sum / count;
+        if constexpr (std::is_same_v<Voxel, float>) return static_cast<float>(mean);
+        return static_cast<Voxel>(std::lround(mean));
+    }
+};
 
 /// One layer more of voxels holds a value.
 template <typename Voxel>
-void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, Bytes& known) {
-    const std::int64_t columns = geometry.size[0];
-    Bytes grown = known;
+void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGrid& known, Bytes& mask) {
+    BitGrid grown = known;
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
-        const RowsAround rows{geometry, y, z};
-        const std::int64_t first = rows.offset(0, 0);
-        const Bytes fillable = unknownBesideKnown(known, rows);
-        // Most voxels lie far from the border: eight at once are passed.
-        for (std::int64_t x = 0; x < columns; ++x) {
-            std::uint64_t eight = 0;
-            std::memcpy(&eight, fillable.data() + x, sizeof(eight));
-            if (eight == 0) {
-                x += 7;
-                continue;
-            }
-            if (fillable[static_cast<std::size_t>(x)] == 0) continue;
-            const auto at = static_cast<std::size_t>(first + x);
-            voxels[at] = meanAround(voxels, known, rows, x);
-            grown[at] = 1;
-        }
+        const NineRows<Voxel> rows(geometry, voxels, known, y, z);
+        const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
+        rows.forEachBesideKnown([&](std::int64_t x) {
+            const std::size_t at = first + static_cast<std::size_t>(x);
+            voxels[at] = rows.meanAround(x);
+            mask[at] = 1;
+            grown.set(x, y, z);
+        });
     });
     known = std::move(grown);
 }
@@ -172,19 +206,20 @@ Bytes presenceOf(const VolumeGeometry& geometry, const Bytes& data) {
 
 template <typename Voxel>
 FilledVolume filled(const Volume& volume, const std::vector<Voxel>& given) {
-    Bytes known = dataOf(volume, given);
-    if (known.empty()) return {volume, std::nullopt};
+    Bytes mask = dataOf(volume, given);
+    if (mask.empty()) return {volume, std::nullopt};
     const VolumeGeometry& geometry = volume.geometry();
-    Volume presence(geometry, presenceOf(geometry, known), 255.0);
+    Volume presence(geometry, presenceOf(geometry, mask), 255.0);
     std::vector<Voxel> voxels = given;
-    for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known);
+    BitGrid known = bitsOf(geometry, mask);
+    for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known, mask);
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
         const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
         for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
-            if (known[i] == 0) voxels[i] = Voxel{};
+            if (mask[i] == 0) voxels[i] = Voxel{};
     });
     const Volume all(geometry, std::move(voxels), volume.whiteLevel());
-    return {all.withDataMask(std::move(known)), std::move(presence)};
+    return {all.withDataMask(std::move(mask)), std::move(presence)};
 }
 
 }  // namespace
