@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <opencv2/imgproc.hpp>
-#include <optional>
+#include <vector>
 
 #include "processing/ray_caster.h"
 
@@ -12,12 +14,20 @@ namespace echolucent::bench {
 
 namespace {
 
-constexpr std::array reductions{1.0, 1.25, 1.5, 2.0};
+constexpr std::array reductions{1.0, 1.1, 1.25, 1.4, 1.5, 1.75, 2.0, 2.5};
 constexpr std::array steps{0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
 /// How many samples a picture has, in shares of those of one with all rays at step 1.
 double samplesOf(const RayCoarseness& coarseness) {
     return 1.0 / (coarseness.reduction * coarseness.reduction * coarseness.step);
+}
+
+/// Red, green, blue of each pixel.
+std::vector<float> coloursOf(const cv::Mat& pixels) {
+    cv::Mat colours;
+    cv::cvtColor(pixels, colours, cv::COLOR_BGRA2BGR);
+    const auto* first = colours.ptr<float>();
+    return {first, first + colours.total() * 3};
 }
 
 }  // namespace
@@ -32,29 +42,29 @@ RayCastSettings coarsened(const RayCastSettings& settings, const RayCoarseness& 
 
 RayCoarseness coarsestWithin(double rmse, const Volume& volume, const OpacityCurve& curve,
                              const RayCastSettings& settings, const ReferencePicture& reference) {
-    std::optional<RayCoarseness> cheapest;
-    RayCoarseness nearest;
-    nearest.rmse = -1.0;
+    std::vector<RayCoarseness> candidates;
     for (const double reduction : reductions)
-        for (const double step : steps) {
-            RayCoarseness coarseness{reduction, step};
-            const Picture picture = *castRays(volume, curve, coarsened(settings, coarseness));
-            coarseness.rmse = errorOf(screenOf(picture, settings.width), reference, settings).rmse;
-            if (nearest.rmse < 0.0 || coarseness.rmse < nearest.rmse) nearest = coarseness;
-            const bool cheaper = !cheapest || samplesOf(coarseness) < samplesOf(*cheapest);
-            if (coarseness.rmse <= rmse && cheaper) cheapest = coarseness;
-        }
-    return cheapest.value_or(nearest);
+        for (const double step : steps) candidates.push_back({reduction, step});
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const RayCoarseness& a, const RayCoarseness& b) { return samplesOf(a) < samplesOf(b); });
+    RayCaster caster(std::make_shared<const Volume>(volume));
+    RayCoarseness nearest;
+    nearest.rmse = std::numeric_limits<double>::infinity();
+    for (RayCoarseness coarseness : candidates) {
+        const Picture picture = *caster.cast(curve, coarsened(settings, coarseness));
+        coarseness.rmse = errorOf(coloursOf(onScreen(picture, settings.width)), reference, settings).rmse;
+        if (coarseness.rmse < nearest.rmse) nearest = coarseness;
+        if (coarseness.rmse <= rmse) break;
+    }
+    return nearest;
 }
 
-std::vector<float> screenOf(const Picture& picture, int size) {
-    if (picture.width == size) return rgbOf(picture);
+cv::Mat onScreen(const Picture& picture, int size) {
     const cv::Mat small(picture.height, picture.width, CV_32FC4, const_cast<float*>(picture.rgba.data()));
-    cv::Mat large, colours;
+    if (picture.width == size) return small;
+    cv::Mat large;
     cv::resize(small, large, {size, size}, 0, 0, cv::INTER_LINEAR);
-    cv::cvtColor(large, colours, cv::COLOR_BGRA2BGR);
-    const auto* first = colours.ptr<float>();
-    return {first, first + colours.total() * 3};
+    return large;
 }
 
 }  // namespace echolucent::bench

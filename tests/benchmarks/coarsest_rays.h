@@ -1,6 +1,8 @@
 // How coarse our rays may be before our picture is farther from the reference than VTK's.
 #pragma once
 
+#include <opencv2/core/mat.hpp>
+
 #include "processing/picture/picture.h"
 #include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/plain_reference.h"
@@ -22,8 +24,8 @@ struct RayCoarseness {
 [[nodiscard]] RayCoarseness coarsestWithin(double rmse, const Volume& volume, const OpacityCurve& curve,
                                            const RayCastSettings& settings, const ReferencePicture& reference);
 
-/// Red, green, blue of the picture on size x size pixels, linear between pixel centres, by OpenCV: what a picture of
-/// fewer rays takes more than one of all of them.
-[[nodiscard]] std::vector<float> screenOf(const Picture& picture, int size);
+/// The picture's four floats a pixel on size x size pixels, linear between pixel centres, by OpenCV: what a picture of
+/// fewer rays takes more than one of all of them. That one's own pixels are given as they are.
+[[nodiscard]] cv::Mat onScreen(const Picture& picture, int size);
 
 }  // namespace echolucent::bench

@@ -17,7 +17,10 @@ Cost castCost(RayCaster& caster, const OpacityCurve& curve, const RayCastSetting
 
 Cost coarseCost(RayCaster& caster, const OpacityCurve& curve, const RayCastSettings& settings,
                 const RayCoarseness& coarseness) {
-    return costOf([&] { (void)screenOf(*caster.cast(curve, coarsened(settings, coarseness)), settings.width); });
+    return costOf([&] {
+        const auto picture = caster.cast(curve, coarsened(settings, coarseness));
+        (void)onScreen(*picture, settings.width);
+    });
 }
 
 }  // namespace
