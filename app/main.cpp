@@ -28,8 +28,9 @@ int main(int count, char** arguments) {
     parser.addPositionalArgument(QStringLiteral("FILE"),
                                  QStringLiteral("A volume, or a folder of DICOM slices; none: a simulated scan."),
                                  QStringLiteral("[FILE]"));
-    QCommandLineOption firstPicture(QStringLiteral("first-picture"),
-                                    QStringLiteral("Print the milliseconds to the first picture, then quit."));
+    QCommandLineOption firstPicture(
+        QStringLiteral("first-picture"),
+        QStringLiteral("Print the milliseconds to each picture up to the converged one, then quit."));
     firstPicture.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(firstPicture);
     parser.process(application);

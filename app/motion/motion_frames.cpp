@@ -161,6 +161,7 @@ void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     const CourseKey key{start, document.motion.axis, config, rows, fixed};
     if (m_courseKey == key) return;
     m_courseKey = key;
+    m_parts.session.forgetKeptOtfs();
     m_parts.course.begin(rows, frame.phases);
 }
 

@@ -18,32 +18,30 @@ std::size_t bytesOf(const AdaptiveOtf& otf) {
 
 }  // namespace
 
-void KeptOtfs::keep(const OtfQuestion& question, std::shared_ptr<const AdaptiveOtf> otf) {
-    if (find(question)) return;
+void KeptOtfs::keep(const OtfRequest& request, std::shared_ptr<const AdaptiveOtf> otf) {
+    if (find(request)) return;
     const std::size_t bytes = bytesOf(*otf);
     if (m_bytes + bytes > byteLimit) {
-        std::erase_if(m_answers, [&](const Answer& answer) {
-            return answer.volume.expired() || answer.voxels.expired() || !(answer.config == question.config);
-        });
+        std::erase_if(m_kept, [&](const Kept& kept) { return kept.volume.expired() || kept.voxels.expired(); });
         m_bytes = 0;
-        for (const Answer& answer : m_answers) m_bytes += answer.bytes;
+        for (const Kept& kept : m_kept) m_bytes += kept.bytes;
     }
     if (m_bytes + bytes > byteLimit) return;
-    m_answers.push_back({question.volume, question.voxels, question.view, question.config, std::move(otf), bytes});
+    m_kept.push_back({request.volume, request.voxels, request.view, request.config, std::move(otf), bytes});
     m_bytes += bytes;
 }
 
-std::shared_ptr<const AdaptiveOtf> KeptOtfs::find(const OtfQuestion& question) const {
-    if (!question.volume || !question.voxels) return nullptr;  // else they would equal voxels that are gone
-    const auto found = std::find_if(m_answers.begin(), m_answers.end(), [&](const Answer& answer) {
-        return answer.volume.lock() == question.volume && answer.voxels.lock() == question.voxels &&
-               answer.view == question.view && answer.config == question.config;
+std::shared_ptr<const AdaptiveOtf> KeptOtfs::find(const OtfRequest& request) const {
+    if (!request.volume || !request.voxels) return nullptr;  // else they would equal voxels that are gone
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& kept) {
+        return kept.volume.lock() == request.volume && kept.voxels.lock() == request.voxels &&
+               kept.view == request.view && kept.config == request.config;
     });
-    return found == m_answers.end() ? nullptr : found->otf;
+    return found == m_kept.end() ? nullptr : found->otf;
 }
 
 void KeptOtfs::clear() {
-    m_answers.clear();
+    m_kept.clear();
     m_bytes = 0;
 }
 

@@ -149,7 +149,7 @@ void Session::requestWaitingOtf() {
 }
 
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    const OtfQuestion asked{m_volume, newestVoxels(), view, config};
+    const OtfRequest asked{m_volume, newestVoxels(), view, config};
     if (!m_volume || m_asked == asked) return;
     if (m_opening && !m_quiet.of(m_phase) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
         m_waiting = asked;
@@ -163,8 +163,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         QMetaObject::invokeMethod(
             this,
             [this, asked, otf = std::move(kept)] {
-                if (m_asked != asked) return;
-                takeOtf(asked, otf);
+                if (m_asked == asked) takeOtf(asked, otf);
                 emit computingOtfChanged(computingOtf());
             },
             Qt::QueuedConnection);
@@ -193,7 +192,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
     });
 }
 
-void Session::takeOtf(const OtfQuestion& asked, std::shared_ptr<const AdaptiveOtf> otf) {
+void Session::takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf) {
     m_asked.reset();
     m_opening = false;
     m_otf = std::move(otf);

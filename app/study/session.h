@@ -82,6 +82,8 @@ public:
     /// being computed, and a newer request takes its place.
     void requestNearCut(const Viewpoint& view);
     [[nodiscard]] bool lookingForNearCut() const { return m_searching && m_otfThread.busy(); }
+    /// Forgets the OTFs computed before: those of another loop of a motion are of no more use.
+    void forgetKeptOtfs() { m_kept.clear(); }
     /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
     void cancelComputing();
 
@@ -123,7 +125,7 @@ private:
     void show(int phase);
     void takeQuietVoxels(int phase);
     void requestWaitingOtf();
-    void takeOtf(const OtfQuestion& asked, std::shared_ptr<const AdaptiveOtf> otf);
+    void takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf);
 
     Pipeline m_pipeline;
     NearCutSearch m_nearCutSearch;
@@ -135,10 +137,10 @@ private:
     int m_phase = 0;
     std::shared_ptr<const AdaptiveOtf> m_otf;
     std::shared_ptr<const Volume> m_voxelsOfOtf;
-    std::optional<OtfQuestion> m_asked;    ///< of the volume shown; none where no OTF is under way
-    std::optional<OtfQuestion> m_waiting;  ///< for the quiet voxels of the study that was opened just now
-    bool m_opening = false;                ///< no OTF of the study was computed yet
-    bool m_searching = false;              ///< the newest request is one for the near cut
+    std::optional<OtfRequest> m_asked;    ///< of the volume shown; none where no OTF is under way
+    std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
+    bool m_opening = false;               ///< no OTF of the study was computed yet
+    bool m_searching = false;             ///< the newest request is one for the near cut
     KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;

@@ -55,7 +55,7 @@ void StudyOpening::openRaw(const QString& path) {
 }
 
 void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
-    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    if (!path.isEmpty()) m_settings.setLastFolder(QFileInfo(path).absolutePath());
     QList<MessageAction> actions;
     if (failure.framesCouldBeSlices)
         actions << MessageAction{tr("Take the frames as slices"), [this, path] {

@@ -56,7 +56,7 @@ struct RowsAround {
     }
 };
 
-/// The same as bits: a pass over them is short, and most voxels lie far from the border.
+/// Bits of the bytes that dataOf() gives: a pass over them is short, and most voxels lie far from the border.
 BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
     BitGrid bits(geometry.size);
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
@@ -84,13 +84,13 @@ struct NineRows {
     NineRows(const VolumeGeometry& geometry, const std::vector<Voxel>& from, const BitGrid& bits, std::int64_t y,
              std::int64_t z)
         : columns(geometry.size[0]), words(bits.words()) {
+        const RowsAround around{geometry, y, z};
         std::size_t row = 0;
         for (std::int64_t behind = -1; behind <= 1; ++behind)
             for (std::int64_t downwards = -1; downwards <= 1; ++downwards) {
-                const std::int64_t atY = std::clamp<std::int64_t>(y + downwards, 0, geometry.size[1] - 1),
-                                   atZ = std::clamp<std::int64_t>(z + behind, 0, geometry.size[2] - 1);
-                voxels[row] = from.data() + geometry.offset(0, atY, atZ);
-                known[row++] = bits.row(atY, atZ);
+                const std::int64_t first = around.offset(downwards, behind);
+                voxels[row] = from.data() + first;
+                known[row++] = bits.row(first / columns % geometry.size[1], first / columns / geometry.size[1]);
             }
     }
 

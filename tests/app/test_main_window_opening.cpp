@@ -53,7 +53,7 @@ private slots:
         QVERIFY(window().volumeView().caption().contains("beam +z, assumed"));
     }
 
-    void aStudyIsReadWhileTheWindowIsMade() {
+    void aSessionThatReadsAlreadyIsShownWhenItHasRead() {
         auto session = std::make_unique<Session>();
         session->open(m_file);
         MainWindow early(settingsFile(), std::move(session));

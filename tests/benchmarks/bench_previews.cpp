@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
+#include <string_view>
 
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/render/study_render.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/document.h"
 #include "processing/document/opening_finds.h"
+#include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
 #include "processing/ray_caster.h"
 #include "widgets/volume_view/qualities.h"
@@ -33,12 +36,8 @@ struct Opened {
 
 Opened opened(const Volume& volume) {
     const Look look = lookAtStart();
-    Viewpoint view;
-    if (const auto finds = findOnOpening(volume, {}); finds && finds->beam.sure) {
-        view.beamAxis = finds->beam.axis;
-        if (finds->cut && finds->cut->sure && finds->cut->answer == NearCutAnswer::wallBeforeFluid)
-            view.nearCutMm = finds->cut->nearCutMm;
-    }
+    const Document document = withFinds({}, *findOnOpening(volume, {}));
+    Viewpoint view{.beamAxis = document.beam.axis, .nearCutMm = cutOf(document, document.views.front().id).nearCutMm};
     Opened made;
     made.quiet = std::make_shared<const Volume>(*quietVolume(volume, look.reduction));
     made.curve = adaptOpacity(volume, view, {}, {}, {made.quiet.get(), look.reduction})->curve;
@@ -78,12 +77,13 @@ void printRow(const std::string& name, const Volume& volume) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count < 2) {
-        fmt::print(stderr,
-                   "bench-previews FILE...: RMSE of each quality's picture from the converged one, both blurred by "
-                   "{} pixels, of {} x {} pixels; a row of a Markdown table for each file.\n",
-                   blurPixels, edge, edge);
-        return 2;
+    if (count == 2 && std::string_view(arguments[1]) == "--help") {
+        fmt::print(
+            "bench-previews [FILE...]: prints the RMSE of each quality's picture from the converged one, both blurred "
+            "by "
+            "{} pixels, of {} x {} pixels; a row of a Markdown table for each file.\n",
+            blurPixels, edge, edge);
+        return 0;
     }
     std::string head = "| volume |", line = "| --- |";
     for (std::size_t quality = highQuality; quality < qualities.size(); ++quality) {
@@ -93,6 +93,11 @@ int main(int count, char** arguments) {
         line += " --- |";
     }
     fmt::print("{}\n{}\n", head, line);
+    if (count == 1) {
+        PhantomConfig config = defaultPhantom(PhantomScene::fetus);
+        config.size = {64, 64, 64};
+        printRow("simulated fetus of 64 voxels", *makePhantom(config));
+    }
     for (int i = 1; i < count; ++i) {
         const auto study = readStudy(arguments[i]);
         if (!study) {

@@ -22,14 +22,6 @@ double samplesOf(const RayCoarseness& coarseness) {
     return 1.0 / (coarseness.reduction * coarseness.reduction * coarseness.step);
 }
 
-/// Red, green, blue of each pixel.
-std::vector<float> coloursOf(const cv::Mat& pixels) {
-    cv::Mat colours;
-    cv::cvtColor(pixels, colours, cv::COLOR_BGRA2BGR);
-    const auto* first = colours.ptr<float>();
-    return {first, first + colours.total() * 3};
-}
-
 }  // namespace
 
 RayCastSettings coarsened(const RayCastSettings& settings, const RayCoarseness& coarseness) {
@@ -52,7 +44,8 @@ RayCoarseness coarsestWithin(double rmse, const Volume& volume, const OpacityCur
     nearest.rmse = std::numeric_limits<double>::infinity();
     for (RayCoarseness coarseness : candidates) {
         const Picture picture = *caster.cast(curve, coarsened(settings, coarseness));
-        coarseness.rmse = errorOf(coloursOf(onScreen(picture, settings.width)), reference, settings).rmse;
+        const bool whole = picture.width == settings.width;
+        coarseness.rmse = errorOf(whole ? rgbOf(picture) : enlarged(picture, settings.width), reference, settings).rmse;
         if (coarseness.rmse < nearest.rmse) nearest = coarseness;
         if (coarseness.rmse <= rmse) break;
     }

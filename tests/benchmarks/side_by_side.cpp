@@ -45,14 +45,16 @@ SideBySide measureSideBySide(const Contenders& contenders, const OpacityCurve& c
     if (contenders.oursMasked) (void)contenders.oursMasked->cast(curve, turned(-1));
     std::vector<Cost> ours, coarse, reaching, masked, rays, setUp, frame;
     for (int i = 1; i <= repeats; ++i) {
-        const RayCastSettings settings = turned(i);
+        const RayCastSettings settings = turned(3 * i);
         ours.push_back(castCost(contenders.ours, curve, settings));
+        // Under the camera of the picture before, ours would keep samples as for an edit.
         if (settings.shading) {
-            RayCastSettings lit = settings;
+            RayCastSettings lit = turned(3 * i + 1);
             lit.shading->reaching = ReachingLight{};
             reaching.push_back(castCost(contenders.ours, curve, lit));
         }
-        if (contenders.coarse) coarse.push_back(coarseCost(contenders.ours, curve, settings, *contenders.coarse));
+        if (contenders.coarse)
+            coarse.push_back(coarseCost(contenders.ours, curve, turned(3 * i + 2), *contenders.coarse));
         const VtkFrameCost vtk = contenders.vtk.draw(settings);
         rays.push_back(vtk.rays);
         setUp.push_back(vtk.setUp);

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
     void setActive(CurveKind kind) { m_model.setActive(kind); }
     void setAdaptiveCurve(const SampledCurve& curve);
-    /// While a motion plays, the table of the adaptive curve's numbers follows at the pace of words.
+    /// While a motion plays, the table of the adaptive curve's numbers changes as seldom as PacedWords says.
     void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
     /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.

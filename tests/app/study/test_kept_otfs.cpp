@@ -13,14 +13,14 @@ std::shared_ptr<const Volume> someVolume() {
     return std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(8, 1)));
 }
 
-/// Cells of which two answers fit, but not three.
+/// Cells of which two OTFs fit, but not three.
 constexpr std::size_t third = KeptOtfs::byteLimit / sizeof(float) / 3;
 
-OtfQuestion question(double azimuth = 0) {
+OtfRequest request(double azimuth = 0) {
     return {.volume = someVolume(), .voxels = someVolume(), .view = {.azimuthDegrees = azimuth}, .config = {}};
 }
 
-std::shared_ptr<const AdaptiveOtf> answerOf(std::size_t cells) {
+std::shared_ptr<const AdaptiveOtf> otfOf(std::size_t cells) {
     AdaptiveOtf otf;
     otf.tubes.resize(1);
     otf.tubes[0].cellMeans.resize(cells);
@@ -33,19 +33,19 @@ class TestKeptOtfs : public QObject {
     Q_OBJECT
 
 private slots:
-    void theSameQuestionHasTheSameAnswer() {
+    void theSameRequestHasTheSameOtf() {
         KeptOtfs kept;
-        const OtfQuestion asked = question();
-        const auto answer = answerOf(10);
-        kept.keep(asked, answer);
-        QCOMPARE(kept.find(asked), answer);
+        const OtfRequest asked = request();
+        const auto otf = otfOf(10);
+        kept.keep(asked, otf);
+        QCOMPARE(kept.find(asked), otf);
     }
 
-    void anyOtherQuestionHasNone() {
+    void anyOtherRequestHasNone() {
         KeptOtfs kept;
-        const OtfQuestion asked = question();
-        kept.keep(asked, answerOf(10));
-        OtfQuestion other = asked;
+        const OtfRequest asked = request();
+        kept.keep(asked, otfOf(10));
+        OtfRequest other = asked;
         other.volume = someVolume();
         QCOMPARE(kept.find(other), nullptr);
         other = asked;
@@ -61,10 +61,10 @@ private slots:
 
     void noVoxelsAreKeptAlive() {
         KeptOtfs kept;
-        OtfQuestion asked = question();
+        OtfRequest asked = request();
         const std::weak_ptr<const Volume> volume = asked.volume, voxels = asked.voxels;
-        kept.keep(asked, answerOf(10));
-        asked = question();
+        kept.keep(asked, otfOf(10));
+        asked = request();
         QVERIFY(volume.expired() && voxels.expired());
         asked.volume.reset();
         asked.voxels.reset();
@@ -74,29 +74,27 @@ private slots:
 
     void whatWasKeptFirstStaysWhereALoopIsTooLong() {
         KeptOtfs kept;
-        const OtfQuestion first = question(1), second = question(2), last = question(3);
-        for (const OtfQuestion& asked : {first, second, last}) kept.keep(asked, answerOf(third));
+        const OtfRequest first = request(1), second = request(2), last = request(3);
+        for (const OtfRequest& asked : {first, second, last}) kept.keep(asked, otfOf(third));
         QVERIFY(kept.find(first) && kept.find(second));
         QCOMPARE(kept.find(last), nullptr);
-        kept.keep(second, answerOf(1));  // once is enough
+        kept.keep(second, otfOf(1));  // once is enough
         QCOMPARE(kept.count(), std::size_t(2));
         kept.clear();
         QCOMPARE(kept.find(first), nullptr);
-        kept.keep(last, answerOf(third));
+        kept.keep(last, otfOf(third));
         QVERIFY(kept.find(last));
     }
 
     void whatIsOfNoUseMakesRoom() {
         KeptOtfs kept;
-        OtfQuestion otherMethod = question(1), gone = question(2);
-        otherMethod.config.grid.rows += 1;
-        kept.keep(otherMethod, answerOf(third));
-        kept.keep(gone, answerOf(third));
+        OtfRequest gone = request(1);
+        const OtfRequest stays = request(2), next = request(3);
+        kept.keep(gone, otfOf(third));
+        kept.keep(stays, otfOf(third));
         gone.volume.reset();
-        const OtfQuestion next = question(3), last = question(4);
-        kept.keep(next, answerOf(third));
-        kept.keep(last, answerOf(third));
-        QVERIFY(kept.find(next) && kept.find(last));
+        kept.keep(next, otfOf(third));
+        QVERIFY(kept.find(stays) && kept.find(next));
         QCOMPARE(kept.count(), std::size_t(2));
     }
 };

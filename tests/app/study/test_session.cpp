@@ -51,10 +51,13 @@ public:
     }
     QThread* thread() const { return m_thread; }
     bool sawCancel() const { return m_sawCancel; }
-    int started() const { return m_started; }
+    int started() const {
+        const std::lock_guard lock(m_mutex);
+        return m_started;
+    }
 
 private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     int m_started = 0;
     int m_released = 0;

@@ -1,6 +1,7 @@
 // What pictures read where the data ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,54 @@ TEST(FilledVolume, VoxelsBesideDataHoldItAndThoseFarAwayNothing) {
         const std::int64_t at = cube().offset(x, 9, 21);
         EXPECT_EQ(filled.voxels.storedValue(at), x >= 16 - FilledVolume::fillReach ? 100.0 : 0.0) << x;
         EXPECT_EQ(filled.voxels.hasData(at), x >= 16 - FilledVolume::fillReach) << x;
+    }
+}
+
+/// One layer more, by its definition, of what `known` marks; a neighbour beyond a row or slice of the grid is the last
+/// one's.
+void growByDefinition(const VolumeGeometry& geometry, std::vector<std::uint8_t>& voxels,
+                      std::vector<std::uint8_t>& known) {
+    const std::vector<std::uint8_t> held = voxels, before = known;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                const auto at = static_cast<std::size_t>(geometry.offset(x, y, z));
+                double sum = 0.0;
+                int count = 0;
+                for (int i = 0; i < 27; ++i) {
+                    const std::int64_t column = x + i % 3 - 1;
+                    if (column < 0 || column >= geometry.size[0]) continue;
+                    const auto there = static_cast<std::size_t>(
+                        geometry.offset(column, std::clamp<std::int64_t>(y + i / 3 % 3 - 1, 0, geometry.size[1] - 1),
+                                        std::clamp<std::int64_t>(z + i / 9 - 1, 0, geometry.size[2] - 1)));
+                    sum += before[there] * held[there];
+                    count += before[there];
+                }
+                if (before[at] != 0 || count == 0) continue;
+                voxels[at] = static_cast<std::uint8_t>(std::lround(sum / count));
+                known[at] = 1;
+            }
+}
+
+TEST(FilledVolume, LayersGrowAsDefinedAcrossAnyColumn) {
+    VolumeGeometry geometry;
+    geometry.size = {131, 12, 11};  // rows of two whole words of 64 bits and three voxels more
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount())), mask(voxels.size(), 0);
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                const auto at = static_cast<std::size_t>(geometry.offset(x, y, z));
+                voxels[at] = static_cast<std::uint8_t>((37 * x + 11 * y + 5 * z) % 251);
+                // Borders lie on both sides of either word's end, and at the row's.
+                const bool column = x == 58 + y || x == 122 + y / 2 || (z == 3 && x == 130) || (z == 8 && x == 0);
+                mask[at] = column && (y + z) % 3 != 0 ? 1 : 0;
+            }
+    const FilledVolume filled = filledVolume(Volume(geometry, voxels).withDataMask(mask));
+    for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growByDefinition(geometry, voxels, mask);
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const auto at = static_cast<std::int64_t>(i);
+        ASSERT_EQ(filled.voxels.hasData(at), mask[i] != 0) << i % 131;
+        ASSERT_EQ(filled.voxels.storedValue(at), mask[i] != 0 ? voxels[i] : 0) << i % 131;
     }
 }
 
