@@ -80,8 +80,7 @@ int main(int count, char** arguments) {
     if (count == 2 && std::string_view(arguments[1]) == "--help") {
         fmt::print(
             "bench-previews [FILE...]: prints the RMSE of each quality's picture from the converged one, both blurred "
-            "by "
-            "{} pixels, of {} x {} pixels; a row of a Markdown table for each file.\n",
+            "by {} pixels, of {} x {} pixels; a row of a Markdown table for each file.\n",
             blurPixels, edge, edge);
         return 0;
     }
