@@ -153,6 +153,21 @@ std::vector<double> JsonFields::numbers(const char* key) {
     return numbers;
 }
 
+std::vector<std::array<double, 2>> JsonFields::pairs(const char* key) {
+    const json* value = find(key);
+    std::vector<std::array<double, 2>> pairs;
+    if (!value) return pairs;
+    const auto isNumber = [](const json& part) { return part.is_number() && std::isfinite(part.get<double>()); };
+    bool good = value->is_array();
+    for (std::size_t i = 0; good && i < value->size(); ++i) {
+        const json& pair = (*value)[i];
+        good = pair.is_array() && pair.size() == 2 && isNumber(pair[0]) && isNumber(pair[1]);
+        if (good) pairs.push_back({pair[0].get<double>(), pair[1].get<double>()});
+    }
+    if (!good) wrong(key, "must be a list of pairs of numbers");
+    return pairs;
+}
+
 JsonFields JsonFields::object(const char* key) {
     const json* value = find(key);
     return {value ? *value : emptyObject(), m_place.empty() ? std::string(key) : m_place + "." + key, *m_problems};

@@ -55,6 +55,8 @@ public:
     Vec3 vector(const char* key);
     /// Finite numbers, as many as there are.
     std::vector<double> numbers(const char* key);
+    /// A list of pairs of finite numbers.
+    std::vector<std::array<double, 2>> pairs(const char* key);
     /// The object under a key.
     JsonFields object(const char* key);
     /// The objects of a list.

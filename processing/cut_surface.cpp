@@ -102,20 +102,9 @@ std::optional<CutSurface::Stretch> CutSurface::firstLeft(const Vec3& pointMm, co
     return Stretch{*begin, within.end};
 }
 
-namespace {
-
-bool isOrthonormal(const ViewFrame& frame) {
-    constexpr double rounding = 1e-6;
-    const auto near = [](const Vec3& a, const Vec3& b) { return length(a - b) <= rounding; };
-    return std::abs(length(frame.right) - 1.0) <= rounding && std::abs(length(frame.down) - 1.0) <= rounding &&
-           near(frame.right.cross(frame.down), frame.forward) && std::abs(length(frame.forward) - 1.0) <= rounding;
-}
-
-}  // namespace
-
 std::string problemOf(const CutSurface& surface) {
     constexpr int mostNodes = 4096;  // along one side: what a file may ask for stays within memory
-    if (!isOrthonormal(surface.frame)) return "has a frame that is not right-handed and orthonormal";
+    if (const std::string frame = problemOf(surface.frame); !frame.empty()) return frame;
     if (!std::isfinite(surface.firstRightMm) || !std::isfinite(surface.firstDownMm))
         return "has a first node whose place is not finite";
     if (!std::isfinite(surface.spacingMm) || !(surface.spacingMm > 0.0)) return "has a spacing that is not above 0";

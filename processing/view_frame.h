@@ -1,6 +1,8 @@
 // The directions of a view.
 #pragma once
 
+#include <string>
+
 #include "processing/volume/geometry.h"
 
 namespace echolucent {
@@ -13,5 +15,8 @@ struct ViewFrame {
     Vec3 forward;
     friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
+
+/// What is wrong with a frame that was read from a file, lower case, no full stop; an empty text where nothing is.
+[[nodiscard]] std::string problemOf(const ViewFrame& frame);
 
 }  // namespace echolucent

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "processing/cut_surface.h"
+#include "processing/oriented_box.h"
 #include "processing/view_frame.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
@@ -27,6 +28,7 @@ struct Viewpoint {
     double rollDegrees = 0.0;  ///< turn of the picture about the view direction; moves no tube core's axis direction
     double nearCutMm = 0.0;    ///< nothing nearer than this behind the volume's foremost point along the view; >= 0
     std::optional<CutSurface> cutSurface{};  ///< what lies before it is cut away too; it does not turn with the view
+    std::optional<OrientedBox> box{};        ///< what lies outside it is cut away too; it does not turn with the view
 
     friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };

@@ -71,7 +71,10 @@ void DocumentModel::set(Document next) {
     if (after.views != before.views) emit viewsChanged();
     if (after.phases != before.phases) emit phasesChanged();
     if (after.cuts != before.cuts) emit cutsChanged();
+    if (after.boxes != before.boxes) emit boxesChanged();
+    if (after.strokes != before.strokes) emit strokesChanged();
     if (after.poses != before.poses) emit posesChanged();
+    if (after.planes != before.planes) emit planesChanged();
     if (after.motion != before.motion) emit motionChanged();
     if (after.motionAngle != before.motionAngle) emit motionAngleChanged();
     if (after.looks != before.looks) emit looksChanged();

@@ -56,6 +56,9 @@ signals:
     void posesChanged();
     void cutsChanged();
     void looksChanged();
+    void boxesChanged();
+    void planesChanged();
+    void strokesChanged();
     void curvesChanged();
     void methodChanged();
     void motionChanged();

@@ -49,11 +49,14 @@ Pose poseIn(JsonFields& fields) {
             fields.number("magnification", std::numeric_limits<double>::min())};
 }
 
+ViewFrame frameIn(JsonFields fields) {
+    return {fields.vector("right"), fields.vector("down"), fields.vector("forward")};
+}
+
 CutSurface surfaceIn(JsonFields fields) {
     constexpr std::int64_t mostNodes = 1024;
     CutSurface surface;
-    JsonFields frame = fields.object("frame");
-    surface.frame = {frame.vector("right"), frame.vector("down"), frame.vector("forward")};
+    surface.frame = frameIn(fields.object("frame"));
     surface.firstRightMm = fields.number("first_right_mm");
     surface.firstDownMm = fields.number("first_down_mm");
     surface.spacingMm = fields.number("spacing_mm");
@@ -76,6 +79,58 @@ Look lookIn(JsonFields& fields) {
     return look;
 }
 
+Box boxIn(JsonFields& fields) {
+    Box box{.on = fields.flag("on")};
+    box.direction = directionIn(fields.object("direction"));
+    box.centreMm = fields.vector("centre_mm");
+    box.sizeMm = fields.vector("size_mm");
+    box.front = fields.choice("front", &boxSideFromName);
+    return box;
+}
+
+Planes planesIn(JsonFields& fields) {
+    Planes planes;
+    planes.direction = directionIn(fields.object("direction"));
+    planes.offsetMm = fields.vector("offset_mm");
+    JsonFields crops = fields.object("crops");
+    for (const PlaneName plane : allPlaneNames) {
+        JsonFields crop = crops.object(std::string(nameOf(plane)).c_str());
+        planes.crops[indexOf(plane)] = {crop.number("pan_right_mm"), crop.number("pan_down_mm"),
+                                        crop.number("magnification", std::numeric_limits<double>::min())};
+    }
+    planes.window = fields.number("window", leastPlaneWindow, largestPlaneWindow);
+    planes.level = fields.number("level", leastPlaneLevel, largestPlaneLevel);
+    planes.quiet = fields.flag("quiet");
+    planes.linesIn3d = fields.flag("lines_in_3d");
+    return planes;
+}
+
+Camera cameraIn(JsonFields fields) {
+    Camera camera;
+    camera.focalPoint = fields.vector("focal_point_mm");
+    camera.frame = frameIn(fields.object("frame"));
+    camera.projection = fields.choice("projection", &projectionFromName);
+    camera.heightMm = fields.number("height_mm");
+    camera.viewAngleDegrees = fields.number("view_angle");
+    camera.distanceMm = fields.number("distance_mm");
+    return camera;
+}
+
+Strokes strokesIn(JsonFields& fields) {
+    Strokes strokes;
+    for (JsonFields& each : fields.list("strokes")) {
+        ScalpelStroke stroke;
+        stroke.tool = each.choice("tool", &scalpelToolFromName);
+        stroke.side = each.choice("side", &scalpelSideFromName);
+        stroke.camera = cameraIn(each.object("camera"));
+        stroke.places = each.pairs("places");
+        stroke.radius = each.number("radius", 0);
+        if (!each.isNull("depth_mm")) stroke.depthMm = each.number("depth_mm");
+        strokes.list.push_back(std::move(stroke));
+    }
+    return strokes;
+}
+
 int phaseIn(JsonFields& fields) { return static_cast<int>(fields.whole("phase", 0, largestId)); }
 
 template <typename Value>
@@ -89,7 +144,8 @@ std::vector<View> viewsIn(JsonFields& root) {
     std::vector<View> views;
     for (JsonFields& fields : root.list("views"))
         views.push_back({idIn(fields), idIn(fields, "pose"), idIn(fields, "cut"), idIn(fields, "look"),
-                         idIn(fields, "phase"), fields.choice("curve", &curveKindFromName)});
+                         idIn(fields, "phase"), fields.choice("curve", &curveKindFromName), idIn(fields, "box"),
+                         idIn(fields, "planes"), idIn(fields, "strokes")});
     return views;
 }
 
@@ -131,6 +187,9 @@ Document documentIn(JsonFields root) {
     document.poses = listIn(root, "poses", &poseIn);
     document.cuts = listIn(root, "cuts", &cutIn);
     document.looks = listIn(root, "looks", &lookIn);
+    document.boxes = listIn(root, "boxes", &boxIn);
+    document.planes = listIn(root, "planes", &planesIn);
+    document.strokes = listIn(root, "strokes", &strokesIn);
     document.phases = listIn(root, "phases", &phaseIn);
     document.curves = curvesIn(root.object("curves"));
     document.method = methodIn(root.object("method"));

@@ -50,16 +50,14 @@ ordered_json poseJson(const Pose& pose) {
             {"magnification", pose.magnification}};
 }
 
+ordered_json frameJson(const ViewFrame& frame) {
+    return {{"right", triple(frame.right)}, {"down", triple(frame.down)}, {"forward", triple(frame.forward)}};
+}
+
 ordered_json surfaceJson(const CutSurface& surface) {
-    return {{"frame",
-             {{"right", triple(surface.frame.right)},
-              {"down", triple(surface.frame.down)},
-              {"forward", triple(surface.frame.forward)}}},
-            {"first_right_mm", surface.firstRightMm},
-            {"first_down_mm", surface.firstDownMm},
-            {"spacing_mm", surface.spacingMm},
-            {"columns", surface.columns},
-            {"rows", surface.rows},
+    return {{"frame", frameJson(surface.frame)},    {"first_right_mm", surface.firstRightMm},
+            {"first_down_mm", surface.firstDownMm}, {"spacing_mm", surface.spacingMm},
+            {"columns", surface.columns},           {"rows", surface.rows},
             {"depth_mm", surface.depthMm}};
 }
 
@@ -70,6 +68,50 @@ ordered_json cutJson(const Cut& cut) {
 }
 
 ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
+
+ordered_json boxJson(const Box& box) {
+    return {{"on", box.on},
+            {"direction", directionJson(box.direction)},
+            {"centre_mm", triple(box.centreMm)},
+            {"size_mm", triple(box.sizeMm)},
+            {"front", nameOf(box.front)}};
+}
+
+ordered_json planesJson(const Planes& planes) {
+    ordered_json crops = ordered_json::object();
+    for (const PlaneName plane : allPlaneNames) {
+        const PlaneCrop& crop = planes.crops[indexOf(plane)];
+        crops[std::string(nameOf(plane))] = {
+            {"pan_right_mm", crop.panRightMm}, {"pan_down_mm", crop.panDownMm}, {"magnification", crop.magnification}};
+    }
+    return {{"direction", directionJson(planes.direction)},
+            {"offset_mm", triple(planes.offsetMm)},
+            {"crops", crops},
+            {"window", planes.window},
+            {"level", planes.level},
+            {"quiet", planes.quiet},
+            {"lines_in_3d", planes.linesIn3d}};
+}
+
+ordered_json cameraJson(const Camera& camera) {
+    return {{"focal_point_mm", triple(camera.focalPoint)}, {"frame", frameJson(camera.frame)},
+            {"projection", nameOf(camera.projection)},     {"height_mm", camera.heightMm},
+            {"view_angle", camera.viewAngleDegrees},       {"distance_mm", camera.distanceMm}};
+}
+
+ordered_json strokesJson(const Strokes& strokes) {
+    ordered_json list = ordered_json::array();
+    for (const ScalpelStroke& stroke : strokes.list) {
+        ordered_json object{{"tool", nameOf(stroke.tool)},
+                            {"side", nameOf(stroke.side)},
+                            {"camera", cameraJson(stroke.camera)},
+                            {"places", stroke.places},
+                            {"radius", stroke.radius}};
+        object["depth_mm"] = stroke.depthMm ? ordered_json(*stroke.depthMm) : ordered_json();
+        list.push_back(std::move(object));
+    }
+    return {{"strokes", list}};
+}
 
 template <typename Value>
 ordered_json listJson(const std::vector<Shared<Value>>& list, ordered_json (*valueJson)(const Value&)) {
@@ -90,7 +132,10 @@ ordered_json viewsJson(const std::vector<View>& views) {
                            {"cut", view.cut},
                            {"look", view.look},
                            {"phase", view.phase},
-                           {"curve", nameOf(view.curve)}});
+                           {"curve", nameOf(view.curve)},
+                           {"box", view.box},
+                           {"planes", view.planes},
+                           {"strokes", view.strokes}});
     return entries;
 }
 
@@ -135,6 +180,9 @@ std::string jsonOf(const Document& document) {
     object["poses"] = listJson(document.poses, &poseJson);
     object["cuts"] = listJson(document.cuts, &cutJson);
     object["looks"] = listJson(document.looks, &lookJson);
+    object["boxes"] = listJson(document.boxes, &boxJson);
+    object["planes"] = listJson(document.planes, &planesJson);
+    object["strokes"] = listJson(document.strokes, &strokesJson);
     object["phases"] = phasesJson(document.phases);
     object["curves"] = curvesJson(document.curves);
     object["method"] = methodJson(document.method);

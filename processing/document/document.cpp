@@ -12,13 +12,6 @@ namespace {
 
 constexpr ChoiceNames<2> cutSourceNames{"person", "found"};
 
-/// A direction, relative to the beam, behind a cut.
-Viewpoint behind(const Cut& cut, BeamAxis beam, const ViewDirection& direction) {
-    Viewpoint viewpoint = viewpointOf(beam, direction, cut.nearCutMm);
-    viewpoint.cutSurface = cut.surface;
-    return viewpoint;
-}
-
 template <typename List>
 auto& withId(List& list, int id, const char* what) {
     const auto found = std::ranges::find(list, id, [](const auto& entry) { return entry.id; });
@@ -64,6 +57,25 @@ const Look& lookOf(const Document& document, int view) {
 }
 Look& lookOf(Document& document, int view) { return withId(document.looks, viewOf(document, view).look, "look").value; }
 
+const Box& boxOf(const Document& document, int view) {
+    return withId(document.boxes, viewOf(document, view).box, "box").value;
+}
+Box& boxOf(Document& document, int view) { return withId(document.boxes, viewOf(document, view).box, "box").value; }
+
+const Planes& planesOf(const Document& document, int view) {
+    return withId(document.planes, viewOf(document, view).planes, "planes").value;
+}
+Planes& planesOf(Document& document, int view) {
+    return withId(document.planes, viewOf(document, view).planes, "planes").value;
+}
+
+const std::vector<ScalpelStroke>& strokesOf(const Document& document, int view) {
+    return withId(document.strokes, viewOf(document, view).strokes, "strokes").value.list;
+}
+std::vector<ScalpelStroke>& strokesOf(Document& document, int view) {
+    return withId(document.strokes, viewOf(document, view).strokes, "strokes").value.list;
+}
+
 int phaseOf(const Document& document, int view) {
     return withId(document.phases, viewOf(document, view).phase, "phase").value;
 }
@@ -78,13 +90,27 @@ Pose shownPose(const Document& document, int view) {
     return turnedTo(pose, document.beam.axis, directionOf(turned(start, document.motion.axis, document.motionAngle)));
 }
 
+namespace {
+
+/// A direction, relative to the beam, behind a view's cut and within its box.
+Viewpoint cutLike(const Document& document, int view, const ViewDirection& direction) {
+    const Cut& cut = cutOf(document, view);
+    const Box& box = boxOf(document, view);
+    Viewpoint viewpoint = viewpointOf(document.beam.axis, direction, cut.nearCutMm);
+    viewpoint.cutSurface = cut.surface;
+    if (box.on) viewpoint.box = orientedBoxOf(box, document.beam.axis);
+    return viewpoint;
+}
+
+}  // namespace
+
 Viewpoint viewpointOf(const Document& document, int view) {
-    const Viewpoint start = behind(cutOf(document, view), document.beam.axis, poseOf(document, view).direction);
+    const Viewpoint start = cutLike(document, view, poseOf(document, view).direction);
     return document.motionAngle == 0.0 ? start : turned(start, document.motion.axis, document.motionAngle);
 }
 
 Viewpoint otfViewpointOf(const Document& document, int view) {
-    return behind(cutOf(document, view), document.beam.axis, document.method.direction);
+    return cutLike(document, view, document.method.direction);
 }
 
 OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive) {
@@ -105,6 +131,14 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.beam = Beam{};
     for (Shared<Pose>& pose : opened.poses) pose.value = Pose{};
     for (Shared<Cut>& cut : opened.cuts) cut.value = Cut{};
+    for (Shared<Box>& box : opened.boxes) box.value = Box{};
+    for (Shared<Planes>& planes : opened.planes) {
+        // How grey values are shown, and which voxels, is no matter of the study.
+        const Planes& kept = planes.value;
+        planes.value =
+            Planes{.window = kept.window, .level = kept.level, .quiet = kept.quiet, .linesIn3d = kept.linesIn3d};
+    }
+    for (auto& strokes : opened.strokes) strokes.value.list.clear();
     for (Shared<int>& phase : opened.phases) phase.value = 0;
     opened.method.direction = ViewDirection{};
     opened.motionAngle = 0.0;
@@ -117,7 +151,17 @@ std::string problemOf(const Document& document) {
     if (!unique(document.poses)) return "poses must have an id of its own each";
     if (!unique(document.cuts)) return "cuts must have an id of its own each";
     if (!unique(document.looks)) return "looks must have an id of its own each";
+    if (!unique(document.boxes)) return "boxes must have an id of its own each";
+    if (!unique(document.planes)) return "planes must have an id of its own each";
+    if (!unique(document.strokes)) return "strokes must have an id of its own each";
     if (!unique(document.phases)) return "phases must have an id of its own each";
+    for (std::size_t i = 0; i < document.boxes.size(); ++i)
+        if (const std::string problem = problemOf(document.boxes[i].value); !problem.empty())
+            return "boxes[" + std::to_string(i) + "] " + problem;
+    for (std::size_t i = 0; i < document.strokes.size(); ++i)
+        for (std::size_t k = 0; k < document.strokes[i].value.list.size(); ++k)
+            if (const std::string problem = problemOf(document.strokes[i].value.list[k]); !problem.empty())
+                return "strokes[" + std::to_string(i) + "].strokes[" + std::to_string(k) + "] " + problem;
     for (std::size_t i = 0; i < document.cuts.size(); ++i)
         if (const auto& surface = document.cuts[i].value.surface; surface && !problemOf(*surface).empty())
             return "cuts[" + std::to_string(i) + "].surface " + problemOf(*surface);
@@ -128,6 +172,9 @@ std::string problemOf(const Document& document) {
         if (!has(document.cuts, view.cut)) return place + "cut names no cut";
         if (!has(document.looks, view.look)) return place + "look names no look";
         if (!has(document.phases, view.phase)) return place + "phase names no phase";
+        if (!has(document.boxes, view.box)) return place + "box names no box";
+        if (!has(document.planes, view.planes)) return place + "planes names no planes";
+        if (!has(document.strokes, view.strokes)) return place + "strokes names no strokes";
     }
     return {};
 }

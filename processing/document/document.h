@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "processing/cut_surface.h"
+#include "processing/document/box.h"
 #include "processing/document/curve_set.h"
 #include "processing/document/method_choice.h"
+#include "processing/document/planes.h"
 #include "processing/document/pose.h"
 #include "processing/document/study_reference.h"
 #include "processing/motion/motion_mode.h"
 #include "processing/picture/look.h"
+#include "processing/scalpel/scalpel_stroke.h"
 
 namespace echolucent {
 
@@ -34,6 +37,12 @@ struct Cut {
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
+/// What the scalpel cut, in the order in which it was drawn.
+struct Strokes {
+    std::vector<ScalpelStroke> list{};
+    friend bool operator==(const Strokes&, const Strokes&) = default;
+};
+
 /// A value that views refer to by its id. Ids are unique in each list.
 template <typename Value>
 struct Shared {
@@ -50,6 +59,9 @@ struct View {
     int look = 1;
     int phase = 1;
     CurveKind curve = CurveKind::adaptive;  ///< the curve that is rendered
+    int box = 1;
+    int planes = 1;
+    int strokes = 1;
     friend bool operator==(const View&, const View&) = default;
 };
 
@@ -70,6 +82,9 @@ struct Document {
     std::vector<Shared<Pose>> poses{{}};
     std::vector<Shared<Cut>> cuts{{}};
     std::vector<Shared<Look>> looks{{1, lookAtStart()}};
+    std::vector<Shared<Box>> boxes{{}};
+    std::vector<Shared<Planes>> planes{{}};
+    std::vector<Shared<Strokes>> strokes{{}};
     CurveSet curves;
     MethodChoice method;
     MotionChoice motion;
@@ -89,6 +104,12 @@ struct Document {
 [[nodiscard]] Cut& cutOf(Document& document, int view);
 [[nodiscard]] const Look& lookOf(const Document& document, int view);
 [[nodiscard]] Look& lookOf(Document& document, int view);
+[[nodiscard]] const Box& boxOf(const Document& document, int view);
+[[nodiscard]] Box& boxOf(Document& document, int view);
+[[nodiscard]] const Planes& planesOf(const Document& document, int view);
+[[nodiscard]] Planes& planesOf(Document& document, int view);
+[[nodiscard]] const std::vector<ScalpelStroke>& strokesOf(const Document& document, int view);
+[[nodiscard]] std::vector<ScalpelStroke>& strokesOf(Document& document, int view);
 [[nodiscard]] int phaseOf(const Document& document, int view);
 [[nodiscard]] int& phaseOf(Document& document, int view);
 
@@ -96,9 +117,9 @@ struct Document {
 
 /// The pose of a view, turned by the motion where it is not at angle 0.
 [[nodiscard]] Pose shownPose(const Document& document, int view);
-/// From where a view looks now: its shown pose and its near cut.
+/// From where a view looks now: its shown pose, its cut and its box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document, int view);
-/// From where the adaptive OTF of a view is computed: the method's direction and the view's near cut.
+/// From where the adaptive OTF of a view is computed: the method's direction, the view's cut and its box.
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, int view);
 /// The curve that a view is rendered with; `adaptive` as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive);
@@ -109,7 +130,7 @@ struct Document {
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 
 /// A document of another study: the look, curves, method parameters and motion choices of `before`, seen along the
-/// assumed beam, whole, uncut, from its first phase on.
+/// assumed beam, whole, uncut, without a box, from its first phase on.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); an empty text where

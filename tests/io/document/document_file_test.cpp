@@ -14,6 +14,17 @@
 namespace echolucent {
 namespace {
 
+std::vector<ScalpelStroke> unusualStrokes() {
+    ScalpelStroke eraser{
+        .tool = ScalpelTool::eraser, .side = ScalpelSide::inside, .camera = {}, .places = {{0.1, -0.2}}};
+    eraser.radius = 1.0 / 30.0;
+    eraser.camera = {{1, 2, 3}, frameOf(Viewpoint{.elevationDegrees = 12.3}), Projection::perspective, 44.4, 29.9, 1e3};
+    ScalpelStroke outline{.tool = ScalpelTool::polygon, .side = ScalpelSide::outside, .camera = {}, .places = {}};
+    outline.places = {{0, 0}, {1.0 / 3.0, 0.1}, {0.2, 0.30000000000000004}};
+    outline.depthMm = -12.000000000000002;
+    return {eraser, outline};
+}
+
 /// A document in which every part differs from its default, with numbers that have no short decimal text.
 Document unusual() {
     Document document;
@@ -45,7 +56,18 @@ Document unusual() {
     document.looks.front().value.light = {100.0 / 3.0, -0.1};
     document.looks.front().value.step = 2.0 / 3.0;
     document.phases = {{1, 3}};
-    document.views = {{3, 7, 4, 9, 1, CurveKind::quartic}, {8, 2, 5, 9, 1, CurveKind::manual}};
+    document.boxes = {{6, {}},
+                      {1, {true, {1.0 / 3.0, -2.5, 77}, {0.1, -1e-7, 1e9}, {1.0 / 7.0, 2, 3e-3}, BoxSide::far}}};
+    document.planes = {{5, {}}};
+    document.planes.front().value = Planes{.direction = {-170.1, 12.0 / 7.0, 0.3},
+                                           .offsetMm = {0.1, 0.2, -0.3},
+                                           .crops = {{{1, 2, 3}, {-0.1, 0.7, 1.0 / 9.0}, {}}},
+                                           .window = 0.3,
+                                           .level = -0.1,
+                                           .quiet = false,
+                                           .linesIn3d = true};
+    document.strokes = {{1, {}}, {2, {unusualStrokes()}}};
+    document.views = {{3, 7, 4, 9, 1, CurveKind::quartic, 6, 5, 2}, {8, 2, 5, 9, 1, CurveKind::manual, 1, 5, 1}};
     document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
     document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
     document.curves.parabolic.scale = 0.1;
@@ -136,6 +158,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/motion/angle", 46, "motion.angle", "-45 to 45"},
                     Wrong{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
                     Wrong{"/beam/axis", "up", "beam.axis", "up"},
+                    Wrong{"/boxes/1/front", "front", "boxes[1].front", "must not be \"front\""},
+                    Wrong{"/boxes/1/size_mm", {1, 0, 1}, "", "boxes[1] has a size that is not above 0"},
+                    Wrong{"/planes/0/window", 0, "planes[0].window", "to 4"},
+                    Wrong{"/planes/0/crops/B/magnification", 0, "planes[0].crops.B.magnification", "above 0"},
+                    Wrong{"/strokes/1/strokes/1/places", {{1, 2}, {3}}, "strokes[1].strokes[1].places", "pairs"},
+                    Wrong{"/strokes/1/strokes/1/places", {{1, 2}, {3, 4}}, "", "fewer than three places"},
+                    Wrong{"/strokes/1/strokes/0/radius", 0, "", "a radius that is not above 0"},
+                    Wrong{"/strokes/1/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
+                    Wrong{"/strokes/1/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
+                    Wrong{"/views/1/strokes", 3, "", "views[1].strokes names no strokes"},
                     Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
                     Wrong{"/study/file/path", 5, "study.file.path", "text"}));
 

@@ -120,7 +120,11 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
     before.method.config.cells.size = 7;
     before.method.direction.azimuth = 33;
     before.motion.otf = MotionOtf::mean;
+    before.boxes[0].value = {.on = true, .sizeMm = {3, 4, 5}, .front = BoxSide::left};
+    before.planes[0].value = {.direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true};
+    before.strokes[0].value.list = {ScalpelStroke{.tool = ScalpelTool::eraser, .places = {{0, 0}}, .radius = 1}};
     Document expected = threeViews();
+    expected.planes[0].value = {.window = 0.5, .linesIn3d = true};
     expected.study = SimulatedScan{};
     expected.curves = before.curves;
     expected.method.config = before.method.config;
