@@ -13,6 +13,7 @@
 #include "app/picture/picture_controls.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
+#include "app/window/review_room.h"
 #include "app/window/window_menus.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/panels/message_bar.h"
@@ -71,6 +72,8 @@ void MainWindow::createUnits() {
     m_opening = std::make_unique<StudyOpening>(*this, *m_session, m_settings, *m_widgets.messages);
     m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
         *this, *m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
+    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
+                                                            m_widgets.planes, *m_widgets.picture, m_settings});
 }
 
 void MainWindow::connectProgress() {
@@ -105,6 +108,7 @@ void MainWindow::connectProgress() {
     connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
 }
@@ -189,6 +193,7 @@ void MainWindow::createActions() {
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
     commands.explain = [this] { showText(*this, "explanation", tr("What does the picture show?"), explanation()); };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+    m_room->createMenu(*this);
 }
 
 void MainWindow::open(const QString& path, const ReadOptions& options) {
@@ -207,6 +212,7 @@ bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(
 
 void MainWindow::restoreSettings() {
     m_pictureControls->restore();
+    m_room->restore();
     Document document = m_document.document();
     document.motion.pingPong = m_settings.motionPingPong();
     m_document.begin(document);
@@ -218,6 +224,7 @@ void MainWindow::restoreSettings() {
 
 void MainWindow::keepSettings() {
     m_pictureControls->keep();
+    m_room->keep();
     m_settings.setMotionPingPong(m_document.document().motion.pingPong);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_settings.setWindowGeometry(saveGeometry());
@@ -226,7 +233,7 @@ void MainWindow::keepSettings() {
 
 bool MainWindow::idle() const {
     return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
-           !m_widgets.picture->busy() && !m_motionPlayer.isPlaying();
+           !m_widgets.picture->busy() && !m_room->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

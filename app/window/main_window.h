@@ -20,6 +20,7 @@ class CurveAndPictureFiles;
 class MethodControls;
 class NearCutFinder;
 class PictureControls;
+class ReviewRoom;
 class StudyOpening;
 
 /// Owns the document, the threads behind the session and the widgets, and hangs them together. What happens between
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] DocumentModel& document() { return m_document; }
     [[nodiscard]] Session& session() { return *m_session; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
+    [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
     /// The OTFs of the motion so far.
@@ -99,6 +101,7 @@ private:
     std::unique_ptr<NearCutFinder> m_nearCutFinder;
     std::unique_ptr<StudyOpening> m_opening;
     std::unique_ptr<CurveAndPictureFiles> m_files;
+    std::unique_ptr<ReviewRoom> m_room;
     bool m_idle = true;
     bool m_shown = false;
 };

@@ -15,6 +15,7 @@ constexpr auto lastFolderKey = "recent/folder";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
+constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
 
@@ -107,6 +108,11 @@ void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererK
 
 bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histogramKey), true); }
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }
+PaneLayout Settings::paneLayout() const {
+    return paneLayoutFromName(m_store.value(paneLayoutKey).toString().toStdString()).value_or(PaneLayout::only3d);
+}
+void Settings::setPaneLayout(PaneLayout layout) { m_store.setValue(paneLayoutKey, textOf(nameOf(layout))); }
+
 bool Settings::motionPingPong() const { return boolOr(m_store.value(pingPongKey), true); }
 void Settings::setMotionPingPong(bool pingPong) { m_store.setValue(pingPongKey, pingPong); }
 

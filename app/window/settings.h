@@ -8,6 +8,7 @@
 
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
+#include "widgets/planes/pane_grid.h"
 
 namespace echolucent {
 
@@ -42,6 +43,8 @@ public:
     void setRenderer(RendererChoice renderer);
     [[nodiscard]] bool histogramLogarithmic() const;  ///< [true]
     void setHistogramLogarithmic(bool logarithmic);
+    [[nodiscard]] PaneLayout paneLayout() const;  ///< [only3d]
+    void setPaneLayout(PaneLayout layout);
     [[nodiscard]] bool motionPingPong() const;  ///< [true]
     void setMotionPingPong(bool pingPong);
 

@@ -15,6 +15,8 @@
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/planes/pane_grid.h"
+#include "widgets/planes/plane_pane.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -64,10 +66,12 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     WindowLayout layout;
     // The bar stands above the picture, not on it: a native OpenGL window covers its sibling widgets.
     layout.messages = new MessageBar(centre);
+    for (const PlaneName plane : allPlaneNames) layout.planes[indexOf(plane)] = new PlanePane(plane, centre);
     layout.picture = new VolumeViewWidget(centre);
+    layout.panes = new PaneGrid({layout.planes[0], layout.planes[1], layout.planes[2], layout.picture}, centre);
     layout.motion = new MotionPanel(centre);
     column->addWidget(layout.messages);
-    column->addWidget(layout.picture, 1);
+    column->addWidget(layout.panes, 1);
     column->addWidget(layout.motion);
     window.setCentralWidget(centre);
 

@@ -1,6 +1,8 @@
 // The widgets of the window and where they stand.
 #pragma once
 
+#include <array>
+
 class QDockWidget;
 class QMainWindow;
 
@@ -13,6 +15,8 @@ class MotionPanel;
 class OtfCourse;
 class OtfCoursePanel;
 class OtfEditor;
+class PaneGrid;
+class PlanePane;
 class RunStatus;
 class StudyPanel;
 class ViewPanel;
@@ -21,6 +25,8 @@ class VolumeViewWidget;
 /// The widgets of the window, which owns them.
 struct WindowLayout {
     MessageBar* messages = nullptr;
+    PaneGrid* panes = nullptr;
+    std::array<PlanePane*, 3> planes{};  ///< A, B, C
     VolumeViewWidget* picture = nullptr;
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
@@ -32,7 +38,8 @@ struct WindowLayout {
     RunStatus* status = nullptr;
 };
 
-/// Makes the widgets and puts them into the window: the picture in the middle, the panels in docks beside it.
+/// Makes the widgets and puts them into the window: the planes and the picture in the middle, the panels in docks
+/// beside it.
 [[nodiscard]] WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& course);
 
 }  // namespace echolucent

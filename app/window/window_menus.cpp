@@ -58,6 +58,7 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
 
 void createOtfMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands& commands) {
     QMenu* otf = window.menuBar()->addMenu(tr("&OTF"));
+    otf->setObjectName("menu.otf");
     addAction(otf, tr("C&ompute for this view"), "otf.computeForThisView", Qt::Key_A, commands.computeForThisView);
     otf->addSeparator();
     for (const CurveKind kind : allCurveKinds) otf->addAction(editor.activateAction(kind));

@@ -35,6 +35,9 @@ bool ViewPointer::eventFilter(QObject* watched, QEvent* event) {
     if (watched != m_window) return false;
     switch (event->type()) {
         case QEvent::MouseButtonPress: press(*static_cast<QMouseEvent*>(event)); break;
+        case QEvent::MouseButtonDblClick:
+            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) emit doubleClicked();
+            break;
         case QEvent::MouseMove: move(*static_cast<QMouseEvent*>(event)); break;
         case QEvent::MouseButtonRelease: release(*static_cast<QMouseEvent*>(event)); break;
         case QEvent::Wheel: turnWheel(*static_cast<QWheelEvent*>(event)); break;

@@ -98,6 +98,7 @@ void VolumeViewWidget::connectPointer() {
             [this](double right, double down) { moveLight(moved(m_parts->look.light, right, down)); });
     connect(pointer, &ViewPointer::hovered, this, [this](const QPointF& position) { pointAt(position); });
     connect(pointer, &ViewPointer::left, this, [this] { pointAt(std::nullopt); });
+    connect(pointer, &ViewPointer::doubleClicked, this, &VolumeViewWidget::doubleClicked);
     connect(pointer, &ViewPointer::filesDropped, this, &VolumeViewWidget::filesDropped);
     connect(pointer, &ViewPointer::keyPressed, this, [this](QKeyEvent* event) {
         QWidget* focused = QApplication::focusWidget();

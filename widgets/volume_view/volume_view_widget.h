@@ -138,6 +138,7 @@ signals:
     /// Escape has ended the drag; pose() and look() are again as before it.
     void dragCancelled();
     void lightChanged();  ///< by the person
+    void doubleClicked();
     /// The newest picture was made and drawn into the window's frame buffer.
     void pictureDelivered(const echolucent::PictureReport& report);
     /// It is on the screen.

@@ -1,0 +1,86 @@
+#include "app/planes/document_planes.h"
+
+#include "app/planes/edge_letters.h"
+
+namespace echolucent {
+
+DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, Session& session, const Panes& panes,
+                               QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_session(session), m_panes(panes) {
+    for (PlanePane* pane : m_panes) {
+        connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
+            pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_hand.current());
+        });
+        connect(pane, &PlanePane::dragEnded, this, [this](const QString& what) {
+            if (m_model.previewing()) take(planesOf(m_model.document(), m_view), what, m_hand.current());
+        });
+        connect(pane, &PlanePane::dragCancelled, &m_model, &DocumentModel::cancelPreview);
+        // The step of the first click and this one are of one gesture and name: together they are none.
+        connect(pane, &PlanePane::clickTakenBack, this,
+                [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
+        connect(pane, &PlanePane::wantsOther, this, &DocumentPlanes::resample);
+        connect(pane, &PlanePane::pointed, this, &DocumentPlanes::pointed);
+    }
+    connect(&m_model, &DocumentModel::changed, this, &DocumentPlanes::show);
+    connect(&m_session, &Session::volumeChanged, this, &DocumentPlanes::show);
+    connect(&m_session, &Session::quietVoxelsMade, this, &DocumentPlanes::show);
+    connect(&m_resampler, &PlaneResampler::busyChanged, this, &DocumentPlanes::busyChanged);
+    connect(&m_resampler, &PlaneResampler::resampled, this,
+            [this](PlaneName plane, const std::shared_ptr<const PlaneSamples>& samples) {
+                m_panes[indexOf(plane)]->setSamples(samples);
+            });
+    show();
+}
+
+void DocumentPlanes::show() {
+    const std::shared_ptr<const Volume> volume = m_session.volume();
+    for (PlanePane* pane : m_panes) volume ? pane->setScene(sceneFor(*volume, pane->plane())) : pane->clear();
+    resample();
+}
+
+PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const {
+    const Document& document = m_model.document();
+    PlaneScene scene;
+    scene.planes = planesOf(document, m_view);
+    scene.beam = document.beam.axis;
+    scene.data = volume.dataBox();
+    scene.unitMm = volume.geometry().unit();
+    scene.lengthsKnown = volume.geometry().spacingKnown;
+    scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam);
+    return scene;
+}
+
+void DocumentPlanes::resample() {
+    const std::shared_ptr<const Volume> volume =
+        planesOf(m_model.document(), m_view).quiet ? m_session.newestVoxels() : m_session.volume();
+    std::array<std::optional<PlaneRequest>, 3> requests;
+    for (const PlanePane* pane : m_panes) requests[indexOf(pane->plane())] = pane->wanted(volume);
+    m_resampler.want(requests);
+}
+
+void DocumentPlanes::take(const Planes& next, const QString& what, DocumentModel::Gesture gesture) {
+    m_newestGesture = gesture;
+    m_model.edit(with(next), what, gesture);
+}
+
+Document DocumentPlanes::with(const Planes& next) const {
+    Document document = m_model.document();
+    planesOf(document, m_view) = next;
+    return document;
+}
+
+void DocumentPlanes::resetAll() {
+    const Planes& now = planesOf(m_model.document(), m_view);
+    Planes start;
+    start.quiet = now.quiet;
+    start.linesIn3d = now.linesIn3d;
+    take(start, tr("reset planes"), DocumentModel::noGesture);
+}
+
+bool DocumentPlanes::cancelDrag() {
+    bool cancelled = false;
+    for (PlanePane* pane : m_panes) cancelled = pane->cancelDrag() || cancelled;
+    return cancelled;
+}
+
+}  // namespace echolucent

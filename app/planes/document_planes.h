@@ -1,0 +1,55 @@
+// The panes of planes A, B and C, which show one view of the document.
+#pragma once
+
+#include <QObject>
+#include <array>
+
+#include "app/document/document_model.h"
+#include "app/document/hand_gesture.h"
+#include "app/study/session.h"
+#include "widgets/planes/plane_pane.h"
+#include "widgets/planes/plane_resampler.h"
+
+namespace echolucent {
+
+/// Brings the planes of a view and the voxels of the phase shown to the panes, has them resampled, and makes steps of
+/// what the hand does there.
+class DocumentPlanes : public QObject {
+    Q_OBJECT
+
+public:
+    using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
+
+    /// All of them must outlive this.
+    DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, Session& session, const Panes& panes,
+                   QObject* parent = nullptr);
+
+    /// True while planes that are wanted are not there yet.
+    [[nodiscard]] bool busy() const { return m_resampler.busy(); }
+    /// All planes, their pictures and greys as on opening, in one step.
+    void resetAll();
+    /// Ends a drag in a pane; false where there is none.
+    bool cancelDrag();
+
+signals:
+    void busyChanged(bool busy);
+    /// Normalised intensity under the cursor; nothing where there is none.
+    void pointed(std::optional<double> intensity);
+
+private:
+    void show();
+    void resample();
+    [[nodiscard]] PlaneScene sceneFor(const Volume& volume, PlaneName plane) const;
+    void take(const Planes& next, const QString& what, DocumentModel::Gesture gesture);
+    [[nodiscard]] Document with(const Planes& next) const;
+
+    DocumentModel& m_model;
+    int m_view;
+    HandGesture& m_hand;
+    Session& m_session;
+    Panes m_panes;
+    PlaneResampler m_resampler;
+    DocumentModel::Gesture m_newestGesture = DocumentModel::noGesture;  ///< of the newest step made in a pane
+};
+
+}  // namespace echolucent

@@ -1,0 +1,89 @@
+#include "app/window/review_room.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes) {
+    connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
+    for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
+        connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
+                [&panes = m_parts.panes, i] { panes.toggleMaximised(i); });
+    connect(&m_parts.picture, &VolumeViewWidget::doubleClicked, &m_parts.panes,
+            [&panes = m_parts.panes] { panes.toggleMaximised(paneCount - 1); });
+}
+
+void ReviewRoom::createMenu(QMainWindow& window) {
+    QAction* before = nullptr;
+    for (QAction* action : window.menuBar()->actions())
+        if (action->menu() && action->menu()->objectName() == QStringLiteral("menu.otf")) before = action;
+    auto* menu = new QMenu(tr("&Room"), &window);
+    menu->setObjectName(QStringLiteral("menu.room"));
+    window.menuBar()->insertMenu(before, menu);
+    addLayouts(*menu);
+    menu->addSeparator();
+    addPlanes(*menu);
+}
+
+void ReviewRoom::addLayouts(QMenu& menu) {
+    auto* group = new QActionGroup(&menu);
+    const auto add = [&](const QString& text, const QString& name, Qt::Key key, PaneLayout layout) {
+        QAction* action = menu.addAction(text);
+        action->setObjectName(name);
+        action->setShortcut(key);
+        action->setCheckable(true);
+        action->setActionGroup(group);
+        connect(action, &QAction::triggered, &m_parts.panes,
+                [&panes = m_parts.panes, layout] { panes.setPaneLayout(layout); });
+        const auto show = [&panes = m_parts.panes, action, layout] {
+            action->setChecked(panes.paneLayout() == layout && !panes.maximised());
+        };
+        connect(&m_parts.panes, &PaneGrid::paneLayoutChanged, action, show);
+        show();
+    };
+    add(tr("&3D only"), QStringLiteral("room.only3d"), Qt::Key_F2, PaneLayout::only3d);
+    add(tr("&Planes A, B, C and 3D"), QStringLiteral("room.quad"), Qt::Key_F3, PaneLayout::quad);
+    add(tr("3D &large, planes small"), QStringLiteral("room.large3d"), Qt::Key_F4, PaneLayout::large3d);
+}
+
+void ReviewRoom::addPlanes(QMenu& menu) {
+    const auto addSwitch = [&](const QString& text, const QString& name, const QString& what, bool Planes::*member) {
+        QAction* action = menu.addAction(text);
+        action->setObjectName(name);
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, what, member](bool on) {
+            editPlanes(what, [member, on](Planes& planes) { planes.*member = on; });
+        });
+        const auto show = [this, action, member] {
+            action->setChecked(planesOf(m_parts.model.document(), m_parts.view).*member);
+        };
+        connect(&m_parts.model, &DocumentModel::planesChanged, action, show);
+        connect(&m_parts.model, &DocumentModel::viewsChanged, action, show);
+        show();
+    };
+    addSwitch(tr("Planes show &quiet voxels"), QStringLiteral("room.quietPlanes"), tr("voxels of planes"),
+              &Planes::quiet);
+    addSwitch(tr("Show planes in 3&D"), QStringLiteral("room.linesIn3d"), tr("planes in 3D"), &Planes::linesIn3d);
+    QAction* reset = menu.addAction(tr("&Reset planes"));
+    reset->setObjectName(QStringLiteral("room.resetPlanes"));
+    connect(reset, &QAction::triggered, &m_planes, &DocumentPlanes::resetAll);
+}
+
+void ReviewRoom::editPlanes(const QString& what, const std::function<void(Planes& planes)>& change) {
+    Document next = m_parts.model.document();
+    change(planesOf(next, m_parts.view));
+    m_parts.model.edit(next, what);
+}
+
+void ReviewRoom::restore() { m_parts.panes.setPaneLayout(m_parts.settings.paneLayout()); }
+
+void ReviewRoom::keep() { m_parts.settings.setPaneLayout(m_parts.panes.paneLayout()); }
+
+}  // namespace echolucent

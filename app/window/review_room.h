@@ -1,0 +1,55 @@
+// The room in which a volume is reviewed: the panes, and what is done in them.
+#pragma once
+
+#include <QObject>
+#include <array>
+
+#include "app/planes/document_planes.h"
+#include "app/window/settings.h"
+#include "widgets/planes/pane_grid.h"
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace echolucent {
+
+class VolumeViewWidget;
+
+/// Hangs the panes together: layouts by key, a pane that takes the whole room, planes and the 3D view.
+class ReviewRoom : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        int view;
+        HandGesture& hand;
+        Session& session;
+        PaneGrid& panes;
+        std::array<PlanePane*, 3> planes;
+        VolumeViewWidget& picture;
+        Settings& settings;
+    };
+    explicit ReviewRoom(const Parts& parts, QObject* parent = nullptr);
+
+    /// True while something that is shown in a plane is not there yet.
+    [[nodiscard]] bool busy() const { return m_planes.busy(); }
+    /// Adds the menu of the room, with its keys, before the menu of the OTF.
+    void createMenu(QMainWindow& window);
+    void restore();
+    void keep();
+
+signals:
+    void busyChanged(bool busy);
+
+private:
+    void addLayouts(QMenu& menu);
+    void addPlanes(QMenu& menu);
+    void editPlanes(const QString& what, const std::function<void(Planes& planes)>& change);
+
+    Parts m_parts;
+    DocumentPlanes m_planes;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,334 @@
+#include "widgets/planes/plane_pane.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace echolucent {
+
+namespace {
+
+constexpr double zoomPerNotch = 1.15, leastMagnification = 0.2, largestMagnification = 40.0;
+constexpr double degreesOfNotch = 120.0;  // of a wheel, in eighths of a degree
+constexpr double pixelsForTwiceTheWindow = 160.0;
+
+}  // namespace
+
+PlanePane::PlanePane(PlaneName plane, QWidget* parent) : QWidget(parent), m_plane(plane) {
+    const QString letter = QString::fromUtf8(nameOf(plane).data(), static_cast<qsizetype>(nameOf(plane).size()));
+    setObjectName(QStringLiteral("planes.") + letter.toLower());
+    setAccessibleName(tr("Plane %1").arg(letter));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    createButtons();
+}
+
+void PlanePane::createButtons() {
+    const auto create = [this](const QString& text, const QString& name, const QString& words) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(objectName() + name);
+        button->setText(text);
+        button->setAccessibleName(words);
+        button->setToolTip(words);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRaise(true);
+        button->setFixedSize(24, 22);
+        return button;
+    };
+    m_reset = create(QStringLiteral("⟲"), QStringLiteral(".reset"), tr("Reset this plane (Home)"));
+    m_maximise = create(QStringLiteral("⤢"), QStringLiteral(".maximise"),
+                        tr("The whole room for this plane, or back (double click)"));
+    connect(m_reset, &QToolButton::clicked, this, &PlanePane::reset);
+    connect(m_maximise, &QToolButton::clicked, this, &PlanePane::maximiseRequested);
+}
+
+void PlanePane::placeButtons() {
+    m_maximise->move(width() - m_maximise->width() - 4, 4);
+    m_reset->move(m_maximise->x() - m_reset->width() - 2, 4);
+}
+
+void PlanePane::setScene(const PlaneScene& scene) {
+    if (m_scene == scene) return;
+    m_scene = scene;
+    makeImage();
+    update();
+}
+
+void PlanePane::clear() {
+    m_scene.reset();
+    m_samples.reset();
+    m_image = {};
+    m_drag = Drag::none;
+    update();
+}
+
+std::optional<PlaneRequest> PlanePane::wanted(const std::shared_ptr<const Volume>& volume) const {
+    if (!m_scene || !volume || !isVisible() || size().isEmpty()) return std::nullopt;
+    const QSize pixels = size() * devicePixelRatioF();
+    return PlaneRequest{volume, view(), pixels.width(), pixels.height()};
+}
+
+void PlanePane::setSamples(const std::shared_ptr<const PlaneSamples>& samples) {
+    m_samples = samples;
+    m_image = {};
+    makeImage();
+    update();
+}
+
+void PlanePane::makeImage() {
+    if (!m_scene || !m_samples) return;
+    const GreyScale greys{m_scene->planes.window, m_scene->planes.level, m_scene->brightness};
+    if (!m_image.isNull() && greys == m_greys) return;
+    m_greys = greys;
+    m_image = greyImage(*m_samples, greys);
+}
+
+PlaneView PlanePane::view() const {
+    const double aspect = size().isEmpty() ? 1.0 : static_cast<double>(width()) / height();
+    return planeViewOf(m_scene->planes, m_plane, m_scene->beam, m_scene->data, aspect);
+}
+
+double PlanePane::mmPerPixel() const { return view().heightMm / std::max(1, height()); }
+
+QPointF PlanePane::seenAt(const Vec3& gridMm) const {
+    const PlaneView shown = view();
+    const Vec3 from = (gridMm - shown.centreMm) * (1.0 / mmPerPixel());
+    return {width() / 2.0 + shown.frame.right.dot(from), height() / 2.0 + shown.frame.down.dot(from)};
+}
+
+Vec3 PlanePane::gridAt(const QPointF& pixel) const {
+    const PlaneView shown = view();
+    return shown.centreMm + shown.frame.right * ((pixel.x() - width() / 2.0) * mmPerPixel()) +
+           shown.frame.down * ((pixel.y() - height() / 2.0) * mmPerPixel());
+}
+
+QPointF PlanePane::referencePixel() const { return seenAt(referencePointOf(m_scene->planes, m_scene->data)); }
+
+bool PlanePane::atRim(const QPointF& pixel) const {
+    return std::min({pixel.x(), pixel.y(), width() - pixel.x(), height() - pixel.y()}) < rim;
+}
+
+void PlanePane::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    placeButtons();
+    emit wantsOther();
+}
+
+void PlanePane::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    emit wantsOther();
+}
+
+void PlanePane::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    cancelDrag();
+    emit wantsOther();
+}
+
+void PlanePane::ask(const Planes& next, const QString& what) {
+    if (next != m_scene->planes) emit changed(next, what);
+}
+
+void PlanePane::mousePressEvent(QMouseEvent* event) {
+    if (!m_scene || m_drag != Drag::none) return;
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    if (event->button() == Qt::RightButton)
+        m_drag = Drag::greys;
+    else if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift))
+        m_drag = Drag::pan;
+    else if (event->button() == Qt::LeftButton)
+        m_drag = atRim(event->position()) ? Drag::turn : Drag::reference;
+    m_before = m_scene->planes;
+    m_beforeClick = m_before;
+    m_from = event->position();
+    m_what = m_drag == Drag::greys  ? tr("window and level")
+             : m_drag == Drag::pan  ? tr("move plane %1").arg(accessibleName().back())
+             : m_drag == Drag::turn ? tr("turn planes")
+                                    : tr("move reference point");
+    if (m_drag == Drag::reference) dragTo(event->position());
+}
+
+void PlanePane::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_scene) return;
+    if (m_drag != Drag::none) return dragTo(event->position());
+    showCursor(event->position());
+    tellPointed(event->position());
+}
+
+void PlanePane::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->buttons() != Qt::NoButton || m_drag == Drag::none) return;
+    m_drag = Drag::none;
+    emit dragEnded(m_what);
+    showCursor(event->position());
+}
+
+void PlanePane::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!m_scene || event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
+    m_drag = Drag::none;
+    // The first click has moved the reference point, which nobody who asks for the whole room wants.
+    if (m_scene->planes != m_beforeClick) emit clickTakenBack(m_beforeClick, m_what);
+    emit maximiseRequested();
+}
+
+bool PlanePane::cancelDrag() {
+    if (m_drag == Drag::none || !m_scene) return false;
+    m_drag = Drag::none;
+    emit dragCancelled();
+    return true;
+}
+
+void PlanePane::dragTo(const QPointF& pixel) {
+    const QPointF moved = pixel - m_from;
+    Planes next = m_before;
+    switch (m_drag) {
+        case Drag::none: return;
+        case Drag::reference: next = withReferencePoint(m_before, gridAt(pixel), m_scene->data); break;
+        case Drag::turn: {
+            // All is counted from where the drag began, so that roundings do not add up.
+            const QPointF centre = referencePixel(), from = m_from - centre, to = pixel - centre;
+            const double radians = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
+            next = turned(m_before, m_plane, radians * 180.0 / std::numbers::pi, m_scene->beam);
+            break;
+        }
+        case Drag::pan: {
+            PlaneCrop& crop = next.crops[indexOf(m_plane)];
+            crop.panRightMm -= moved.x() * mmPerPixel();
+            crop.panDownMm -= moved.y() * mmPerPixel();
+            break;
+        }
+        case Drag::greys:
+            next.window = std::clamp(m_before.window * std::exp2(moved.x() / pixelsForTwiceTheWindow), leastPlaneWindow,
+                                     largestPlaneWindow);
+            next.level = std::clamp(m_before.level + moved.y() / (2.0 * pixelsForTwiceTheWindow), leastPlaneLevel,
+                                    largestPlaneLevel);
+            break;
+    }
+    ask(next, m_what);
+}
+
+void PlanePane::wheelEvent(QWheelEvent* event) {
+    if (!m_scene) return;
+    const double notches = event->angleDelta().y() / degreesOfNotch;
+    if (event->modifiers().testFlag(Qt::ControlModifier))
+        zoom(std::pow(zoomPerNotch, notches), event->position());
+    else
+        ask(stepped(m_scene->planes, m_plane, -notches * m_scene->unitMm, m_scene->beam, m_scene->data),
+            tr("step through planes"));
+    event->accept();
+}
+
+void PlanePane::zoom(double factor, const QPointF& about) {
+    Planes next = m_scene->planes;
+    PlaneCrop& crop = next.crops[indexOf(m_plane)];
+    const double magnification = std::clamp(crop.magnification * factor, leastMagnification, largestMagnification);
+    // What is seen there stays there.
+    const double kept = 1.0 - crop.magnification / magnification;
+    crop.panRightMm += (about.x() - width() / 2.0) * mmPerPixel() * kept;
+    crop.panDownMm += (about.y() - height() / 2.0) * mmPerPixel() * kept;
+    crop.magnification = magnification;
+    ask(next, tr("zoom plane %1").arg(accessibleName().back()));
+}
+
+void PlanePane::turn(double degrees) {
+    ask(turned(m_scene->planes, m_plane, degrees, m_scene->beam), tr("turn planes"));
+}
+
+void PlanePane::reset() {
+    if (!m_scene) return;
+    // The reference point, the turn and the greys belong to all planes: they go back too.
+    Planes next = m_scene->planes;
+    const Planes start;
+    next.crops[indexOf(m_plane)] = start.crops[indexOf(m_plane)];
+    next.direction = start.direction;
+    next.offsetMm = start.offsetMm;
+    next.window = start.window;
+    next.level = start.level;
+    ask(next, tr("reset plane %1").arg(accessibleName().back()));
+}
+
+namespace {
+
+bool isKeyOfPane(const QKeyEvent& event) {
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
+    switch (event.key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+        case Qt::Key_Minus:
+        case Qt::Key_Home: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+bool PlanePane::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (isKeyOfPane(key) || (key.key() == Qt::Key_Escape && dragging())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void PlanePane::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && cancelDrag()) return;
+    if (!m_scene || !isKeyOfPane(*event)) return QWidget::keyPressEvent(event);
+    const double degrees = event->modifiers().testFlag(Qt::ShiftModifier) ? 10.0 : 1.0;
+    const auto step = [this](double units) {
+        ask(stepped(m_scene->planes, m_plane, units * m_scene->unitMm, m_scene->beam, m_scene->data),
+            tr("step through planes"));
+    };
+    switch (event->key()) {
+        case Qt::Key_Left: return turn(-degrees);
+        case Qt::Key_Right: return turn(degrees);
+        case Qt::Key_Up: return step(-1.0);
+        case Qt::Key_Down: return step(1.0);
+        case Qt::Key_PageUp: return step(-10.0);
+        case Qt::Key_PageDown: return step(10.0);
+        case Qt::Key_Plus:
+        case Qt::Key_Equal: return zoom(zoomPerNotch, rect().center());
+        case Qt::Key_Minus: return zoom(1.0 / zoomPerNotch, rect().center());
+        case Qt::Key_Home: return reset();
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+void PlanePane::showCursor(const QPointF& pixel) {
+    const bool rimmed = atRim(pixel);
+    setCursor(rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
+    if (rimmed == m_pointerAtRim) return;
+    m_pointerAtRim = rimmed;
+    update();
+}
+
+void PlanePane::tellPointed(const QPointF& pixel) {
+    if (!m_samples || m_samples->intensity.empty() || size().isEmpty()) return;
+    const int column =
+                  std::clamp(static_cast<int>(pixel.x() * m_samples->columns / width()), 0, m_samples->columns - 1),
+              row = std::clamp(static_cast<int>(pixel.y() * m_samples->rows / height()), 0, m_samples->rows - 1);
+    const float intensity =
+        m_samples->intensity[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_samples->columns) +
+                             static_cast<std::size_t>(column)];
+    emit pointed(std::isnan(intensity) ? std::nullopt : std::optional(static_cast<double>(intensity)));
+}
+
+void PlanePane::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    m_pointerAtRim = false;
+    update();
+    emit pointed(std::nullopt);
+}
+
+}  // namespace echolucent

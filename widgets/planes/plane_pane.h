@@ -1,0 +1,136 @@
+// A pane that shows one of the planes A, B and C, and takes what the hand does with it.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "processing/document/box.h"
+#include "processing/document/planes.h"
+#include "widgets/planes/grey_image.h"
+#include "widgets/planes/plane_resampler.h"
+
+class QPainter;
+class QToolButton;
+
+namespace echolucent {
+
+/// What a pane shows beside its image.
+struct PlaneScene {
+    Planes planes{};
+    BeamAxis beam = BeamAxis::plusZ;
+    DataBox data{};
+    double unitMm = 1.0;               ///< of a step through parallel planes
+    bool lengthsKnown = true;          ///< where false, no length is said in mm
+    double brightness = 1.0;           ///< of the look
+    std::array<QString, 4> letters{};  ///< of the patient: left, right, top, bottom; empty where they are not known
+    friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
+};
+
+/// Left click or drag moves the reference point, left drag at the rim turns the planes about it, the wheel steps
+/// through parallel planes, Ctrl + wheel zooms about the cursor, middle or Shift + left drag pans, right drag sets
+/// window (to the right) and level (down). Left and Right turn by 1 degree, with Shift by 10, Up and Down step by a
+/// unit, Page up and Page down by ten, + and - zoom, Home resets. A double click asks for the whole room; Escape ends a
+/// drag without change. The pane keeps nothing of it: it says what the planes would be. Objects: planes.a, planes.b,
+/// planes.c, each with .reset and .maximise.
+class PlanePane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlanePane(PlaneName plane, QWidget* parent = nullptr);
+
+    [[nodiscard]] PlaneName plane() const { return m_plane; }
+    void setScene(const PlaneScene& scene);
+    /// Without a value nothing is shown, and the hand does nothing.
+    void clear();
+    [[nodiscard]] const std::optional<PlaneScene>& scene() const { return m_scene; }
+    /// What the pane is to show, at its present size in device pixels; nothing where there is nothing to show.
+    [[nodiscard]] std::optional<PlaneRequest> wanted(const std::shared_ptr<const Volume>& volume) const;
+    void setSamples(const std::shared_ptr<const PlaneSamples>& samples);
+    [[nodiscard]] const QImage& image() const { return m_image; }
+    /// True while the hand drags.
+    [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
+    /// Ends a drag without change; false where there is none.
+    bool cancelDrag();
+
+    /// Where a place of the grid, mm, is seen, in logical pixels; and what is seen at a place, in the plane.
+    [[nodiscard]] QPointF seenAt(const Vec3& gridMm) const;
+    [[nodiscard]] Vec3 gridAt(const QPointF& pixel) const;
+
+    /// What lies nearer to the pane's border, in logical pixels, is its rim.
+    static constexpr double rim = 24.0;
+
+    [[nodiscard]] QSize sizeHint() const override { return {320, 260}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {96, 72}; }
+
+signals:
+    /// The hand asks for other planes; `what` names the step. While it drags, dragging() is true, and dragEnded() or
+    /// dragCancelled() follows.
+    void changed(const echolucent::Planes& next, const QString& what);
+    void dragEnded(const QString& what);
+    /// Escape has ended the drag: all is to be as before it.
+    void dragCancelled();
+    /// A double click, or its button: the whole room for this pane, or back.
+    void maximiseRequested();
+    /// The click just made was the first of a double click: the step that it made is to be taken back.
+    void clickTakenBack(const echolucent::Planes& before, const QString& what);
+    /// The pane has another size, was shown or hidden: it wants another picture.
+    void wantsOther();
+    /// Normalised intensity under the cursor as it is shown; nothing where there is none.
+    void pointed(std::optional<double> intensity);
+
+protected:
+    /// Keys of the pane are no shortcuts of the window while the pane has the focus.
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { none, reference, turn, pan, greys };
+    void createButtons();
+    void placeButtons();
+    [[nodiscard]] PlaneView view() const;
+    [[nodiscard]] double mmPerPixel() const;
+    [[nodiscard]] bool atRim(const QPointF& pixel) const;
+    [[nodiscard]] QPointF referencePixel() const;
+    void dragTo(const QPointF& pixel);
+    void ask(const Planes& next, const QString& what);
+    void showCursor(const QPointF& pixel);
+    void tellPointed(const QPointF& pixel);
+    void turn(double degrees);
+    void zoom(double factor, const QPointF& about);
+    void reset();
+    void makeImage();
+    void paintLines(QPainter& painter) const;
+    void paintWords(QPainter& painter) const;
+    void paintRim(QPainter& painter) const;
+
+    PlaneName m_plane;
+    std::optional<PlaneScene> m_scene;
+    std::shared_ptr<const PlaneSamples> m_samples;
+    QImage m_image;
+    GreyScale m_greys;  ///< of the image
+    QToolButton* m_reset = nullptr;
+    QToolButton* m_maximise = nullptr;
+
+    Drag m_drag = Drag::none;
+    QString m_what;        ///< name of the step that the drag makes
+    Planes m_before;       ///< when the drag began
+    Planes m_beforeClick;  ///< when the first press of what may become a double click came
+    QPointF m_from;        ///< where the drag began
+    bool m_pointerAtRim = false;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,58 @@
+#include "widgets/planes/plane_resampler.h"
+
+#include <utility>
+#include <vector>
+
+namespace echolucent {
+
+PlaneGrid gridOf(const PlaneRequest& request) {
+    const double step = request.view.heightMm / request.rows;
+    PlaneGrid grid;
+    grid.columns = request.columns;
+    grid.rows = request.rows;
+    grid.perColumnMm = request.view.frame.right * step;
+    grid.perRowMm = request.view.frame.down * step;
+    grid.firstMm = request.view.centreMm - grid.perColumnMm * (0.5 * (request.columns - 1)) -
+                   grid.perRowMm * (0.5 * (request.rows - 1));
+    return grid;
+}
+
+PlaneResampler::PlaneResampler(QObject* parent) : QObject(parent), m_thread(QStringLiteral("planes")) {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &PlaneResampler::busyChanged);
+}
+
+void PlaneResampler::want(const std::array<std::optional<PlaneRequest>, 3>& requests) {
+    if (requests == m_wanted) return;
+    m_wanted = requests;
+    start();
+}
+
+void PlaneResampler::start() {
+    using Made = std::pair<PlaneName, std::shared_ptr<const PlaneSamples>>;
+    std::vector<PlaneName> open;
+    for (const PlaneName plane : allPlaneNames)
+        if (m_wanted[indexOf(plane)] && m_wanted[indexOf(plane)] != m_made[indexOf(plane)]) open.push_back(plane);
+    if (open.empty()) return;
+    // A drag shows something also where newer requests come faster than planes are made.
+    m_thread.submit(
+        [this, open, requests = m_wanted](const Progress&) -> NewestWinsThread::Deliver {
+            std::vector<Made> made;
+            made.reserve(open.size());
+            for (const PlaneName plane : open) {
+                const PlaneRequest& request = *requests[indexOf(plane)];
+                made.emplace_back(plane,
+                                  std::make_shared<const PlaneSamples>(sampledPlane(*request.volume, gridOf(request))));
+            }
+            return [this, made = std::move(made), requests] {
+                for (const auto& [plane, samples] : made) {
+                    const auto &request = requests[indexOf(plane)], &wanted = m_wanted[indexOf(plane)];
+                    m_made[indexOf(plane)] = request;
+                    // A plane of a volume that is no longer shown comes too late.
+                    if (wanted && wanted->volume == request->volume) emit resampled(plane, samples, *request);
+                }
+            };
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,51 @@
+// Resamples planes outside the GUI thread.
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "processing/document/planes.h"
+#include "processing/volume/plane_sampling.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// A picture of a plane that is wanted, or was made.
+struct PlaneRequest {
+    std::shared_ptr<const Volume> volume;
+    PlaneView view;
+    int columns = 0, rows = 0;
+    friend bool operator==(const PlaneRequest&, const PlaneRequest&) = default;
+};
+
+/// The places of the pixels of a picture: its centre is the view's, and rows are as far apart as columns.
+[[nodiscard]] PlaneGrid gridOf(const PlaneRequest& request);
+
+/// Resamples the planes that are wanted, in one thread; the newest request wins, and what is wanted already or was made
+/// last is not made again. Values cross the threads, and nothing else.
+class PlaneResampler : public QObject {
+    Q_OBJECT
+
+public:
+    explicit PlaneResampler(QObject* parent = nullptr);
+
+    /// The planes that are wanted from now on; those without a value are not.
+    void want(const std::array<std::optional<PlaneRequest>, 3>& requests);
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+
+signals:
+    void resampled(echolucent::PlaneName plane, const std::shared_ptr<const echolucent::PlaneSamples>& samples,
+                   const echolucent::PlaneRequest& request);
+    void busyChanged(bool busy);
+
+private:
+    void start();
+
+    std::array<std::optional<PlaneRequest>, 3> m_wanted, m_made;
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent
