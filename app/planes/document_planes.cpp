@@ -1,6 +1,9 @@
 #include "app/planes/document_planes.h"
 
+#include <algorithm>
+
 #include "app/planes/edge_letters.h"
+#include "processing/document/box_editing.h"
 
 namespace echolucent {
 
@@ -11,10 +14,15 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
             pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_hand.current());
         });
+        connect(pane, &PlanePane::boxDragged, this, &DocumentPlanes::takeBox);
         connect(pane, &PlanePane::dragEnded, this, [this](const QString& what) {
+            m_beforeBoxDrag.reset();
             if (m_model.previewing()) take(planesOf(m_model.document(), m_view), what, m_hand.current());
         });
-        connect(pane, &PlanePane::dragCancelled, &m_model, &DocumentModel::cancelPreview);
+        connect(pane, &PlanePane::dragCancelled, this, [this] {
+            m_beforeBoxDrag.reset();
+            m_model.cancelPreview();
+        });
         // The step of the first click and this one are of one gesture and name: together they are none.
         connect(pane, &PlanePane::clickTakenBack, this,
                 [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
@@ -46,7 +54,23 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
     scene.data = volume.dataBox();
     scene.unitMm = volume.geometry().unit();
     scene.lengthsKnown = volume.geometry().spacingKnown;
+    scene.box = boxScene(volume);
     scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam);
+    return scene;
+}
+
+BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
+    const Document& document = m_model.document();
+    const Box& box = boxOf(document, m_view);
+    const Cut& cut = cutOf(document, m_view);
+    BoxScene scene;
+    scene.leastMm = volume.geometry().unit();
+    if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
+    scene.front = faceOf(box.front);
+    // A flat near cut turns with the camera: it lies where the planes show it only while the camera looks that way.
+    const bool flatCut = cut.nearCutMm > 0.0 && shownPose(document, m_view).direction == document.method.direction;
+    scene.startIsCut = cut.surface.has_value() || flatCut;
+    if (scene.startIsCut || box.on) scene.start = startSurface(document, m_view, volume);
     return scene;
 }
 
@@ -61,6 +85,26 @@ void DocumentPlanes::resample() {
 void DocumentPlanes::take(const Planes& next, const QString& what, DocumentModel::Gesture gesture) {
     m_newestGesture = gesture;
     m_model.edit(with(next), what, gesture);
+}
+
+void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what) {
+    // All of a drag is counted from the document in which it began.
+    if (!m_beforeBoxDrag) m_beforeBoxDrag = m_model.document();
+    Document next = *m_beforeBoxDrag;
+    Cut& cut = cutOf(next, m_view);
+    switch (grip.kind) {
+        case BoxGrip::Kind::bow: cut = {.surface = dragged.start}; break;
+        case BoxGrip::Kind::start:
+            if (cut.surface)
+                cut = {.surface = dragged.start};
+            else
+                cut = {.nearCutMm = std::max(0.0, cut.nearCutMm + dragged.startMm)};
+            break;
+        default:
+            next = withBox(std::move(next), m_view,
+                           movedBox(boxOf(*m_beforeBoxDrag, m_view), dragged.box, next.beam.axis));
+    }
+    m_model.preview(next, what);
 }
 
 Document DocumentPlanes::with(const Planes& next) const {

@@ -39,8 +39,10 @@ signals:
 private:
     void show();
     void resample();
+    [[nodiscard]] BoxScene boxScene(const Volume& volume) const;
     [[nodiscard]] PlaneScene sceneFor(const Volume& volume, PlaneName plane) const;
     void take(const Planes& next, const QString& what, DocumentModel::Gesture gesture);
+    void takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what);
     [[nodiscard]] Document with(const Planes& next) const;
 
     DocumentModel& m_model;
@@ -49,6 +51,7 @@ private:
     Session& m_session;
     Panes m_panes;
     PlaneResampler m_resampler;
+    std::optional<Document> m_beforeBoxDrag;
     DocumentModel::Gesture m_newestGesture = DocumentModel::noGesture;  ///< of the newest step made in a pane
 };
 

@@ -73,7 +73,8 @@ void MainWindow::createUnits() {
     m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
         *this, *m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
-                                                            m_widgets.planes, *m_widgets.picture, m_settings});
+                                                            m_widgets.planes, *m_widgets.picture, *m_widgets.room,
+                                                            m_settings});
 }
 
 void MainWindow::connectProgress() {

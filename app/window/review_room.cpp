@@ -11,7 +11,13 @@
 namespace echolucent {
 
 ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes) {
+    : QObject(parent),
+      m_parts(parts),
+      m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes),
+      m_controls(parts.model, parts.view, parts.hand, parts.session, parts.panel),
+      m_boxIn3d(parts.model, parts.view, parts.session, parts.picture),
+      m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}) {
+    connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
@@ -30,6 +36,10 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     addLayouts(*menu);
     menu->addSeparator();
     addPlanes(*menu);
+    menu->addSeparator();
+    addBox(*menu);
+    menu->addSeparator();
+    addScalpel(*menu);
 }
 
 void ReviewRoom::addLayouts(QMenu& menu) {
@@ -74,6 +84,40 @@ void ReviewRoom::addPlanes(QMenu& menu) {
     QAction* reset = menu.addAction(tr("&Reset planes"));
     reset->setObjectName(QStringLiteral("room.resetPlanes"));
     connect(reset, &QAction::triggered, &m_planes, &DocumentPlanes::resetAll);
+}
+
+void ReviewRoom::addBox(QMenu& menu) {
+    QAction* box = menu.addAction(tr("Render &box"));
+    box->setObjectName(QStringLiteral("room.switchBox"));
+    box->setShortcut(Qt::Key_B);
+    box->setCheckable(true);
+    connect(box, &QAction::triggered, &m_controls, &RoomControls::switchBox);
+    const auto show = [this, box] { box->setChecked(boxOf(m_parts.model.document(), m_parts.view).on); };
+    connect(&m_parts.model, &DocumentModel::boxesChanged, box, show);
+    show();
+    QMenu* fronts = menu.addMenu(tr("&Look in from"));
+    const std::array texts{tr("&Top"), tr("&Bottom"), tr("&Left"), tr("&Right"), tr("&Near"), tr("&Far")};
+    for (const BoxSide side : allBoxSides) {
+        const auto index = static_cast<int>(side);
+        QAction* action = fronts->addAction(texts[static_cast<std::size_t>(side)]);
+        action->setObjectName(QStringLiteral("room.lookInFrom%1").arg(index + 1));
+        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)));
+        connect(action, &QAction::triggered, this, [this, side] { m_controls.chooseFront(side); });
+    }
+}
+
+void ReviewRoom::addScalpel(QMenu& menu) {
+    QAction* scalpel = menu.addAction(tr("&Scalpel: take or put away"));
+    scalpel->setObjectName(QStringLiteral("room.scalpel"));
+    scalpel->setShortcut(Qt::Key_S);
+    scalpel->setCheckable(true);
+    connect(scalpel, &QAction::triggered, &m_scalpel, &ScalpelHand::toggle);
+    connect(&m_scalpel, &ScalpelHand::toolChanged, scalpel,
+            [this, scalpel] { scalpel->setChecked(m_scalpel.tool().has_value()); });
+    QAction* back = menu.addAction(tr("Take all strokes bac&k"));
+    back->setObjectName(QStringLiteral("room.takeAllStrokesBack"));
+    back->setShortcut(Qt::SHIFT | Qt::Key_S);
+    connect(back, &QAction::triggered, &m_scalpel, &ScalpelHand::takeAllBack);
 }
 
 void ReviewRoom::editPlanes(const QString& what, const std::function<void(Planes& planes)>& change) {

@@ -4,7 +4,10 @@
 #include <QObject>
 #include <array>
 
+#include "app/planes/box_in_3d.h"
 #include "app/planes/document_planes.h"
+#include "app/planes/room_controls.h"
+#include "app/planes/scalpel_hand.h"
 #include "app/window/settings.h"
 #include "widgets/planes/pane_grid.h"
 
@@ -29,6 +32,7 @@ public:
         PaneGrid& panes;
         std::array<PlanePane*, 3> planes;
         VolumeViewWidget& picture;
+        RoomPanel& panel;
         Settings& settings;
     };
     explicit ReviewRoom(const Parts& parts, QObject* parent = nullptr);
@@ -46,10 +50,15 @@ signals:
 private:
     void addLayouts(QMenu& menu);
     void addPlanes(QMenu& menu);
+    void addBox(QMenu& menu);
+    void addScalpel(QMenu& menu);
     void editPlanes(const QString& what, const std::function<void(Planes& planes)>& change);
 
     Parts m_parts;
     DocumentPlanes m_planes;
+    RoomControls m_controls;
+    BoxIn3d m_boxIn3d;
+    ScalpelHand m_scalpel;
 };
 
 }  // namespace echolucent

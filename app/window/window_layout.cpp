@@ -12,6 +12,7 @@
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
+#include "widgets/panels/room_panel.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/view_panel.h"
@@ -42,6 +43,7 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
     QDockWidget* otf = addDock(window, title("Opacity transfer function"), "dock.otfEditor", layout.editor);
     QDockWidget* picture = addDock(window, title("Picture"), "dock.view", layout.controls);
+    QDockWidget* room = addDock(window, title("Planes and box"), "dock.room", layout.room);
     QDockWidget* method = addDock(window, title("Adaptive"), "dock.method", layout.method);
     QDockWidget* study = addDock(window, title("Study"), "dock.study", layout.facts);
     layout.courseDock = addDock(window, title("OTF over angle"), "dock.motionMap", layout.course);
@@ -49,7 +51,8 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     // Behind the editor, so that nothing beside the 3D view grows when it opens.
     window.tabifyDockWidget(otf, layout.courseDock);
     layout.courseDock->hide();
-    window.tabifyDockWidget(picture, method);
+    window.tabifyDockWidget(picture, room);
+    window.tabifyDockWidget(room, method);
     window.tabifyDockWidget(method, study);
     picture->raise();
     window.resizeDocks({otf, picture}, {560, 300}, Qt::Vertical);
@@ -78,6 +81,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);
     layout.controls = new ViewPanel(&window);
+    layout.room = new RoomPanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     arrangeDocks(window, layout);

@@ -17,6 +17,7 @@ class OtfCoursePanel;
 class OtfEditor;
 class PaneGrid;
 class PlanePane;
+class RoomPanel;
 class RunStatus;
 class StudyPanel;
 class ViewPanel;
@@ -31,6 +32,7 @@ struct WindowLayout {
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
     ViewPanel* controls = nullptr;
+    RoomPanel* room = nullptr;
     MotionPanel* motion = nullptr;
     OtfCoursePanel* course = nullptr;
     QDockWidget* courseDock = nullptr;

@@ -25,6 +25,32 @@ void paintText(QPainter& painter, const QPointF& baseline, const QString& text, 
     painter.fillPath(path, colour);
 }
 
+const QColor accent(0x4f, 0xb3, 0xbf), boxColour(0xe8, 0xb0, 0x4b);
+
+/// Faces and corners are squares, the centre a cross in a square, the turning grip a ring, the bow a diamond.
+void paintGrip(QPainter& painter, const BoxGrip& grip) {
+    const bool bow = grip.kind == BoxGrip::Kind::bow, turn = grip.kind == BoxGrip::Kind::turn;
+    const double half = grip.kind == BoxGrip::Kind::corner ? 3.0 : bow ? 6.0 : 4.0;
+    QPainterPath path;
+    if (bow)
+        path.addPolygon(QPolygonF({grip.at + QPointF(0, -half), grip.at + QPointF(half, 0), grip.at + QPointF(0, half),
+                                   grip.at + QPointF(-half, 0)}));
+    else if (turn)
+        path.addEllipse(grip.at, half, half);
+    else
+        path.addRect(QRectF(grip.at - QPointF(half, half), QSizeF(2 * half, 2 * half)));
+    path.closeSubpath();
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
+    painter.drawPath(path);
+    painter.setPen(QPen(bow ? accent : boxColour, 1.5));
+    painter.setBrush(turn ? QBrush(Qt::NoBrush) : QBrush(QColor(0, 0, 0, 120)));
+    painter.drawPath(path);
+    painter.setBrush(Qt::NoBrush);
+    if (grip.kind != BoxGrip::Kind::centre) return;
+    painter.drawLine(grip.at - QPointF(2 * half, 0), grip.at + QPointF(2 * half, 0));
+    painter.drawLine(grip.at - QPointF(0, 2 * half), grip.at + QPointF(0, 2 * half));
+}
+
 }  // namespace
 
 void PlanePane::paintEvent(QPaintEvent*) {
@@ -35,6 +61,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_image.isNull()) painter.drawImage(rect(), m_image);
     paintLines(painter);
+    paintBox(painter);
     if (m_pointerAtRim || m_drag == Drag::turn) paintRim(painter);
     paintWords(painter);
     const double width = hasFocus() ? 3.0 : 1.5;
@@ -46,7 +73,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
 /// Where the other planes cross this one, and the reference point.
 void PlanePane::paintLines(QPainter& painter) const {
     const Planes& planes = m_scene->planes;
-    const ViewFrame frame = view().frame;
+    const ViewFrame frame = mapping().view.frame;
     const QPointF centre = referencePixel();
     const double reach = std::hypot(width(), height()) + std::hypot(centre.x(), centre.y());
     for (const PlaneName other : allPlaneNames) {
@@ -67,6 +94,26 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
     painter.setPen(QPen(words, 1.25));
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
+}
+
+/// The box with its front in the accent, the line that the picture begins at, and what can be held.
+void PlanePane::paintBox(QPainter& painter) const {
+    const BoxDrawing shown = drawing();
+    painter.setBrush(Qt::NoBrush);
+    const auto paintLine = [&](const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
+        painter.setPen(QPen(QColor(0, 0, 0, 150), width + 2.0));
+        painter.drawPolyline(line);
+        painter.setPen(QPen(colour, width, style));
+        painter.drawPolyline(line);
+    };
+    const qsizetype count = shown.outline.size();
+    for (qsizetype i = 0; i < count; ++i) {
+        const QPolygonF edge({shown.outline[i], shown.outline[(i + 1) % count]});
+        const bool front = shown.faces[static_cast<std::size_t>(i)] == m_scene->box.front;
+        paintLine(edge, front ? accent : boxColour, front ? 3.0 : 1.5, Qt::SolidLine);
+    }
+    if (shown.startIsCut && !shown.startLine.isEmpty()) paintLine(shown.startLine, accent, 2.0, Qt::DashLine);
+    for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
 }
 
 void PlanePane::paintWords(QPainter& painter) const {

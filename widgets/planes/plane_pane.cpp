@@ -69,7 +69,7 @@ void PlanePane::clear() {
 std::optional<PlaneRequest> PlanePane::wanted(const std::shared_ptr<const Volume>& volume) const {
     if (!m_scene || !volume || !isVisible() || size().isEmpty()) return std::nullopt;
     const QSize pixels = size() * devicePixelRatioF();
-    return PlaneRequest{volume, view(), pixels.width(), pixels.height()};
+    return PlaneRequest{volume, mapping().view, pixels.width(), pixels.height()};
 }
 
 void PlanePane::setSamples(const std::shared_ptr<const PlaneSamples>& samples) {
@@ -87,26 +87,12 @@ void PlanePane::makeImage() {
     m_image = greyImage(*m_samples, greys);
 }
 
-PlaneView PlanePane::view() const {
+PlaneMapping PlanePane::mapping() const {
     const double aspect = size().isEmpty() ? 1.0 : static_cast<double>(width()) / height();
-    return planeViewOf(m_scene->planes, m_plane, m_scene->beam, m_scene->data, aspect);
+    return {planeViewOf(m_scene->planes, m_plane, m_scene->beam, m_scene->data, aspect), size()};
 }
 
-double PlanePane::mmPerPixel() const { return view().heightMm / std::max(1, height()); }
-
-QPointF PlanePane::seenAt(const Vec3& gridMm) const {
-    const PlaneView shown = view();
-    const Vec3 from = (gridMm - shown.centreMm) * (1.0 / mmPerPixel());
-    return {width() / 2.0 + shown.frame.right.dot(from), height() / 2.0 + shown.frame.down.dot(from)};
-}
-
-Vec3 PlanePane::gridAt(const QPointF& pixel) const {
-    const PlaneView shown = view();
-    return shown.centreMm + shown.frame.right * ((pixel.x() - width() / 2.0) * mmPerPixel()) +
-           shown.frame.down * ((pixel.y() - height() / 2.0) * mmPerPixel());
-}
-
-QPointF PlanePane::referencePixel() const { return seenAt(referencePointOf(m_scene->planes, m_scene->data)); }
+QPointF PlanePane::referencePixel() const { return mapping().seenAt(referencePointOf(m_scene->planes, m_scene->data)); }
 
 bool PlanePane::atRim(const QPointF& pixel) const {
     return std::min({pixel.x(), pixel.y(), width() - pixel.x(), height() - pixel.y()}) < rim;
@@ -133,6 +119,26 @@ void PlanePane::ask(const Planes& next, const QString& what) {
     if (next != m_scene->planes) emit changed(next, what);
 }
 
+PlanePane::Drag PlanePane::leftDragAt(const QPointF& pixel) {
+    if (const auto grip = gripAt(drawing(), pixel)) {
+        m_grip = *grip;
+        return Drag::grip;
+    }
+    return atRim(pixel) ? Drag::turn : Drag::reference;
+}
+
+QString PlanePane::stepName(const BoxGrip& grip) {
+    switch (grip.kind) {
+        case BoxGrip::Kind::face:
+        case BoxGrip::Kind::corner: return tr("size of the box");
+        case BoxGrip::Kind::centre: return tr("move box");
+        case BoxGrip::Kind::turn: return tr("turn box");
+        case BoxGrip::Kind::bow: return tr("bow the front");
+        case BoxGrip::Kind::start: return tr("near cut");
+    }
+    return {};
+}
+
 void PlanePane::mousePressEvent(QMouseEvent* event) {
     if (!m_scene || m_drag != Drag::none) return;
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
@@ -141,14 +147,16 @@ void PlanePane::mousePressEvent(QMouseEvent* event) {
     else if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift))
         m_drag = Drag::pan;
     else if (event->button() == Qt::LeftButton)
-        m_drag = atRim(event->position()) ? Drag::turn : Drag::reference;
+        m_drag = leftDragAt(event->position());
     m_before = m_scene->planes;
     m_beforeClick = m_before;
+    m_boxBefore = m_scene->box;
     m_from = event->position();
-    m_what = m_drag == Drag::greys  ? tr("window and level")
-             : m_drag == Drag::pan  ? tr("move plane %1").arg(accessibleName().back())
-             : m_drag == Drag::turn ? tr("turn planes")
-                                    : tr("move reference point");
+    m_what = m_drag == Drag::grip    ? stepName(m_grip)
+             : m_drag == Drag::greys ? tr("window and level")
+             : m_drag == Drag::pan   ? tr("move plane %1").arg(accessibleName().back())
+             : m_drag == Drag::turn  ? tr("turn planes")
+                                     : tr("move reference point");
     if (m_drag == Drag::reference) dragTo(event->position());
 }
 
@@ -186,7 +194,10 @@ void PlanePane::dragTo(const QPointF& pixel) {
     Planes next = m_before;
     switch (m_drag) {
         case Drag::none: return;
-        case Drag::reference: next = withReferencePoint(m_before, gridAt(pixel), m_scene->data); break;
+        case Drag::grip:
+            emit boxDragged(m_grip, dragged(m_boxBefore, mapping(), m_grip, m_from, pixel), m_what);
+            return;
+        case Drag::reference: next = withReferencePoint(m_before, mapping().gridAt(pixel), m_scene->data); break;
         case Drag::turn: {
             // All is counted from where the drag began, so that roundings do not add up.
             const QPointF centre = referencePixel(), from = m_from - centre, to = pixel - centre;
@@ -196,8 +207,8 @@ void PlanePane::dragTo(const QPointF& pixel) {
         }
         case Drag::pan: {
             PlaneCrop& crop = next.crops[indexOf(m_plane)];
-            crop.panRightMm -= moved.x() * mmPerPixel();
-            crop.panDownMm -= moved.y() * mmPerPixel();
+            crop.panRightMm -= moved.x() * mapping().mmPerPixel();
+            crop.panDownMm -= moved.y() * mapping().mmPerPixel();
             break;
         }
         case Drag::greys:
@@ -227,8 +238,8 @@ void PlanePane::zoom(double factor, const QPointF& about) {
     const double magnification = std::clamp(crop.magnification * factor, leastMagnification, largestMagnification);
     // What is seen there stays there.
     const double kept = 1.0 - crop.magnification / magnification;
-    crop.panRightMm += (about.x() - width() / 2.0) * mmPerPixel() * kept;
-    crop.panDownMm += (about.y() - height() / 2.0) * mmPerPixel() * kept;
+    crop.panRightMm += (about.x() - width() / 2.0) * mapping().mmPerPixel() * kept;
+    crop.panDownMm += (about.y() - height() / 2.0) * mapping().mmPerPixel() * kept;
     crop.magnification = magnification;
     ask(next, tr("zoom plane %1").arg(accessibleName().back()));
 }
@@ -306,8 +317,8 @@ void PlanePane::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlanePane::showCursor(const QPointF& pixel) {
-    const bool rimmed = atRim(pixel);
-    setCursor(rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
+    const bool held = gripAt(drawing(), pixel).has_value(), rimmed = !held && atRim(pixel);
+    setCursor(held ? Qt::OpenHandCursor : rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
     if (rimmed == m_pointerAtRim) return;
     m_pointerAtRim = rimmed;
     update();

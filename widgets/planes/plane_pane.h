@@ -10,7 +10,9 @@
 
 #include "processing/document/box.h"
 #include "processing/document/planes.h"
+#include "widgets/planes/box_grips.h"
 #include "widgets/planes/grey_image.h"
+#include "widgets/planes/plane_mapping.h"
 #include "widgets/planes/plane_resampler.h"
 
 class QPainter;
@@ -23,9 +25,10 @@ struct PlaneScene {
     Planes planes{};
     BeamAxis beam = BeamAxis::plusZ;
     DataBox data{};
-    double unitMm = 1.0;               ///< of a step through parallel planes
-    bool lengthsKnown = true;          ///< where false, no length is said in mm
-    double brightness = 1.0;           ///< of the look
+    double unitMm = 1.0;       ///< of a step through parallel planes
+    bool lengthsKnown = true;  ///< where false, no length is said in mm
+    double brightness = 1.0;   ///< of the look
+    BoxScene box{};
     std::array<QString, 4> letters{};  ///< of the patient: left, right, top, bottom; empty where they are not known
     friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
 };
@@ -56,9 +59,10 @@ public:
     /// Ends a drag without change; false where there is none.
     bool cancelDrag();
 
-    /// Where a place of the grid, mm, is seen, in logical pixels; and what is seen at a place, in the plane.
-    [[nodiscard]] QPointF seenAt(const Vec3& gridMm) const;
-    [[nodiscard]] Vec3 gridAt(const QPointF& pixel) const;
+    /// Where places of the grid are seen now; needs a scene.
+    [[nodiscard]] PlaneMapping mapping() const;
+    /// What is drawn of the box, and where it can be held.
+    [[nodiscard]] BoxDrawing drawing() const { return boxDrawing(m_scene->box, mapping()); }
 
     /// What lies nearer to the pane's border, in logical pixels, is its rim.
     static constexpr double rim = 24.0;
@@ -70,6 +74,8 @@ signals:
     /// The hand asks for other planes; `what` names the step. While it drags, dragging() is true, and dragEnded() or
     /// dragCancelled() follows.
     void changed(const echolucent::Planes& next, const QString& what);
+    /// The same for the render box and the surface that the picture begins at.
+    void boxDragged(const echolucent::BoxGrip& grip, const echolucent::BoxDrag& next, const QString& what);
     void dragEnded(const QString& what);
     /// Escape has ended the drag: all is to be as before it.
     void dragCancelled();
@@ -98,11 +104,11 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    enum class Drag { none, reference, turn, pan, greys };
+    enum class Drag { none, reference, turn, pan, greys, grip };
     void createButtons();
     void placeButtons();
-    [[nodiscard]] PlaneView view() const;
-    [[nodiscard]] double mmPerPixel() const;
+    [[nodiscard]] Drag leftDragAt(const QPointF& pixel);
+    [[nodiscard]] static QString stepName(const BoxGrip& grip);
     [[nodiscard]] bool atRim(const QPointF& pixel) const;
     [[nodiscard]] QPointF referencePixel() const;
     void dragTo(const QPointF& pixel);
@@ -114,6 +120,7 @@ private:
     void reset();
     void makeImage();
     void paintLines(QPainter& painter) const;
+    void paintBox(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
     void paintRim(QPainter& painter) const;
 
@@ -130,6 +137,8 @@ private:
     Planes m_before;       ///< when the drag began
     Planes m_beforeClick;  ///< when the first press of what may become a double click came
     QPointF m_from;        ///< where the drag began
+    BoxGrip m_grip;        ///< what of the box is dragged
+    BoxScene m_boxBefore;  ///< when the drag began
     bool m_pointerAtRim = false;
 };
 

@@ -40,7 +40,7 @@ signals:
     void lightMoved(double right, double down);
     void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner, no button held
     void left();
-    void doubleClicked();  ///< with the left button
+    void doubleClicked();               ///< with the left button
     void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides, for the widget that has the focus
     void filesDropped(const QStringList& files);
 

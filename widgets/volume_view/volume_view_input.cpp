@@ -54,6 +54,11 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     layout->addWidget(parts.container);
     parts.pointer = new ViewPointer(parts.window, this);
     connectPointer();
+    // Filters that are installed later come first: grips before the camera, and while a tool is set, the left button
+    // draws.
+    parts.grips = new GripPointer(
+        parts.window, [this] { return shownCamera(); }, this);
+    parts.lasso = new LassoPointer(parts.window, this);
     parts.meter = new FrameMeter(parts.window, this);
     connect(parts.meter, &FrameMeter::pictureDrawn, this, [this](double milliseconds) {
         m_parts->caster.drawn(milliseconds);
@@ -243,7 +248,12 @@ void VolumeViewWidget::resizeEvent(QResizeEvent* event) {
 }
 
 void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && m_parts->pointer->cancelDrag()) return;
+    Parts& parts = *m_parts;
+    if (event->key() == Qt::Key_Escape &&
+        (parts.pointer->cancelDrag() || parts.grips->cancelDrag() || parts.lasso->cancelDrawing()))
+        return;
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && parts.lasso->closePolygon()) return;
     QWidget::keyPressEvent(event);
 }
 

@@ -11,6 +11,8 @@
 
 #include "processing/document/pose.h"
 #include "widgets/volume_view/frame_meter.h"
+#include "widgets/volume_view/grip_pointer.h"
+#include "widgets/volume_view/lasso_pointer.h"
 #include "widgets/volume_view/progressive_caster.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 #include "widgets/volume_view/view_pointer.h"
@@ -38,6 +40,8 @@ struct VolumeViewWidget::Parts {
     QVTKOpenGLWindow* window = nullptr;  ///< owned by the container
     QWidget* container = nullptr;
     ViewPointer* pointer = nullptr;
+    GripPointer* grips = nullptr;
+    LassoPointer* lasso = nullptr;
     FrameMeter* meter = nullptr;
     // Last, so that its thread has ended before anything above is destroyed.
     ProgressiveCaster caster;

@@ -66,6 +66,18 @@ void VolumeViewWidget::setCaption(const QString& text) {
     if (m_parts->shown) render(false);
 }
 
+void VolumeViewWidget::setOverlay(const Overlay& overlay) {
+    if (overlay == m_parts->scene.overlay()) return;
+    m_parts->scene.setOverlay(overlay);
+    if (m_parts->shown) render(false);
+}
+
+LassoPointer& VolumeViewWidget::lasso() { return *m_parts->lasso; }
+
+GripPointer& VolumeViewWidget::grips() { return *m_parts->grips; }
+
+Camera VolumeViewWidget::shownCamera() const { return m_parts->scene.camera(); }
+
 QString VolumeViewWidget::caption() const { return QString::fromStdString(m_parts->scene.caption()); }
 
 VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
@@ -112,7 +124,13 @@ QImage VolumeViewWidget::convergedImage() {
             emit pictureFailed();  // what is on the screen is saved
         }
     }
-    return screenImage();
+    // What the hand can hold is no part of a picture that is kept.
+    const Overlay overlay = parts.scene.overlay();
+    parts.scene.setOverlay({});
+    const QImage image = screenImage();
+    parts.scene.setOverlay(overlay);
+    if (overlay != Overlay{} && parts.shown) render(false);
+    return image;
 }
 
 void VolumeViewWidget::schedule() {
@@ -220,6 +238,16 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     } else {
         emit pointed(std::nullopt, std::nullopt);
     }
+}
+
+std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place) const {
+    const Parts& parts = *m_parts;
+    if (!parts.shown) return std::nullopt;
+    const RayCastSettings& settings = parts.shown->settings;
+    const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, settings};
+    const auto sample = samplePointedAt(shown, settings.width / 2.0 + place[0] * settings.height,
+                                        settings.height / 2.0 + place[1] * settings.height);
+    return sample ? std::optional(sample->gridMm) : std::nullopt;
 }
 
 void VolumeViewWidget::updateBusy() {

@@ -12,6 +12,7 @@
 #include "processing/opacity_curve.h"
 #include "processing/picture/look.h"
 #include "processing/picture/picture.h"
+#include "processing/picture/picture_place.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/picture/renderer_choice.h"
 #include "processing/viewpoint.h"
@@ -20,6 +21,9 @@
 namespace echolucent {
 
 struct CastPicture;
+struct Overlay;
+class GripPointer;
+class LassoPointer;
 struct PictureRequest;
 class VolumeScene;
 
@@ -111,6 +115,15 @@ public:
     /// Says in the picture what was done to it; an empty text says nothing.
     void setCaption(const QString& text);
     [[nodiscard]] QString caption() const;
+    /// Lines over the picture, which are no part of it: saved pictures go without them.
+    void setOverlay(const Overlay& overlay);
+    /// What the scalpel draws over the picture, and what can be held there.
+    [[nodiscard]] LassoPointer& lasso();
+    [[nodiscard]] GripPointer& grips();
+    /// The camera of the picture that is shown.
+    [[nodiscard]] Camera shownCamera() const;
+    /// The place of the grid, mm, that the picture shows there; empty where it shows nothing.
+    [[nodiscard]] std::optional<Vec3> shownAt(const PicturePlace& place) const;
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
     /// Chooses who renders. The graphics card can be chosen also where OpenGL is software, which is slow (see

@@ -80,7 +80,7 @@ private slots:
                     planesOf(there, 1) = withReferencePoint(planesOf(there, 1), at, data);
                     window().document().edit(there, "move reference point");
                     waitForPlanes();
-                    const QPointF pixel = shown.seenAt(at);
+                    const QPointF pixel = shown.mapping().seenAt(at);
                     const ViewFrame probe = frameOf(Viewpoint{.beamAxis = beam});
                     const Vec3 fromCentre = at - data.centreMm();
                     const double right =
@@ -98,12 +98,12 @@ private slots:
     void aClickAndADragMoveTheReferencePointInOneStepEach() {
         PlanePane& a = pane("planes.a");
         const QPoint to(a.width() / 2 + 40, a.height() / 2 - 25);
-        const Vec3 wanted = a.gridAt(to);
+        const Vec3 wanted = a.mapping().gridAt(to);
         QTest::mouseClick(&a, Qt::LeftButton, {}, to);
         QVERIFY(length(reference() - wanted) < 1e-6);
         QCOMPARE(window().document().steps().undoText(), "move reference point");
         const int steps = window().document().steps().count();
-        const Vec3 second = a.gridAt(to + QPoint(-60, 30));
+        const Vec3 second = a.mapping().gridAt(to + QPoint(-60, 30));
         drag(a, Qt::LeftButton, {}, to, to + QPoint(-60, 30));
         QVERIFY(length(reference() - second) < 1e-6);
         QCOMPARE(window().document().steps().count(), steps + 1);
@@ -132,7 +132,7 @@ private slots:
     void theRimTurnsAllThreeAboutTheReferencePoint() {
         PlanePane& a = pane("planes.a");
         const ViewFrame before = frameOf(PlaneName::a, planes(), document().beam.axis);
-        const QPointF centre = a.seenAt(reference());
+        const QPointF centre = a.mapping().seenAt(reference());
         // From the right rim to the lower rim: a quarter of a turn, clockwise.
         const QPoint from(a.width() - 8, static_cast<int>(centre.y())),
             to(static_cast<int>(centre.x()), a.height() - 8);
@@ -140,7 +140,7 @@ private slots:
         const ViewFrame after = frameOf(PlaneName::a, planes(), document().beam.axis);
         QVERIFY(length(after.forward - before.forward) < 1e-9);
         QVERIFY(std::abs(after.down.dot(before.right) - 1.0) < 1e-3);
-        QVERIFY((a.seenAt(reference()) - centre).manhattanLength() < 1e-6);
+        QVERIFY((a.mapping().seenAt(reference()) - centre).manhattanLength() < 1e-6);
         QCOMPARE(window().document().steps().undoText(), "turn planes");
     }
 
@@ -182,21 +182,21 @@ private slots:
         for (int i = 0; i < 3; ++i) wheel(a, cursor, -1, {});
         QVERIFY(std::abs(forward.dot(reference() - from) - 3 * unit) < 1e-9);
         QCOMPARE(window().document().steps().count(), steps + 1);  // one burst
-        const Vec3 under = a.gridAt(cursor);
+        const Vec3 under = a.mapping().gridAt(cursor);
         wheel(a, cursor, 2, Qt::ControlModifier);
         QVERIFY(planes().crops[0].magnification > 1.2);
-        QVERIFY(length(a.gridAt(cursor) - under) < 1e-6);
+        QVERIFY(length(a.mapping().gridAt(cursor) - under) < 1e-6);
         QCOMPARE(planes().crops[1].magnification, 1.0);
     }
 
     void middleAndShiftDragsPanAndTheRightButtonSetsGreys() {
         PlanePane& b = pane("planes.b");
         const QPoint from(b.width() / 2, b.height() / 2), to = from + QPoint(30, -20);
-        const Vec3 held = b.gridAt(from);
+        const Vec3 held = b.mapping().gridAt(from);
         drag(b, Qt::MiddleButton, {}, from, to);
-        QVERIFY(length(b.gridAt(to) - held) < 1e-6);
+        QVERIFY(length(b.mapping().gridAt(to) - held) < 1e-6);
         drag(b, Qt::LeftButton, Qt::ShiftModifier, to, from);
-        QVERIFY(length(b.gridAt(from) - held) < 1e-6);
+        QVERIFY(length(b.mapping().gridAt(from) - held) < 1e-6);
         QVERIFY(length(reference() - Vec3(window().session().volume()->dataBox().centreMm())) < 1e-9);
         drag(b, Qt::RightButton, {}, from, from + QPoint(-160, -64));
         QCOMPARE(planes().window, 0.5);

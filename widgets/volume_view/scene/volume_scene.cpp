@@ -29,6 +29,7 @@ VolumeScene::VolumeScene() {
     m_volumeProp->SetMapper(m_mapper);
     m_volumeProp->SetProperty(m_property);
     m_renderer->AddVolume(m_volumeProp);
+    m_overlay.addTo(m_renderer);
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
     m_caption.addTo(m_renderer);
@@ -164,6 +165,7 @@ void VolumeScene::updateVisibility() {
     m_orientationMarker.setVisible(visible);
     m_scaleBar.setVisible(visible);
     m_caption.setVisible(visible);
+    m_overlay.setVisible(m_volume && m_hasPicture);
 }
 
 void VolumeScene::prepareDrawing() {
@@ -179,6 +181,7 @@ void VolumeScene::layOutAnnotations() {
     const Camera shown = camera();
     m_orientationMarker.layOut(scale, shown.frame);
     m_caption.layOut(size[1], scale);
+    m_overlay.layOut(size[0], size[1], scale, shown);
     m_scaleBar.layOut(size[0], size[1], scale, shown.heightMm, m_volume->geometry().spacingKnown);
 }
 

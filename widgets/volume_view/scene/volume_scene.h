@@ -9,6 +9,7 @@
 #include "processing/picture/renderer_choice.h"
 #include "widgets/volume_view/scene/annotation/caption.h"
 #include "widgets/volume_view/scene/annotation/orientation_marker.h"
+#include "widgets/volume_view/scene/annotation/overlay_lines.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
@@ -54,6 +55,9 @@ public:
     /// Says in the picture what was done to it; an empty text says nothing.
     void setCaption(const std::string& text);
     [[nodiscard]] const std::string& caption() const { return m_caption.text(); }
+    /// Lines over the picture, beside the annotations; those in space follow the camera.
+    void setOverlay(const Overlay& overlay) { m_overlay.setOverlay(overlay); }
+    [[nodiscard]] const Overlay& overlay() const { return m_overlay.overlay(); }
 
     // ---- What a picture for this scene needs
 
@@ -105,6 +109,7 @@ private:
     OrientationMarker m_orientationMarker;
     ScaleBar m_scaleBar;
     Caption m_caption;
+    OverlayLines m_overlay;
     OpaqueDepth m_opaqueDepth;
     GraphicsCard m_card;
     GraphicsCardVolume m_cardVolume;

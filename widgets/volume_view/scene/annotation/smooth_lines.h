@@ -3,8 +3,9 @@
 
 #include <vtkNew.h>
 
-#include <array>
 #include <opencv2/core/matx.hpp>
+
+#include "widgets/volume_view/scene/annotation/overlay.h"
 
 class vtkActor2D;
 class vtkCellArray;
@@ -16,8 +17,6 @@ class vtkUnsignedCharArray;
 namespace echolucent {
 
 using Point2 = cv::Vec2d;
-/// Red, green, blue, each 0..255.
-using Colour = std::array<unsigned char, 3>;
 
 /// Shapes in viewport pixels (x right, y up, from the lower left corner), drawn in the order they were added.
 class SmoothLines {

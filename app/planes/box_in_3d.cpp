@@ -1,0 +1,156 @@
+#include "app/planes/box_in_3d.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "processing/document/box_editing.h"
+#include "widgets/planes/plane_colours.h"
+#include "widgets/volume_view/grip_pointer.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr Colour boxColour{0xe8, 0xb0, 0x4b}, accent{0x4f, 0xb3, 0xbf}, behindColour{0x8a, 0x6c, 0x38};
+constexpr double faceRadius = 5.0, edgeRadius = 3.5, cornerRadius = 3.5, centreRadius = 4.0;  // plain pixels
+
+Colour lineColour(PlaneName plane) {
+    const QColor colour = colourOf(plane);
+    return {static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+            static_cast<unsigned char>(colour.blue())};
+}
+
+/// Where the faces of a grip meet: the middle of a face or of an edge, a corner, or the centre.
+Vec3 placeOf(const OrientedBox& box, const std::vector<BoxFace>& faces) {
+    Vec3 place = box.centreMm;
+    for (const BoxFace& face : faces) place += outwardNormal(box, face) * (0.5 * box.sizeMm[face.axis]);
+    return place;
+}
+
+/// Every combination of faces that meet: 6 faces, 12 edges, 8 corners, and the centre.
+std::vector<std::vector<BoxFace>> allGrips() {
+    std::vector<std::vector<BoxFace>> grips;
+    for (int right = -1; right <= 1; ++right)
+        for (int down = -1; down <= 1; ++down)
+            for (int forward = -1; forward <= 1; ++forward) {
+                std::vector<BoxFace> faces;
+                if (right != 0) faces.push_back({0, right});
+                if (down != 0) faces.push_back({1, down});
+                if (forward != 0) faces.push_back({2, forward});
+                grips.push_back(std::move(faces));
+            }
+    return grips;
+}
+
+}  // namespace
+
+BoxIn3d::BoxIn3d(DocumentModel& model, int view, Session& session, VolumeViewWidget& picture, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_session(session), m_picture(picture) {
+    connect(&m_model, &DocumentModel::changed, this, &BoxIn3d::show);
+    connect(&m_session, &Session::volumeChanged, this, &BoxIn3d::show);
+    GripPointer& grips = m_picture.grips();
+    connect(&grips, &GripPointer::dragStarted, this, [this](std::size_t grip) {
+        m_held = m_grips.at(grip);
+        m_before = m_model.document();
+    });
+    connect(&grips, &GripPointer::dragged, this, [this](std::size_t, const Vec3& mm) { drag(mm); });
+    connect(&grips, &GripPointer::dragEnded, this, [this] {
+        m_before.reset();
+        m_model.commitPreview();
+    });
+    connect(&grips, &GripPointer::dragCancelled, this, [this] {
+        m_before.reset();
+        m_model.cancelPreview();
+    });
+}
+
+void BoxIn3d::setDrawing(const std::optional<PictureLine>& drawing) {
+    m_drawing = drawing;
+    show();
+}
+
+void BoxIn3d::show() {
+    Overlay overlay;
+    if (m_session.volume()) {
+        if (planesOf(m_model.document(), m_view).linesIn3d) addPlanes(overlay);
+        addBox(overlay);
+    }
+    if (m_drawing) overlay.pictureLines.push_back(*m_drawing);
+    m_picture.setOverlay(overlay);
+}
+
+void BoxIn3d::addPlanes(Overlay& overlay) const {
+    const Document& document = m_model.document();
+    const DataBox data = m_session.volume()->dataBox();
+    const OrientedBox whole{data.centreMm(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, data.sizeMm()};
+    const Planes& planes = planesOf(document, m_view);
+    for (const PlaneName plane : allPlaneNames) {
+        const BoxSection section =
+            sectionOf(whole, referencePointOf(planes, data), frameOf(plane, planes, document.beam.axis).forward);
+        for (std::size_t i = 0; i < section.corners.size(); ++i)
+            overlay.spaceLines.push_back(
+                {section.corners[i], section.corners[(i + 1) % section.corners.size()], lineColour(plane), 1.5});
+    }
+}
+
+void BoxIn3d::addBox(Overlay& overlay) {
+    const Document& document = m_model.document();
+    const Box& set = boxOf(document, m_view);
+    if (!set.on) {
+        m_grips.clear();
+        m_picture.grips().setGrips({});
+        return;
+    }
+    const OrientedBox box = orientedBoxOf(set, document.beam.axis);
+    const BoxFace front = faceOf(set.front);
+    const Vec3 looking = frameOf(viewpointOf(document, m_view)).forward;
+    const auto facesViewer = [&](const BoxFace& face) { return outwardNormal(box, face).dot(looking) < 0.0; };
+    m_grips = allGrips();
+    // What lies nearer to the viewer is held first.
+    std::ranges::stable_sort(m_grips, {}, [&](const Grip& grip) { return looking.dot(placeOf(box, grip)); });
+    std::vector<Vec3> places;
+    for (const Grip& grip : m_grips) {
+        const Vec3 place = placeOf(box, grip);
+        places.push_back(place);
+        const bool ofFront = std::ranges::find(grip, front) != grip.end();
+        const bool seen = grip.empty() || std::ranges::any_of(grip, facesViewer);
+        const double radius = grip.empty()       ? centreRadius
+                              : grip.size() == 1 ? faceRadius
+                              : grip.size() == 2 ? edgeRadius
+                                                 : cornerRadius;
+        if (seen) overlay.discs.push_back({place, ofFront ? accent : boxColour, radius});
+        if (grip.size() != 2) continue;
+        // The edge on which this grip lies goes along the axis that none of its faces has.
+        const int along = 3 - grip[0].axis - grip[1].axis;
+        const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
+        overlay.spaceLines.push_back({place - half, place + half,
+                                      ofFront ? accent
+                                      : seen  ? boxColour
+                                              : behindColour,
+                                      ofFront ? 3.0 : 1.5});
+    }
+    m_picture.grips().setGrips(places);
+}
+
+void BoxIn3d::drag(const Vec3& mm) {
+    if (!m_before) return;
+    const Document& before = *m_before;
+    const OrientedBox start = orientedBoxOf(boxOf(before, m_view), before.beam.axis);
+    const Vec3 looking = frameOf(viewpointOf(before, m_view)).forward;
+    OrientedBox box = start;
+    if (m_held.empty()) box.centreMm += mm;
+    for (const BoxFace& face : m_held) {
+        const Vec3 normal = outwardNormal(start, face);
+        // The face moves along its normal so far that its picture follows the hand; one that is seen head on cannot.
+        const Vec3 seen = normal - looking * looking.dot(normal);
+        const double squared = seen.dot(seen);
+        constexpr double leastSeen = 0.02;
+        if (squared < leastSeen) continue;
+        box = withFaceMoved(box, face, mm.dot(seen) / squared, m_session.volume()->geometry().unit());
+    }
+    const Document next = withBox(before, m_view, movedBox(boxOf(before, m_view), box, before.beam.axis));
+    m_model.preview(next, m_held.empty() ? tr("move box") : tr("size of the box"));
+}
+
+}  // namespace echolucent

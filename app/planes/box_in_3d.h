@@ -1,0 +1,46 @@
+// The render box and the planes in the 3D view: drawn over the picture, and the box dragged there.
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "app/document/document_model.h"
+#include "app/study/session.h"
+#include "processing/box_section.h"
+#include "widgets/volume_view/scene/annotation/overlay.h"
+
+namespace echolucent {
+
+class VolumeViewWidget;
+
+/// Faces, edges, corners and the centre of the box can be dragged in the picture; a drag is one step.
+class BoxIn3d : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them must outlive this.
+    BoxIn3d(DocumentModel& model, int view, Session& session, VolumeViewWidget& picture, QObject* parent = nullptr);
+
+    /// What the scalpel draws lies over all else.
+    void setDrawing(const std::optional<PictureLine>& drawing);
+
+private:
+    /// What is held together: no face is the centre, one a face, two an edge, three a corner.
+    using Grip = std::vector<BoxFace>;
+    void show();
+    void addBox(Overlay& overlay);
+    void addPlanes(Overlay& overlay) const;
+    void drag(const Vec3& mm);
+
+    DocumentModel& m_model;
+    int m_view;
+    Session& m_session;
+    VolumeViewWidget& m_picture;
+    std::vector<Grip> m_grips;
+    std::optional<PictureLine> m_drawing;
+    Grip m_held;                       ///< what is dragged
+    std::optional<Document> m_before;  ///< when the drag began
+};
+
+}  // namespace echolucent

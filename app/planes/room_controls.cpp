@@ -1,0 +1,72 @@
+#include "app/planes/room_controls.h"
+
+#include "processing/document/box_editing.h"
+
+namespace echolucent {
+
+RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session, RoomPanel& panel,
+                           QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_session(session), m_panel(panel) {
+    connect(&m_panel, &RoomPanel::planesChanged, this, [this](const Planes& planes, const QString& what) {
+        Document next = m_model.document();
+        planesOf(next, m_view) = planes;
+        edit(next, what);
+    });
+    connect(&m_panel, &RoomPanel::boxSwitched, this, &RoomControls::switchBox);
+    connect(&m_panel, &RoomPanel::frontChosen, this, &RoomControls::chooseFront);
+    connect(&m_panel, &RoomPanel::boxSizeChanged, this, &RoomControls::resizeBox);
+    connect(&m_panel, &RoomPanel::wholeBoxRequested, this, &RoomControls::makeWhole);
+    connect(&m_panel, &RoomPanel::slabRequested, this, &RoomControls::makeSlab);
+    connect(&m_model, &DocumentModel::planesChanged, this, &RoomControls::show);
+    connect(&m_model, &DocumentModel::boxesChanged, this, &RoomControls::show);
+    connect(&m_model, &DocumentModel::viewsChanged, this, &RoomControls::show);
+    connect(&m_session, &Session::studyOpened, this, [this] {
+        const VolumeGeometry& geometry = m_session.volume()->geometry();
+        m_panel.setUnit(geometry.unit(), geometry.spacingKnown);
+    });
+    show();
+}
+
+void RoomControls::show() {
+    m_panel.setPlanes(planesOf(m_model.document(), m_view));
+    m_panel.setBox(boxOf(m_model.document(), m_view));
+}
+
+void RoomControls::edit(const Document& next, const QString& what) {
+    m_model.edit(next, what, m_hand.current());
+    show();  // also where nothing changed: a button that was pressed stays as the document says
+}
+
+void RoomControls::switchBox(bool on) {
+    if (!m_session.volume()) return show();
+    edit(withBoxSwitched(m_model.document(), m_view, on, m_session.volume()->dataBox()),
+         on ? tr("show the box") : tr("leave the box"));
+}
+
+void RoomControls::chooseFront(BoxSide front) {
+    if (!m_session.volume()) return show();
+    edit(withFront(m_model.document(), m_view, front, m_session.volume()->dataBox()), tr("front of the box"));
+}
+
+void RoomControls::resizeBox(const Vec3& sizeMm) {
+    Box box = boxOf(m_model.document(), m_view);
+    box.sizeMm = sizeMm;
+    edit(withBox(m_model.document(), m_view, box), tr("size of the box"));
+}
+
+void RoomControls::makeWhole() {
+    if (!m_session.volume()) return;
+    const Document& document = m_model.document();
+    Box box = boxOf(document, m_view);
+    box.direction = {};
+    edit(withBox(document, m_view, wholeBox(box, document.beam.axis, m_session.volume()->dataBox())),
+         tr("box around all data"));
+}
+
+void RoomControls::makeSlab(PlaneName plane, double thicknessMm) {
+    if (!m_session.volume()) return;
+    edit(withSlab(m_model.document(), m_view, plane, thicknessMm, m_session.volume()->dataBox()),
+         tr("slab around a plane"));
+}
+
+}  // namespace echolucent

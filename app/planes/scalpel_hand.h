@@ -1,0 +1,49 @@
+// The scalpel in the hand: what is drawn over the 3D view becomes strokes of the document.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/document/document_model.h"
+#include "app/planes/box_in_3d.h"
+#include "widgets/panels/room_panel.h"
+
+namespace echolucent {
+
+class VolumeViewWidget;
+
+class ScalpelHand : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        int view;
+        VolumeViewWidget& picture;
+        BoxIn3d& overlay;
+        RoomPanel& panel;
+    };
+    /// All of them must outlive this.
+    explicit ScalpelHand(const Parts& parts, QObject* parent = nullptr);
+
+    void setTool(std::optional<ScalpelTool> tool);
+    [[nodiscard]] std::optional<ScalpelTool> tool() const;
+    /// Takes the tool used last, or puts it away.
+    void toggle();
+    void takeBack(int stroke);
+    void takeAllBack();
+
+signals:
+    void toolChanged();
+
+private:
+    void showDrawing(const std::vector<PicturePlace>& places);
+    void cut(const std::vector<PicturePlace>& places);
+    [[nodiscard]] std::optional<double> nearestShownMm(const ScalpelStroke& stroke) const;
+    void edit(const std::vector<ScalpelStroke>& strokes, const QString& what);
+
+    Parts m_parts;
+    ScalpelTool m_last = ScalpelTool::freehand;
+};
+
+}  // namespace echolucent

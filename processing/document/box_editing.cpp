@@ -1,0 +1,130 @@
+#include "processing/document/box_editing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echolucent {
+
+namespace {
+
+/// A box that nobody has set yet: it has the size of the default.
+bool neverSet(const Box& box) { return box.sizeMm == Box{}.sizeMm; }
+
+}  // namespace
+
+BoxFace faceOf(BoxSide side) {
+    switch (side) {
+        case BoxSide::top: return {2, -1};
+        case BoxSide::bottom: return {2, 1};
+        case BoxSide::left: return {0, -1};
+        case BoxSide::right: return {0, 1};
+        case BoxSide::near: return {1, 1};
+        case BoxSide::far: return {1, -1};
+    }
+    return {};
+}
+
+Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
+    Box next = box;
+    next.centreMm = moved.centreMm;
+    next.sizeMm = moved.sizeMm;
+    if (moved.axes != orientedBoxOf(box, beam).axes)
+        next.direction = directionOf(viewAlong(moved.axes.forward, moved.axes.down, beam, 0.0));
+    return next;
+}
+
+Document withBox(Document document, int view, const Box& box) {
+    boxOf(document, view) = box;
+    if (box.on) document.method.direction = directionFrom(box.front, box, document.beam.axis);
+    return document;
+}
+
+Document withBoxSwitched(Document document, int view, bool on, const DataBox& data) {
+    Box box = boxOf(document, view);
+    if (on && neverSet(box)) box = wholeBox(box, document.beam.axis, data);
+    box.on = on;
+    return withBox(std::move(document), view, box);
+}
+
+Document withFront(Document document, int view, BoxSide front, const DataBox& data) {
+    Document next = withBoxSwitched(std::move(document), view, true, data);
+    Box box = boxOf(next, view);
+    box.front = front;
+    next = withBox(std::move(next), view, box);
+    next.motionAngle = 0.0;
+    Pose& pose = poseOf(next, view);
+    pose = turnedTo(pose, next.beam.axis, next.method.direction);
+    return next;
+}
+
+Document withSlab(Document document, int view, PlaneName plane, double thicknessMm, const DataBox& data) {
+    const Planes& planes = planesOf(document, view);
+    const ViewFrame seen = frameOf(plane, planes, document.beam.axis);
+    Box box{.on = true, .direction = {}, .front = BoxSide::top};
+    box.direction = directionOf(viewAlong(seen.forward, seen.down, document.beam.axis, 0.0));
+    box = wholeBox(box, document.beam.axis, data);
+    const Vec3 forward = orientedBoxOf(box, document.beam.axis).axes.forward;
+    box.centreMm += forward * forward.dot(referencePointOf(planes, data) - box.centreMm);
+    box.sizeMm[2] = thicknessMm;
+    Document next = withBox(std::move(document), view, box);
+    next.motionAngle = 0.0;
+    // A slab behind a cut would be cut away.
+    cutOf(next, view) = Cut{};
+    Pose& pose = poseOf(next, view);
+    pose = turnedTo(pose, next.beam.axis, next.method.direction);
+    return next;
+}
+
+CutSurface startSurface(const Document& document, int view, const Volume& volume) {
+    const Cut& cut = cutOf(document, view);
+    if (cut.surface) return *cut.surface;
+    const BeamAxis beam = document.beam.axis;
+    const Box& set = boxOf(document, view);
+    const Viewpoint looksIn = otfViewpointOf(document, view);
+    // What the surface is to reach over.
+    const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
+    const auto extent = [&](const Vec3& axis) {
+        return std::abs(axis.dot(place.axes.right)) * place.sizeMm[0] +
+               std::abs(axis.dot(place.axes.down)) * place.sizeMm[1] +
+               std::abs(axis.dot(place.axes.forward)) * place.sizeMm[2];
+    };
+    CutSurface surface;
+    surface.frame = set.on ? frameFrom(set.front, place.axes) : frameOf(looksIn);
+    constexpr int nodes = 33;
+    const double across = extent(surface.frame.right), down = extent(surface.frame.down);
+    surface.spacingMm = std::max(across, down) / (nodes - 1);
+    const auto count = [&](double mm) { return std::max(2, static_cast<int>(std::ceil(mm / surface.spacingMm)) + 1); };
+    surface.columns = count(across);
+    surface.rows = count(down);
+    surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
+    surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
+    const double front = set.on || cut.nearCutMm == 0.0
+                             ? surface.frame.forward.dot(place.centreMm) - extent(surface.frame.forward) / 2.0
+                             : nearPlaneDepthMm(looksIn, volume.geometry());
+    surface.depthMm.assign(static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows),
+                           static_cast<float>(front));
+    return surface;
+}
+
+double bowAt(const CutSurface& surface, const Vec3& gridMm) {
+    const auto share = [](double mm, double first, double spacing, int count) {
+        const double half = spacing * (count - 1) / 2.0, at = (mm - first - half) / half;
+        return std::max(0.0, 1.0 - at * at);
+    };
+    return share(surface.frame.right.dot(gridMm), surface.firstRightMm, surface.spacingMm, surface.columns) *
+           share(surface.frame.down.dot(gridMm), surface.firstDownMm, surface.spacingMm, surface.rows);
+}
+
+CutSurface bowed(CutSurface surface, double mm) {
+    for (int row = 0; row < surface.rows; ++row)
+        for (int column = 0; column < surface.columns; ++column) {
+            const Vec3 place = surface.frame.right * (surface.firstRightMm + surface.spacingMm * column) +
+                               surface.frame.down * (surface.firstDownMm + surface.spacingMm * row);
+            float& depth = surface.depthMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
+                                           static_cast<std::size_t>(column)];
+            depth += static_cast<float>(mm * bowAt(surface, place));
+        }
+    return surface;
+}
+
+}  // namespace echolucent

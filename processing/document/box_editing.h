@@ -1,0 +1,34 @@
+// What a document becomes when a person sets its render box, and the curved front of that.
+#pragma once
+
+#include "processing/box_section.h"
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// The face of an unturned box's side.
+[[nodiscard]] BoxFace faceOf(BoxSide side);
+
+/// A person's box with another place, size or turn. Axes that the hand did not turn keep their bits.
+[[nodiscard]] Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam);
+
+/// The document with a view's box; where it is on, the adaptive OTF looks in through its front from now on.
+[[nodiscard]] Document withBox(Document document, int view, const Box& box);
+/// The same, with a front that the view is turned to; the box is switched on. It is one around all data where it was
+/// never set.
+[[nodiscard]] Document withFront(Document document, int view, BoxSide front, const DataBox& data);
+/// Switches the box on, around all data where it was never set, or off.
+[[nodiscard]] Document withBoxSwitched(Document document, int view, bool on, const DataBox& data);
+/// A box of a thickness (mm, above 0) around plane A, B or C as it lies now, as wide as all data, seen as the plane is.
+[[nodiscard]] Document withSlab(Document document, int view, PlaneName plane, double thicknessMm, const DataBox& data);
+
+/// The surface that a view's picture begins at, as one that can be bowed: its cut's own; else a flat one, at the front
+/// of its box, or, where the box is off, at its near cut, seen as the adaptive OTF looks in.
+[[nodiscard]] CutSurface startSurface(const Document& document, int view, const Volume& volume);
+/// A surface bowed by so many mm along its forward in the middle of its nodes, less towards their border: by
+/// (1 - u^2)(1 - v^2), with u and v from -1 to 1 over the nodes.
+[[nodiscard]] CutSurface bowed(CutSurface surface, double mm);
+/// The share of a bow that reaches a place of the grid.
+[[nodiscard]] double bowAt(const CutSurface& surface, const Vec3& gridMm);
+
+}  // namespace echolucent

@@ -1,0 +1,322 @@
+#include "widgets/panels/room_panel.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "widgets/panels/panel_controls.h"
+#include "widgets/panels/value_slider.h"
+
+namespace echolucent {
+
+namespace {
+
+QDoubleSpinBox* createLength(const QString& name, const QString& accessibleName, const QString& toolTip, double least) {
+    auto* box = named(new QDoubleSpinBox, name, accessibleName, toolTip);
+    box->setRange(least, 1000.0);
+    box->setDecimals(1);
+    box->setSuffix(QStringLiteral(" mm"));
+    box->setKeyboardTracking(false);
+    wheelNeedsFocus(box);
+    return box;
+}
+
+QToolButton* createSwitch(const QString& text, const QString& name, const QString& accessibleName,
+                          const QString& toolTip) {
+    auto* button = named(new QToolButton, name, accessibleName, toolTip);
+    button->setText(text);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    return button;
+}
+
+QString sideText(BoxSide side) {
+    switch (side) {
+        case BoxSide::top: return RoomPanel::tr("Top");
+        case BoxSide::bottom: return RoomPanel::tr("Bottom");
+        case BoxSide::left: return RoomPanel::tr("Left");
+        case BoxSide::right: return RoomPanel::tr("Right");
+        case BoxSide::near: return RoomPanel::tr("Near");
+        case BoxSide::far: return RoomPanel::tr("Far");
+    }
+    return {};
+}
+
+QString toolText(ScalpelTool tool) {
+    switch (tool) {
+        case ScalpelTool::freehand: return RoomPanel::tr("Freehand");
+        case ScalpelTool::polygon: return RoomPanel::tr("Polygon");
+        case ScalpelTool::box: return RoomPanel::tr("Box");
+        case ScalpelTool::eraser: return RoomPanel::tr("Eraser");
+    }
+    return {};
+}
+
+constexpr std::array<ScalpelTool, 4> allTools{ScalpelTool::freehand, ScalpelTool::polygon, ScalpelTool::box,
+                                              ScalpelTool::eraser};
+
+}  // namespace
+
+RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
+    setObjectName("room");
+    setAccessibleName(tr("Planes, box and scalpel"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(createPlanes());
+    column->addWidget(createBox());
+    column->addWidget(createScalpel());
+    column->addStretch(1);
+    setPlanes({});
+    setBox({});
+    setStrokes({});
+    setTool(std::nullopt);
+}
+
+QGroupBox* RoomPanel::createPlanes() {
+    auto* group = new QGroupBox(tr("Planes A, B, C"));
+    auto* column = new QVBoxLayout(group);
+    m_quiet = named(new QCheckBox(tr("Speckle reduced as in the picture")), "room.quiet",
+                    tr("Speckle reduced as in the picture"), tr("Off: the planes show the voxels that were read"));
+    m_lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
+                    tr("Draws where the planes lie over the 3D picture"));
+    const auto changed = [this](const QString& what) { emit planesChanged(m_planes, what); };
+    connect(m_quiet, &QCheckBox::toggled, this, [this, changed](bool on) {
+        m_planes.quiet = on;
+        changed(tr("voxels of planes"));
+    });
+    connect(m_lines, &QCheckBox::toggled, this, [this, changed](bool on) {
+        m_planes.linesIn3d = on;
+        changed(tr("planes in 3D"));
+    });
+    m_window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
+    m_window->setRange(0.05, largestPlaneWindow / 2);
+    m_window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
+    m_level = new ValueSlider("room.level", tr("Level"), 0.01, 2);
+    m_level->setRange(0.0, 1.0);
+    m_level->setToolTip(tr("The intensity shown half bright; right drag down in a plane"));
+    connect(m_window, &ValueSlider::valueChanged, this, [this, changed](double value) {
+        m_planes.window = value;
+        changed(tr("window and level"));
+    });
+    connect(m_level, &ValueSlider::valueChanged, this, [this, changed](double value) {
+        m_planes.level = value;
+        changed(tr("window and level"));
+    });
+    auto* reset = named(new QPushButton(tr("Reset planes")), "room.resetPlanes", tr("Reset planes"),
+                        tr("Place, turn, pictures and greys as on opening"));
+    connect(reset, &QPushButton::clicked, this, &RoomPanel::planesResetRequested);
+    auto* grid = new QGridLayout;
+    grid->addWidget(labelFor(m_window, tr("Window")), 0, 0);
+    grid->addWidget(m_window, 0, 1);
+    grid->addWidget(labelFor(m_level, tr("Level")), 1, 0);
+    grid->addWidget(m_level, 1, 1);
+    column->addWidget(m_quiet);
+    column->addWidget(m_lines);
+    column->addLayout(grid);
+    column->addWidget(reset);
+    return group;
+}
+
+QGroupBox* RoomPanel::createBox() {
+    auto* group = new QGroupBox(tr("Render box"));
+    auto* column = new QVBoxLayout(group);
+    m_box =
+        named(new QCheckBox(tr("Show only what lies in the box (B)")), "room.box", tr("Show only what lies in the box"),
+              tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
+    connect(m_box, &QCheckBox::toggled, this, &RoomPanel::boxSwitched);
+    column->addWidget(m_box);
+    addFronts(*column);
+    addSizes(*column);
+    addSlab(*column);
+    return group;
+}
+
+void RoomPanel::addFronts(QVBoxLayout& column) {
+    column.addWidget(secondaryLabel(tr("Look in from (Ctrl + 1 to 6)")));
+    auto* grid = new QGridLayout;
+    for (const BoxSide side : allBoxSides) {
+        const auto index = static_cast<std::size_t>(side);
+        const QString name = textOf(nameOf(side));
+        auto* button =
+            createSwitch(sideText(side), "room.front." + name, tr("Look in from the side: %1").arg(sideText(side)),
+                         tr("The picture looks in from this side of the box, and so do the tube cores"));
+        connect(button, &QToolButton::clicked, this, [this, side] { emit frontChosen(side); });
+        m_fronts[index] = button;
+        grid->addWidget(button, static_cast<int>(index) / 3, static_cast<int>(index) % 3);
+    }
+    column.addLayout(grid);
+}
+
+void RoomPanel::addSizes(QVBoxLayout& column) {
+    static constexpr std::array names{"room.width", "room.depth", "room.height"};
+    const std::array texts{tr("Width, left to right"), tr("Depth, far to near"), tr("Height, top to bottom")};
+    auto* grid = new QGridLayout;
+    for (std::size_t i = 0; i < m_sizes.size(); ++i) {
+        m_sizes[i] = createLength(names[i], texts[i], tr("Size of the box; its centre stays"), 0.1);
+        connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this, [this] {
+            emit boxSizeChanged({m_sizes[0]->value(), m_sizes[1]->value(), m_sizes[2]->value()});
+        });
+        grid->addWidget(labelFor(m_sizes[i], texts[i]), static_cast<int>(i), 0);
+        grid->addWidget(m_sizes[i], static_cast<int>(i), 1);
+    }
+    auto* whole = named(new QPushButton(tr("Around all data")), "room.wholeBox", tr("Box around all data"),
+                        tr("Unturned, around the whole volume"));
+    connect(whole, &QPushButton::clicked, this, &RoomPanel::wholeBoxRequested);
+    column.addLayout(grid);
+    column.addWidget(whole);
+}
+
+void RoomPanel::addSlab(QVBoxLayout& column) {
+    m_slab = createLength("room.slab.thickness", tr("Thickness of a slab"), tr("Of a slab around a plane"), 0.1);
+    m_slab->setValue(5.0);
+    auto* row = new QHBoxLayout;
+    row->addWidget(labelFor(m_slab, tr("Slab of")));
+    row->addWidget(m_slab, 1);
+    row->addWidget(new QLabel(tr("around")));
+    for (const PlaneName plane : allPlaneNames) {
+        const QString letter = textOf(nameOf(plane));
+        auto* button = named(new QToolButton, "room.slab." + letter.toLower(), tr("Slab around plane %1").arg(letter),
+                             tr("A thin box around plane %1, seen as the plane is; maximum, minimum and mean show what "
+                                "lies in it")
+                                 .arg(letter));
+        button->setText(letter);
+        connect(button, &QToolButton::clicked, this, [this, plane] { emit slabRequested(plane, m_slab->value()); });
+        row->addWidget(button);
+    }
+    column.addLayout(row);
+}
+
+QGroupBox* RoomPanel::createScalpel() {
+    auto* group = new QGroupBox(tr("Scalpel"));
+    auto* column = new QVBoxLayout(group);
+    addTools(*column);
+    addStrokes(*column);
+    return group;
+}
+
+void RoomPanel::addTools(QVBoxLayout& column) {
+    auto* tools = new QGridLayout;
+    for (const ScalpelTool tool : allTools) {
+        const auto index = static_cast<std::size_t>(tool);
+        auto* button =
+            createSwitch(toolText(tool), "room.scalpel." + textOf(nameOf(tool)), tr("Scalpel: %1").arg(toolText(tool)),
+                         tr("Draw over the 3D picture with the left button; press again to put it away (S)"));
+        connect(button, &QToolButton::clicked, this,
+                [this, tool](bool on) { emit toolChosen(on ? std::optional(tool) : std::nullopt); });
+        m_tools[index] = button;
+        tools->addWidget(button, static_cast<int>(index) / 2, static_cast<int>(index) % 2);
+    }
+    auto* inside = named(new QRadioButton(tr("Cut inside")), "room.scalpel.inside", tr("Cut inside"),
+                         tr("What lies inside the outline is cut away"));
+    m_outside = named(new QRadioButton(tr("Cut outside")), "room.scalpel.outside", tr("Cut outside"),
+                      tr("What lies outside the outline is cut away"));
+    inside->setChecked(true);
+    auto* sides = new QHBoxLayout;
+    sides->addWidget(inside);
+    sides->addWidget(m_outside);
+    sides->addStretch(1);
+    m_eraser = createLength("room.scalpel.size", tr("Size of the eraser"), tr("Its diameter"), 0.2);
+    m_eraser->setValue(ScalpelSettings{}.eraserMm);
+    m_limited = named(new QCheckBox(tr("Only down to")), "room.scalpel.limited", tr("Cut only down to a depth"),
+                      tr("Off: through everything"));
+    m_limit =
+        createLength("room.scalpel.limit", tr("Depth behind what shows"), tr("Counted from what shows there"), 0.1);
+    m_limit->setValue(5.0);
+    connect(m_limited, &QCheckBox::toggled, this, &RoomPanel::updateEnabled);
+    auto* numbers = new QGridLayout;
+    numbers->addWidget(labelFor(m_eraser, tr("Size of the eraser")), 0, 0);
+    numbers->addWidget(m_eraser, 0, 1);
+    numbers->addWidget(m_limited, 1, 0);
+    numbers->addWidget(m_limit, 1, 1);
+    column.addLayout(tools);
+    column.addLayout(sides);
+    column.addLayout(numbers);
+}
+
+void RoomPanel::addStrokes(QVBoxLayout& column) {
+    m_strokes = named(new QListWidget, "room.scalpel.strokes", tr("Strokes"), tr("The strokes of the scalpel"));
+    m_strokes->setFixedHeight(84);
+    m_takeBack = named(new QPushButton(tr("Take back")), "room.scalpel.takeBack", tr("Take the selected stroke back"),
+                       tr("The stroke selected in the list"));
+    m_takeAllBack = named(new QPushButton(tr("Take all back")), "room.scalpel.takeAllBack", tr("Take all strokes back"),
+                          tr("Shows all again that the scalpel has cut (Shift + S)"));
+    connect(m_strokes, &QListWidget::currentRowChanged, this, &RoomPanel::updateEnabled);
+    connect(m_takeBack, &QPushButton::clicked, this, [this] { emit strokeTakenBack(m_strokes->currentRow()); });
+    connect(m_takeAllBack, &QPushButton::clicked, this, &RoomPanel::allStrokesTakenBack);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_takeBack);
+    row->addWidget(m_takeAllBack);
+    column.addWidget(labelFor(m_strokes, tr("Strokes")));
+    column.addWidget(m_strokes);
+    column.addLayout(row);
+}
+
+void RoomPanel::setPlanes(const Planes& planes) {
+    m_planes = planes;
+    const QSignalBlocker quiet(m_quiet), lines(m_lines);
+    m_quiet->setChecked(planes.quiet);
+    m_lines->setChecked(planes.linesIn3d);
+    m_window->setValue(planes.window);
+    m_level->setValue(planes.level);
+}
+
+void RoomPanel::setBox(const Box& box) {
+    const QSignalBlocker on(m_box);
+    m_box->setChecked(box.on);
+    for (const BoxSide side : allBoxSides)
+        m_fronts[static_cast<std::size_t>(side)]->setChecked(box.on && side == box.front);
+    for (std::size_t i = 0; i < m_sizes.size(); ++i) {
+        const QSignalBlocker blocker(m_sizes[i]);
+        m_sizes[i]->setValue(box.sizeMm[static_cast<int>(i)]);
+        m_sizes[i]->setEnabled(box.on);
+    }
+}
+
+void RoomPanel::setUnit(double unitMm, bool known) {
+    const QString suffix = known ? tr(" mm") : tr(" mm (guess)");
+    for (QDoubleSpinBox* box : {m_sizes[0], m_sizes[1], m_sizes[2], m_slab, m_eraser, m_limit}) {
+        const QSignalBlocker blocker(box);
+        box->setSuffix(suffix);
+        box->setMinimum(std::max(0.1, unitMm));
+    }
+}
+
+void RoomPanel::setStrokes(const std::vector<ScalpelStroke>& strokes) {
+    const QSignalBlocker blocker(m_strokes);
+    m_strokes->clear();
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const ScalpelStroke& stroke = strokes[i];
+        QStringList words{tr("%1. %2").arg(i + 1).arg(toolText(stroke.tool))};
+        words << (stroke.side == ScalpelSide::inside ? tr("inside") : tr("outside"));
+        words << (stroke.depthMm ? tr("down to a depth") : tr("through everything"));
+        m_strokes->addItem(words.join(QStringLiteral(", ")));
+    }
+    m_strokes->setCurrentRow(m_strokes->count() - 1);
+    updateEnabled();
+}
+
+void RoomPanel::setTool(std::optional<ScalpelTool> tool) {
+    for (const ScalpelTool each : allTools) m_tools[static_cast<std::size_t>(each)]->setChecked(each == tool);
+}
+
+ScalpelSettings RoomPanel::scalpel() const {
+    ScalpelSettings settings;
+    settings.side = m_outside->isChecked() ? ScalpelSide::outside : ScalpelSide::inside;
+    settings.eraserMm = m_eraser->value();
+    if (m_limited->isChecked()) settings.depthMm = m_limit->value();
+    return settings;
+}
+
+void RoomPanel::updateEnabled() {
+    m_limit->setEnabled(m_limited->isChecked());
+    m_takeBack->setEnabled(m_strokes->currentRow() >= 0);
+    m_takeAllBack->setEnabled(m_strokes->count() > 0);
+}
+
+}  // namespace echolucent

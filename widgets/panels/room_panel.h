@@ -1,0 +1,94 @@
+// Planes, render box and scalpel by their names and numbers.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "processing/document/box.h"
+#include "processing/document/planes.h"
+#include "processing/scalpel/scalpel_stroke.h"
+
+class QAbstractButton;
+class QCheckBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QVBoxLayout;
+
+namespace echolucent {
+
+class ValueSlider;
+
+/// How the scalpel cuts; which tool is in the hand is no part of it.
+struct ScalpelSettings {
+    ScalpelSide side = ScalpelSide::inside;
+    double eraserMm = 4.0;            ///< its diameter, above 0
+    std::optional<double> depthMm{};  ///< behind what shows; not set: through everything
+    friend bool operator==(const ScalpelSettings&, const ScalpelSettings&) = default;
+};
+
+/// Objects: room.quiet, room.linesIn3d, room.window (+ .value), room.level (+ .value), room.resetPlanes; room.box,
+/// room.front.top … room.front.far, room.width, room.depth, room.height (each .value), room.wholeBox,
+/// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
+/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. No setter emits a signal.
+class RoomPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RoomPanel(QWidget* parent = nullptr);
+
+    void setPlanes(const Planes& planes);
+    void setBox(const Box& box);
+    /// The unit of a volume, mm, and whether lengths in mm are facts.
+    void setUnit(double unitMm, bool known);
+    void setStrokes(const std::vector<ScalpelStroke>& strokes);
+    void setTool(std::optional<ScalpelTool> tool);
+    [[nodiscard]] ScalpelSettings scalpel() const;
+
+signals:
+    void planesChanged(const echolucent::Planes& planes, const QString& what);
+    void planesResetRequested();
+    void boxSwitched(bool on);
+    void frontChosen(echolucent::BoxSide front);
+    /// From left to right, from far to near, from top to bottom; mm.
+    void boxSizeChanged(const echolucent::Vec3& sizeMm);
+    void wholeBoxRequested();
+    void slabRequested(echolucent::PlaneName plane, double thicknessMm);
+    void toolChosen(std::optional<echolucent::ScalpelTool> tool);
+    void strokeTakenBack(int stroke);  ///< its place in the list
+    void allStrokesTakenBack();
+
+private:
+    QGroupBox* createPlanes();
+    QGroupBox* createBox();
+    QGroupBox* createScalpel();
+    void addFronts(QVBoxLayout& column);
+    void addSizes(QVBoxLayout& column);
+    void addSlab(QVBoxLayout& column);
+    void addTools(QVBoxLayout& column);
+    void addStrokes(QVBoxLayout& column);
+    void updateEnabled();
+
+    Planes m_planes;
+    QCheckBox* m_quiet = nullptr;
+    QCheckBox* m_lines = nullptr;
+    ValueSlider* m_window = nullptr;
+    ValueSlider* m_level = nullptr;
+    QCheckBox* m_box = nullptr;
+    std::array<QAbstractButton*, 6> m_fronts{};
+    std::array<QDoubleSpinBox*, 3> m_sizes{};
+    QDoubleSpinBox* m_slab = nullptr;
+    std::array<QAbstractButton*, 4> m_tools{};
+    QAbstractButton* m_outside = nullptr;
+    QDoubleSpinBox* m_eraser = nullptr;
+    QCheckBox* m_limited = nullptr;
+    QDoubleSpinBox* m_limit = nullptr;
+    QListWidget* m_strokes = nullptr;
+    QPushButton* m_takeBack = nullptr;
+    QPushButton* m_takeAllBack = nullptr;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,56 @@
+// Places over the 3D view that the hand can hold and drag.
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "processing/picture/camera.h"
+
+class QMouseEvent;
+class QWindow;
+
+namespace echolucent {
+
+/// A left drag that begins on a grip drags the grip; all other events pass on. Escape ends a drag without change.
+class GripPointer : public QObject {
+    Q_OBJECT
+
+public:
+    /// `camera` tells the camera of the picture that is shown.
+    GripPointer(QWindow* window, std::function<Camera()> camera, QObject* parent = nullptr);
+
+    /// Places of the grid, mm; those that lie before others come first.
+    void setGrips(std::vector<Vec3> gripsMm) { m_gripsMm = std::move(gripsMm); }
+    [[nodiscard]] bool dragging() const { return m_held.has_value(); }
+    /// False where there is no drag.
+    bool cancelDrag();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+    /// Logical pixels from a grip at which it is held.
+    static constexpr double reach = 9.0;
+
+signals:
+    void dragStarted(std::size_t grip);
+    /// How far the hand is from where the drag began: mm of the grid in the plane across the view through the grip.
+    void dragged(std::size_t grip, const echolucent::Vec3& mm);
+    void dragEnded();
+    void dragCancelled();
+
+private:
+    [[nodiscard]] std::optional<std::size_t> gripAt(const QPointF& pixel) const;
+    [[nodiscard]] Vec3 placeAt(const QPointF& pixel, double depthMm) const;
+
+    QWindow* m_window;
+    std::function<Camera()> m_camera;
+    std::vector<Vec3> m_gripsMm;
+    std::optional<std::size_t> m_held;
+    bool m_hovering = false;
+    QPointF m_from;
+    double m_depthMm = 0.0;  ///< of the grip when the drag began
+};
+
+}  // namespace echolucent
