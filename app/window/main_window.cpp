@@ -8,6 +8,7 @@
 
 #include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
+#include "app/picture/curve_controls.h"
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
@@ -60,6 +61,7 @@ void MainWindow::createUnits() {
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
+    m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course});

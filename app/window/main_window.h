@@ -17,6 +17,7 @@
 namespace echolucent {
 
 class CurveAndPictureFiles;
+class CurveControls;
 class MethodControls;
 class NearCutFinder;
 class PictureControls;
@@ -96,6 +97,7 @@ private:
     std::unique_ptr<OtfComputing> m_computing;
     std::unique_ptr<MethodControls> m_methodControls;
     std::unique_ptr<PictureControls> m_pictureControls;
+    std::unique_ptr<CurveControls> m_curveControls;
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;
     std::unique_ptr<NearCutFinder> m_nearCutFinder;

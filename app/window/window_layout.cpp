@@ -9,6 +9,7 @@
 
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/curve_sliders.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -39,10 +40,21 @@ QDockWidget* addDock(QMainWindow& window, const QString& title, const QString& n
     return dock;
 }
 
+/// What the person turns first stands on top.
+QWidget* pictureContent(const WindowLayout& layout) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(layout.sliders);
+    column->addWidget(layout.controls, 1);
+    return content;
+}
+
 void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
     QDockWidget* otf = addDock(window, title("Opacity transfer function"), "dock.otfEditor", layout.editor);
-    QDockWidget* picture = addDock(window, title("Picture"), "dock.view", layout.controls);
+    QDockWidget* picture = addDock(window, title("Picture"), "dock.view", pictureContent(layout));
     QDockWidget* room = addDock(window, title("Planes and box"), "dock.room", layout.room);
     QDockWidget* method = addDock(window, title("Adaptive"), "dock.method", layout.method);
     QDockWidget* study = addDock(window, title("Study"), "dock.study", layout.facts);
@@ -81,6 +93,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);
     layout.controls = new ViewPanel(&window);
+    layout.sliders = new CurveSliders(&window);
     layout.room = new RoomPanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);

@@ -9,6 +9,7 @@ class QMainWindow;
 namespace echolucent {
 
 class CurveOwner;
+class CurveSliders;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
@@ -32,6 +33,7 @@ struct WindowLayout {
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
     ViewPanel* controls = nullptr;
+    CurveSliders* sliders = nullptr;
     RoomPanel* room = nullptr;
     MotionPanel* motion = nullptr;
     OtfCoursePanel* course = nullptr;

@@ -158,6 +158,9 @@ CurveSet curvesIn(JsonFields fields) {
     curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
     curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
     curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
+    JsonFields adjustment = fields.object("adjustment");
+    curves.adjustment.threshold = adjustment.number("threshold", -largestThreshold, largestThreshold);
+    curves.adjustment.transparency = adjustment.number("transparency", -largestTransparency, largestTransparency);
     return curves;
 }
 

@@ -144,7 +144,8 @@ ordered_json curvesJson(const CurveSet& curves) {
         {"manual", manualCurveJson(curves.manual)},
         {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
         {"parabolic", {{"scale", curves.parabolic.scale}}},
-        {"quartic", {{"scale", curves.quartic.scale}}}};
+        {"quartic", {{"scale", curves.quartic.scale}}},
+        {"adjustment", {{"threshold", curves.adjustment.threshold}, {"transparency", curves.adjustment.transparency}}}};
 }
 
 ordered_json methodJson(const MethodChoice& method) {

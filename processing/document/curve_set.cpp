@@ -27,4 +27,8 @@ OpacityCurve curveOf(const CurveSet& curves, CurveKind kind, const SampledCurve&
     throw std::invalid_argument("curveOf: no such kind of curve");
 }
 
+OpacityCurve renderedCurve(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive) {
+    return adjusted(curveOf(curves, kind, adaptive), curves.adjustment);
+}
+
 }  // namespace echolucent

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "processing/document/curve_adjustment.h"
 #include "processing/opacity_curve.h"
 
 namespace echolucent {
@@ -31,10 +32,14 @@ struct CurveSet {
     LinearCurve linear;
     PowerCurve parabolic{2, 1.0};  ///< the exponent stays 2
     PowerCurve quartic{4, 1.0};    ///< the exponent stays 4
+    CurveAdjustment adjustment{};  ///< of whichever curve is rendered, the adaptive one too
     friend bool operator==(const CurveSet&, const CurveSet&) = default;
 };
 
 /// The curve of one kind; `adaptive` is what the method computed for the volume shown, empty before that.
 [[nodiscard]] OpacityCurve curveOf(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive);
+
+/// The same as it is rendered: adjusted.
+[[nodiscard]] OpacityCurve renderedCurve(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive);
 
 }  // namespace echolucent

@@ -114,7 +114,7 @@ Viewpoint otfViewpointOf(const Document& document, int view) {
 }
 
 OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive) {
-    return curveOf(document.curves, viewOf(document, view).curve, adaptive);
+    return renderedCurve(document.curves, viewOf(document, view).curve, adaptive);
 }
 
 AdaptiveOtfConfig configOf(const Document& document) { return configOf(document.method, document.curves); }

@@ -121,7 +121,7 @@ struct Document {
 [[nodiscard]] Viewpoint viewpointOf(const Document& document, int view);
 /// From where the adaptive OTF of a view is computed: the method's direction, the view's cut and its box.
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, int view);
-/// The curve that a view is rendered with; `adaptive` as in curveOf(CurveSet, ...).
+/// The curve that a view is rendered with, adjusted; `adaptive` as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive);
 /// What adaptOpacity() is to be run with.
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document);

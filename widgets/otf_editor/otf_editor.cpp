@@ -274,10 +274,10 @@ void OtfEditor::showState() {
     m_activate[indexOf(shown.active)]->setChecked(true);
     m_pages->setCurrentIndex(static_cast<int>(indexOf(shown.active)));
     m_copyAdaptive->setEnabled(computed);
-    m_reset->setEnabled(shown.active != CurveKind::adaptive);
-    m_reset->setToolTip(shown.active == CurveKind::adaptive
-                            ? tr("The adaptive curve comes from the volume")
-                            : tr("Reset the %1 curve (C)").arg(curveName(shown.active)));
+    const bool nothingToReset = shown.active == CurveKind::adaptive && shown.adjustment == CurveAdjustment{};
+    m_reset->setEnabled(!nothingToReset);
+    m_reset->setToolTip(nothingToReset ? tr("The adaptive curve comes from the volume")
+                                       : tr("Reset the %1 curve (C)").arg(curveName(shown.active)));
     m_deleteNode->setEnabled(m_model.selectedNode() >= 0 && m_model.canRemoveNode());
     if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;
     if (m_hoveredNode >= 0) m_hovered = shown.manual.nodes[static_cast<std::size_t>(m_hoveredNode)];

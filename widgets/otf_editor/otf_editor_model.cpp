@@ -150,12 +150,13 @@ void OtfEditorModel::resetActiveCurve() {
     const CurveSet standard{};
     OtfEditorState next = m_state;
     switch (m_state.active) {
-        case CurveKind::adaptive: return;
+        case CurveKind::adaptive: break;
         case CurveKind::manual: next.manual = standard.manual; break;
         case CurveKind::linear: next.linear = standard.linear; break;
         case CurveKind::parabolic: next.parabolic = standard.parabolic; break;
         case CurveKind::quartic: next.quartic = standard.quartic; break;
     }
+    next.adjustment = standard.adjustment;
     edit(next, tr("reset %1 curve").arg(curveName(m_state.active)));
 }
 

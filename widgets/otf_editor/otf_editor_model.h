@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] const OtfEditorState& state() const { return m_state; }
 
-    [[nodiscard]] OpacityCurve activeCurve() const { return curveOf(m_state, m_state.active); }
+    [[nodiscard]] OpacityCurve activeCurve() const { return renderedCurve(m_state); }
     /// Makes a curve the rendered one, and drawn.
     void setActive(CurveKind kind);
     void setVisible(CurveKind kind, bool visible);
@@ -57,7 +57,7 @@ public:
     void setLinear(const LinearCurve& curve, Gesture gesture = noGesture);
     /// The scale a >= 0 of the parabolic or quartic curve.
     void setScale(CurveKind kind, double scale, Gesture gesture = noGesture);
-    /// Makes the active curve that of CurveSet's defaults; an adaptive curve stays.
+    /// Makes the active curve that of CurveSet's defaults, and takes back what is adjusted; an adaptive curve stays.
     void resetActiveCurve();
 
     /// A drag: what dragNode does shows at once, endDrag makes one step of it, cancelDrag takes it back.

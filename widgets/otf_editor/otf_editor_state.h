@@ -20,4 +20,9 @@ struct OtfEditorState : CurveSet {
     return curveOf(state, kind, state.adaptive);
 }
 
+/// The curve that is rendered, adjusted.
+[[nodiscard]] inline OpacityCurve renderedCurve(const OtfEditorState& state) {
+    return renderedCurve(state, state.active, state.adaptive);
+}
+
 }  // namespace echolucent

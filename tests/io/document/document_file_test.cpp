@@ -72,6 +72,7 @@ Document unusual() {
     document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
     document.curves.parabolic.scale = 0.1;
     document.curves.quartic.scale = 17.3;
+    document.curves.adjustment = {-1.0 / 3.0, 0.7};
     document.method.initial = InitialKind::linear;
     document.method.initialScale = 0.55;
     document.method.direction = {12.3, -4.5, 6.7};
@@ -151,6 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/curves/manual/2/intensity", 0.2, "curves.manual[2].intensity", "before"},
                     Wrong{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
                     Wrong{"/curves/linear/upper", 0.2, "curves.linear.upper", "to 1"},
+                    Wrong{"/curves/adjustment/threshold", 0.51, "curves.adjustment.threshold", "-0.5 to 0.5"},
                     Wrong{"/method/initial", "cubic", "method.initial", "cubic"},
                     Wrong{"/method/parameters/tube_columns", 0, "method.parameters.tube_columns", "must be 1 to"},
                     Wrong{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},

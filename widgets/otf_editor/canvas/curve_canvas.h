@@ -101,6 +101,7 @@ private:
     void paintNodes(QPainter& painter, const Colors& colors) const;
     void paintGuides(QPainter& painter, const Colors& colors) const;
     [[nodiscard]] QPolygonF curvePolygon(CurveKind kind) const;
+    [[nodiscard]] QPolygonF polygonOf(const OpacityCurve& curve) const;
 
     OtfEditorModel& m_model;
     IntensityHistogram m_histogram;

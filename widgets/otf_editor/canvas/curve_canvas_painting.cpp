@@ -131,7 +131,11 @@ QPolygonF CurveCanvas::curvePolygon(CurveKind kind) const {
         polygon << m_axes.positionOf({1.0, nodes.back().opacity});
         return polygon;
     }
-    const OpacityCurve curve = curveOf(m_model.state(), kind);
+    return polygonOf(curveOf(m_model.state(), kind));
+}
+
+QPolygonF CurveCanvas::polygonOf(const OpacityCurve& curve) const {
+    QPolygonF polygon;
     const int columns = static_cast<int>(std::ceil(m_axes.rect.width()));
     for (int i = 0; i <= columns; ++i) {
         const double x = std::min(m_axes.rect.left() + i, m_axes.rect.right());
@@ -163,9 +167,15 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const Colors& co
     if (!state.visible[indexOf(kind)]) return;
     if (kind == CurveKind::adaptive && state.adaptive.opacities.empty()) return;
     const bool active = kind == state.active;
-    const QPolygonF polygon = curvePolygon(kind);
+    const bool isAdjusted = active && state.adjustment != CurveAdjustment{};
+    const QPolygonF polygon = isAdjusted ? polygonOf(renderedCurve(state)) : curvePolygon(kind);
     const QPen pen = curvePen(kind, active);
     painter.setBrush(Qt::NoBrush);
+    if (isAdjusted) {
+        // What is adjusted stays in sight, thin: its nodes are the ones that are edited.
+        painter.setPen(curvePen(kind, false));
+        painter.drawPolyline(curvePolygon(kind));
+    }
     if (active) {
         painter.setPen(QPen(colors.background, pen.widthF() + haloWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
         painter.drawPolyline(polygon);
