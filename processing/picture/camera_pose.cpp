@@ -8,8 +8,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr double degreesPerHeight = 180.0;
-
 double halfAngle(double degrees) { return degrees / 2.0 * std::numbers::pi / 180.0; }
 
 }  // namespace
@@ -54,6 +52,13 @@ CameraPose panned(CameraPose pose, double right, double down) {
 CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits) {
     pose.heightMm = std::clamp(pose.heightMm / factor, limits.smallestHeightMm, limits.largestHeightMm);
     return pose;
+}
+
+CameraPose zoomedAbout(const CameraPose& pose, double right, double down, double factor, const ZoomLimits& limits) {
+    CameraPose next = zoomed(pose, factor, limits);
+    const ViewFrame frame = frameOf(pose.view);
+    next.focalPoint += (frame.right * right + frame.down * down) * (pose.heightMm - next.heightMm);
+    return next;
 }
 
 }  // namespace echolucent

@@ -29,6 +29,9 @@ struct ZoomLimits {
 /// The whole box in the picture, seen along a view (see defaultCamera()).
 [[nodiscard]] CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection projection, double aspect);
 
+/// How far a drag over the picture's height turns.
+inline constexpr double degreesPerHeight = 180.0;
+
 /// The pose turned by a drag, in shares of the picture's height, to the right and down: what is in front follows the
 /// hand. The height of the picture is half a turn. The axes are the picture's vertical of the beam axis's frame and the
 /// picture's horizontal; elevation stops at +-90 degrees; the roll stays.
@@ -40,5 +43,10 @@ struct ZoomLimits {
 
 /// The pose magnified: a factor of 2 shows everything in the focal plane twice as large. The factor is above 0.
 [[nodiscard]] CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits);
+
+/// The same about a place in the picture, in shares of its height right of and below its centre: what is seen there in
+/// the focal plane stays there.
+[[nodiscard]] CameraPose zoomedAbout(const CameraPose& pose, double right, double down, double factor,
+                                     const ZoomLimits& limits);
 
 }  // namespace echolucent

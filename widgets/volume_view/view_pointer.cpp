@@ -111,7 +111,10 @@ void ViewPointer::release(const QMouseEvent& event) {
 
 void ViewPointer::turnWheel(const QWheelEvent& event) {
     const double notches = event.angleDelta().y() / wheelNotch;
-    if (notches != 0.0) emit zoomed(std::pow(zoomPerWheelNotch, notches));
+    if (notches == 0.0) return;
+    const QPointF fromCentre = event.position() - QPointF(m_window->width(), m_window->height()) / 2.0;
+    const QPointF shares = fromCentre / std::max(1, m_window->height());
+    emit zoomedAbout(shares.x(), shares.y(), std::pow(zoomPerWheelNotch, notches));
 }
 
 }  // namespace echolucent

@@ -36,7 +36,9 @@ signals:
     void dragCancelled();
     void orbited(double right, double down);
     void panned(double right, double down);
-    void zoomed(double factor);  ///< above 1: things grow
+    void zoomed(double factor);  ///< above 1: things grow; about the picture's centre
+    /// The same about a point, told in shares of the window's height from the picture's centre.
+    void zoomedAbout(double right, double down, double factor);
     void lightMoved(double right, double down);
     void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner, no button held
     void left();

@@ -23,6 +23,20 @@ QSurfaceFormat surfaceFormat() {
     return format;
 }
 
+constexpr double zoomPerKey = 1.15;
+constexpr double moveOfKey = 0.05;  // of the picture's height
+
+/// To the right and down.
+std::optional<QPointF> directionOfArrow(int key) {
+    switch (key) {
+        case Qt::Key_Left: return QPointF(-1, 0);
+        case Qt::Key_Right: return QPointF(1, 0);
+        case Qt::Key_Up: return QPointF(0, -1);
+        case Qt::Key_Down: return QPointF(0, 1);
+        default: return std::nullopt;
+    }
+}
+
 bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b) { return a.size == b.size && a.spacing == b.spacing; }
 
 }  // namespace
@@ -43,6 +57,7 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     parts.renderWindow->SetMultiSamples(0);
     parts.renderWindow->AddRenderer(parts.scene.renderer());
     parts.window = new QVTKOpenGLWindow(parts.renderWindow.Get());
+    parts.window->setObjectName(QStringLiteral("view3d.surface"));
     parts.window->setFormat(surfaceFormat());
     // The hand moves the pose (ViewPointer), and the scene's camera follows with the picture.
     parts.renderWindow->GetInteractor()->SetInteractorStyle(nullptr);
@@ -98,6 +113,10 @@ void VolumeViewWidget::connectPointer() {
     connect(pointer, &ViewPointer::zoomed, this, [this](double factor) {
         if (!m_parts->volume) return;
         followHand(zoomed(camera(), factor, zoomLimits(m_parts->volume->geometry())));
+    });
+    connect(pointer, &ViewPointer::zoomedAbout, this, [this](double right, double down, double factor) {
+        if (!m_parts->volume) return;
+        followHand(zoomedAbout(camera(), right, down, factor, zoomLimits(m_parts->volume->geometry())));
     });
     connect(pointer, &ViewPointer::lightMoved, this,
             [this](double right, double down) { moveLight(moved(m_parts->look.light, right, down)); });
@@ -247,14 +266,40 @@ void VolumeViewWidget::resizeEvent(QResizeEvent* event) {
     schedule();
 }
 
+bool VolumeViewWidget::cancelDrag() { return m_parts->pointer->cancelDrag() || m_parts->grips->cancelDrag(); }
+
+bool VolumeViewWidget::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && poseAfter(*static_cast<QKeyEvent*>(event))) {
+        event->accept();  // the keys of the picture come before those of the window
+        return true;
+    }
+    return QWidget::event(event);
+}
+
 void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
-    Parts& parts = *m_parts;
-    if (event->key() == Qt::Key_Escape &&
-        (parts.pointer->cancelDrag() || parts.grips->cancelDrag() || parts.lasso->cancelDrawing()))
-        return;
+    if (event->key() == Qt::Key_Escape && (cancelDrag() || m_parts->lasso->cancelDrawing())) return;
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enter && parts.lasso->closePolygon()) return;
-    QWidget::keyPressEvent(event);
+    if (enter && m_parts->lasso->closePolygon()) return;
+    const std::optional<CameraPose> moved = poseAfter(*event);
+    if (!moved) return QWidget::keyPressEvent(event);
+    if (!dragging()) followHand(*moved);
+}
+
+/// Where a key of the picture takes the camera; nothing for another key.
+std::optional<CameraPose> VolumeViewWidget::poseAfter(const QKeyEvent& event) const {
+    if (!m_parts->volume) return std::nullopt;
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return std::nullopt;
+    if (!control && (event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus)) {
+        const double factor = event.key() == Qt::Key_Plus ? zoomPerKey : 1.0 / zoomPerKey;
+        return zoomed(camera(), factor, zoomLimits(m_parts->volume->geometry()));
+    }
+    const std::optional<QPointF> direction = directionOfArrow(event.key());
+    if (!direction || (!control && !shift)) return std::nullopt;
+    if (!control) return panned(camera(), moveOfKey * direction->x(), moveOfKey * direction->y());
+    const double degrees = shift ? 10.0 : 1.0;
+    return orbited(camera(), degrees / degreesPerHeight * direction->x(), degrees / degreesPerHeight * direction->y());
 }
 
 void VolumeViewWidget::dragEnterEvent(QDragEnterEvent* event) {

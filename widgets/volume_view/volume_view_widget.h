@@ -45,8 +45,9 @@ struct PictureReport {
 /// belong together. An unchanged view costs nothing. Where a graphics card renders instead, it does so in this thread,
 /// and every picture is the best it can make.
 ///
-/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel or right drag zooms, Ctrl + left drag moves the
-/// light where there is one; Escape ends a drag without change. The picture lies in an OpenGL window of its own inside
+/// Mouse: left drag orbits, middle or Shift + left drag pans, wheel (about the cursor) or right drag zooms, Ctrl + left
+/// drag moves the light where there is one; Escape ends a drag without change. Keys: Ctrl + arrows orbit by 1°, with
+/// Shift by 10°, Shift + arrows pan, plus and minus zoom. The picture lies in an OpenGL window of its own inside
 /// this widget (twice as cheap as a QOpenGLWidget where OpenGL is software): no sibling widget can be drawn over it,
 /// QWidget::grab() does not see it (screenImage() does), and it must not be put in a dock that moves it to another
 /// window.
@@ -85,6 +86,8 @@ public:
     [[nodiscard]] int keptFrames() const;
     /// True while the hand drags; what it has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
+    /// Ends a drag without change; false where there is none.
+    bool cancelDrag();
     /// Tells the view in another beam axis's frame. The picture stays as it is.
     void setBeamAxis(BeamAxis axis);
     /// Turns the camera to a view about the volume's centre and takes its near cut; zoom and place in the picture stay.
@@ -168,6 +171,7 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -177,6 +181,7 @@ private:
     void connectPointer();
     void followHand(const CameraPose& camera);
     [[nodiscard]] CameraPose camera() const;
+    [[nodiscard]] std::optional<CameraPose> poseAfter(const QKeyEvent& event) const;
     void moveLight(const LightDirection& light);
     void schedule();
     void requestPicture();
