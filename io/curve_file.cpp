@@ -8,7 +8,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr const char* formatName = "echolucent-opacity-curve";
 constexpr const char* remedy = "Correct the file, or save the curve again from the program.";
 
 }  // namespace
@@ -16,7 +15,7 @@ constexpr const char* remedy = "Correct the file, or save the curve again from t
 Result<ManualCurve> readCurve(const std::string& path) {
     const auto text = readWholeFile(path, std::size_t{1} << 20);
     if (!text) return tl::unexpected(text.error());
-    const auto object = jsonObject(*text, path, formatName, remedy);
+    const auto object = jsonObject(*text, path, curveFormatName.data(), remedy);
     if (!object) return tl::unexpected(object.error());
     JsonProblems problems{path, std::nullopt};
     JsonFields fields(*object, {}, problems);
@@ -26,7 +25,7 @@ Result<ManualCurve> readCurve(const std::string& path) {
 }
 
 Result<void> writeCurve(const std::string& path, const ManualCurve& curve) {
-    const nlohmann::ordered_json object{{"format", formatName}, {"version", 1}, {"nodes", manualCurveJson(curve)}};
+    const nlohmann::ordered_json object{{"format", curveFormatName}, {"version", 1}, {"nodes", manualCurveJson(curve)}};
     return writeFileAtomically(path, object.dump(2) + "\n");
 }
 

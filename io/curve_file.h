@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "processing/opacity_curve.h"
 #include "processing/result.h"
 
 namespace echolucent {
+
+/// The "format" of such a file.
+inline constexpr std::string_view curveFormatName = "echolucent-opacity-curve";
 
 /// Reads the curve in the file at `path`. The file holds one JSON object: {"format": "echolucent-opacity-curve",
 /// "version": 1, "nodes": [{"intensity": 0.1, "opacity": 0.0}, {"intensity": 1.0, "opacity": 0.8}]}. There is at least

@@ -29,6 +29,8 @@ struct Failure {
     bool framesCouldBeSlices = false;
     /// True where the file has no header that is known, so that the person may say how it is laid out.
     bool layoutUnknown = false;
+    /// True where the file holds an opacity curve, which opens as such.
+    bool opacityCurve = false;
 };
 
 template <typename T>
