@@ -70,15 +70,15 @@ private slots:
         panel.show();
         auto* table = child<QTableWidget>(panel, "study.facts");
         auto* warnings = child<QLabel>(panel, "study.warnings");
-        QCOMPARE(table->rowCount(), 2);
-        QCOMPARE(table->item(1, 0)->text(), "<b>spacing</b>");
-        QCOMPARE(table->item(1, 1)->text(), "0.30 mm");
-        QCOMPARE(table->item(1, 2)->text(), "assumed");
+        QCOMPARE(table->rowCount(), 4);
+        QCOMPARE(table->item(2, 0)->text(), "<b>spacing</b>");
+        QCOMPARE(table->item(2, 1)->text(), "0.30 mm");
+        QCOMPARE(table->item(3, 1)->text(), "assumed");
         QVERIFY(warnings->text().contains("Spacing guessed."));
-        table->setCurrentCell(1, 1);
+        table->setCurrentCell(2, 1);
         QTest::keyClicks(table, "9");
         QTest::keyClick(table, Qt::Key_Return);
-        QCOMPARE(table->item(1, 1)->text(), "0.30 mm");
+        QCOMPARE(table->item(2, 1)->text(), "0.30 mm");
         panel.setStudy({}, {});
         QCOMPARE(table->rowCount(), 0);
         QVERIFY(!warnings->isVisible());
@@ -219,11 +219,18 @@ private slots:
         QVERIFY(!bar.isVisible());
     }
 
-    void aRemarkMakesAWarningOfAnInformationWhileItStands() {
+    void goodNewsStaysGoodNewsBesideARemark() {
         MessageBar bar;
+        bar.resize(420, 80);
         bar.showMessage(MessageKind::info, "Near cut at 4 mm.");
         bar.setRemark("No surface found.");
-        QCOMPARE(bar.kind(), MessageKind::warning);
+        QCOMPARE(bar.kind(), MessageKind::info);
+        const QImage both = bar.grab().toImage();
+        const auto stripeBeside = [&](const char* line) {
+            return both.pixelColor(1, child<QLabel>(bar, line)->geometry().center().y());
+        };
+        QCOMPARE(stripeBeside("message.text"), QColor(0x4f, 0xb3, 0xbf));
+        QCOMPARE(stripeBeside("message.remark"), QColor(0xe8, 0xb0, 0x4b));
         bar.setRemark({});
         QCOMPARE(bar.kind(), MessageKind::info);
         QCOMPARE(bar.accessibleName(), "Information");
@@ -234,6 +241,36 @@ private slots:
         bar.showMessage(MessageKind::error, "The file is gone.");
         bar.setRemark("No surface found.");
         QCOMPARE(bar.kind(), MessageKind::error);
+    }
+
+    void theBarLiesOverTheLowerEdgeOfThePictureAndMovesNothing() {
+        QWidget window;
+        auto* layout = new QVBoxLayout(&window);
+        layout->setContentsMargins(0, 0, 0, 0);
+        auto* picture = new QWidget;
+        auto* below = new QWidget;
+        below->setFixedHeight(60);
+        layout->addWidget(picture, 1);
+        layout->addWidget(below);
+        auto* bar = new MessageBar(&window);
+        bar->lieOver(*picture);
+        window.resize(900, 500);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const QRect before = picture->geometry();
+        bar->showMessage(MessageKind::info, "Near cut at 4 mm.", {{"Take it back", {}}});
+        QCOMPARE(picture->geometry(), before);
+        QVERIFY(picture->geometry().contains(bar->geometry()));
+        QCOMPARE(bar->geometry().bottom(), picture->geometry().bottom() - 8);
+        QVERIFY(bar->width() < 500 && qAbs(bar->geometry().center().x() - picture->geometry().center().x()) <= 1);
+        const int line = bar->height();
+        window.resize(420, 500);
+        bar->showMessage(MessageKind::info, QString("A wall stands before the fluid. ").repeated(5));
+        QTRY_VERIFY(picture->geometry().contains(bar->geometry()));
+        QTRY_VERIFY(bar->height() > line + 10);  // the words are wrapped, and none is cut
+        QVERIFY(child<QLabel>(*bar, "message.text")->heightForWidth(child<QLabel>(*bar, "message.text")->width()) <=
+                child<QLabel>(*bar, "message.text")->height());
+        QCOMPARE(bar->geometry().bottom(), picture->geometry().bottom() - 8);
     }
 
     void aMessageIsTakenBackWhereItIsStillShown() {

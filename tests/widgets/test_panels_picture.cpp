@@ -130,7 +130,7 @@ private slots:
         QSignalSpy suggest(&panel, &ViewPanel::nearCutSuggestionRequested);
         QTest::keyClick(child<QComboBox>(panel, "view.lighting"), Qt::Key_Up);
         QCOMPARE(look.takeFirst().first().value<Look>().lighting, Lighting::surface);
-        QTest::mouseClick(child<QPushButton>(panel, "view.reset"), Qt::LeftButton);
+        QTest::mouseClick(child<QToolButton>(panel, "view.reset"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.savePicture"), Qt::LeftButton);
         QTest::mouseClick(child<QPushButton>(panel, "view.nearCut.suggest"), Qt::LeftButton);
         QCOMPARE(reset.count(), 1);
@@ -163,6 +163,63 @@ private slots:
         // Another control leaves the light as exact as it was.
         QTest::keyClick(child<QCheckBox>(panel, "view.depthColouring"), Qt::Key_Space);
         QCOMPARE(panel.look().light, moved.light);
+    }
+
+    void everyLightSliderHasALabelAndAReset() {
+        ViewPanel panel;
+        panel.show();
+        for (const char* name : {"view.lightAzimuth", "view.lightElevation", "view.lightSoftness", "view.shadow",
+                                 "view.occlusion", "view.translucency"}) {
+            auto* slider = child<QSlider>(panel, name);
+            bool labelled = false;
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                labelled |= label->isVisible() && label->buddy() == slider->parentWidget() &&
+                            label->text() == slider->accessibleName();
+            QVERIFY2(labelled, name);
+            auto* reset = child<QToolButton>(panel, (QByteArray(name) + ".reset").constData());
+            QVERIFY2(!reset->isEnabled(), name);
+            const int standard = slider->value();
+            QTest::keyClick(slider, Qt::Key_Home);
+            QVERIFY2(slider->value() != standard && reset->isEnabled(), name);
+            QTest::mouseClick(reset, Qt::LeftButton);
+            QCOMPARE(slider->value(), standard);
+            QVERIFY2(!reset->isEnabled(), name);
+        }
+        QCOMPARE(panel.look(), lookAtStart());
+    }
+
+    void everyGroupHasAReset() {
+        ViewPanel panel;
+        QSignalSpy resets(&panel, &ViewPanel::lookReset);
+        QSignalSpy cut(&panel, &ViewPanel::nearCutResetRequested);
+        Look changed;
+        changed.mode = RenderMode::mean;
+        changed.lighting = Lighting::flat;
+        changed.light = {10, 10};
+        changed.depthColoured = true;
+        changed.colourMap = ColourMap::ice;
+        changed.projection = Projection::perspective;
+        changed.interpolation = Interpolation::nearest;
+        panel.setLook(changed);
+        const auto click = [&](const char* name) {
+            QTest::mouseClick(child<QToolButton>(panel, name), Qt::LeftButton);
+            return panel.look();
+        };
+        Look look = click("view.light.reset");
+        QCOMPARE(look.light, lookAtStart().light);
+        QCOMPARE(look.lighting, lookAtStart().lighting);
+        QCOMPARE(look.colourMap, ColourMap::ice);
+        QCOMPARE(resets.last().at(1).toString(), "Light");
+        QCOMPARE(click("view.speckle.reset").reduction, lookAtStart().reduction);
+        look = click("view.colours.reset");
+        QVERIFY(look.colourMap == lookAtStart().colourMap && !look.depthColoured);
+        QCOMPARE(look.mode, RenderMode::mean);
+        QCOMPARE(click("view.rendering.reset"), lookAtStart());
+        QCOMPARE(resets.count(), 4);
+        click("view.rendering.reset");  // nothing is left to be set back
+        QCOMPARE(resets.count(), 4);
+        click("view.cut.reset");
+        QCOMPARE(cut.count(), 1);
     }
 
     void theLightIsMovedOnlyWhereThereIsOne() {

@@ -7,24 +7,13 @@
 
 namespace echolucent {
 
-namespace {
-
-bool beginsNumber(const QKeyEvent& event) {
-    const QString text = event.text();
-    return text.size() == 1 && QString("0123456789.,").contains(text) &&
-           !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-}
-
-}  // namespace
-
 NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent), m_editorModel(model), m_rows(model) {
     setObjectName("otfEditor.nodeTable");
     setAccessibleName(tr("Nodes of the manual curve"));
     setModel(&m_rows);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setSelectionBehavior(QAbstractItemView::SelectItems);
-    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                    QAbstractItemView::AnyKeyPressed);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setTabKeyNavigation(false);  // Tab goes on to the next control, arrows move within
     setWordWrap(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -43,17 +32,8 @@ void NodeTable::setWhiteLevel(double whiteLevel) {
     setColumnHidden(NodeTableModel::storedColumn, !(whiteLevel > 1.0));
 }
 
-bool NodeTable::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto& key = *static_cast<QKeyEvent*>(event);
-        const bool moves = key.key() == Qt::Key_Left || key.key() == Qt::Key_Right;
-        if (beginsNumber(key) || key.key() == Qt::Key_Delete || moves) {  // digits choose a curve elsewhere
-            event->accept();
-            return true;
-        }
-    }
-    return QTableView::event(event);
-}
+/// A typed digit neither edits a number that nobody opened nor jumps to another one.
+void NodeTable::keyboardSearch(const QString&) {}
 
 void NodeTable::keyPressEvent(QKeyEvent* event) {
     const bool typing = state() == QAbstractItemView::EditingState;

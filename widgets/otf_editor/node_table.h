@@ -7,7 +7,8 @@
 
 namespace echolucent {
 
-/// Its current row is the editor's selected node; Delete removes it; Return, F2 or a digit begins typing.
+/// Its current row is the editor's selected node; Delete removes it; a double click, Return or F2 lets a
+/// number be typed, and digits do nothing before that.
 class NodeTable : public QTableView {
     Q_OBJECT
 
@@ -22,8 +23,8 @@ signals:
     void refused(const QString& reason);
 
 protected:
-    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyboardSearch(const QString& search) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
 private:

@@ -13,12 +13,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/key_table.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_legend.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
+#include "widgets/panels/flow_layout.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -56,7 +58,10 @@ OtfEditor::OtfEditor(CurveOwner& owner, QWidget* parent) : QWidget(parent), m_mo
     m_readout = secondaryLabel();
     m_readout->setObjectName("otfEditor.readout");
     m_readout->setAccessibleName(tr("Values under the pointer"));
+    m_readout->setWordWrap(true);
+    m_readout->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_readout->setFixedHeight(2 * m_readout->fontMetrics().height() + 2);  // the plot stays where it is
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -83,6 +88,7 @@ void OtfEditor::makeActions() {
     const auto make = [this](QAction*& action, const QString& text, const QString& name) {
         action = new QAction(text, this);
         action->setObjectName("otfEditor.action." + name);
+        action->setShortcut(keyOf(action->objectName()));
         addAction(action);
     };
     make(m_undo, tr("Undo"), "undo");
@@ -93,13 +99,10 @@ void OtfEditor::makeActions() {
     make(m_saveCurve, tr("Save curve…"), "saveCurve");
     make(m_addNode, tr("Add node"), "addNode");
     make(m_deleteNode, tr("Delete node"), "deleteNode");
-    m_undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
-    m_redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
-    m_reset->setShortcut(QKeySequence(Qt::Key_C));
     m_copyAdaptive->setToolTip(
         tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
     m_openCurve->setToolTip(tr("Open a manual curve from a file"));
-    m_saveCurve->setToolTip(tr("Save the manual curve to a file"));
+    m_saveCurve->setToolTip(tr("Save the curve that is rendered to a file"));
     m_addNode->setToolTip(tr("Add a node on the curve, after the selected one"));
     m_deleteNode->setToolTip(tr("Delete the selected node (Delete)"));
     connect(m_undo, &QAction::triggered, undoStack(), &QUndoStack::undo);
@@ -107,7 +110,7 @@ void OtfEditor::makeActions() {
     connect(m_reset, &QAction::triggered, &m_model, &OtfEditorModel::resetActiveCurve);
     connect(m_copyAdaptive, &QAction::triggered, &m_model, &OtfEditorModel::copyAdaptiveIntoNodes);
     connect(m_openCurve, &QAction::triggered, this, &OtfEditor::openCurveRequested);
-    connect(m_saveCurve, &QAction::triggered, this, [this] { emit saveCurveRequested(state().manual); });
+    connect(m_saveCurve, &QAction::triggered, this, &OtfEditor::saveCurveRequested);
     connect(m_addNode, &QAction::triggered, &m_model, &OtfEditorModel::addNodeInGap);
     connect(m_deleteNode, &QAction::triggered, this, [this] { m_model.removeNode(m_model.selectedNode()); });
     auto* group = new QActionGroup(this);
@@ -115,7 +118,6 @@ void OtfEditor::makeActions() {
         QAction*& action = m_activate[indexOf(kind)];
         make(action, tr("Render %1").arg(curveName(kind)), "active." + curveKey(kind));
         action->setCheckable(true);
-        action->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(indexOf(kind))));
         group->addAction(action);
         connect(action, &QAction::triggered, &m_model, [this, kind] { m_model.setActive(kind); });
     }
@@ -133,8 +135,7 @@ void OtfEditor::makePresets() {
 }
 
 QLayout* OtfEditor::makeToolRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
+    auto* row = new FlowLayout(4);
     row->addWidget(buttonFor(m_undo, "otfEditor.undo", Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(m_redo, "otfEditor.redo", Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(m_reset, "otfEditor.reset", Qt::ToolButtonTextOnly));
@@ -147,7 +148,7 @@ QLayout* OtfEditor::makeToolRow() {
     presets->setPopupMode(QToolButton::InstantPopup);
     presets->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(presets);
-    row->addStretch(1);
+    row->addStretch();
     auto* logarithmic = new QCheckBox(tr("Log histogram"));
     logarithmic->setObjectName("otfEditor.histogramLog");
     logarithmic->setToolTip(tr("Logarithmic heights show rare intensities too"));
@@ -204,13 +205,20 @@ QWidget* OtfEditor::makeManualPage() {
 }
 
 QLayout* OtfEditor::makeFileRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(buttonFor(m_copyAdaptive, "otfEditor.copyAdaptive", Qt::ToolButtonTextOnly));
-    row->addStretch(1);
-    row->addWidget(buttonFor(m_openCurve, "otfEditor.openCurve", Qt::ToolButtonTextOnly));
-    row->addWidget(buttonFor(m_saveCurve, "otfEditor.saveCurve", Qt::ToolButtonTextOnly));
-    return row;
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(4);
+    QToolButton* copy = buttonFor(m_copyAdaptive, "otfEditor.copyAdaptive", Qt::ToolButtonTextOnly);
+    copy->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    rows->addWidget(copy);
+    auto* files = new QHBoxLayout;
+    files->setSpacing(4);
+    for (QToolButton* button : {buttonFor(m_openCurve, "otfEditor.openCurve", Qt::ToolButtonTextOnly),
+                                buttonFor(m_saveCurve, "otfEditor.saveCurve", Qt::ToolButtonTextOnly)}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        files->addWidget(button);
+    }
+    rows->addLayout(files);
+    return rows;
 }
 
 void OtfEditor::connectModel() {
@@ -299,7 +307,7 @@ QString OtfEditor::adaptiveFacts() const {
     QString intensities;
     for (const double opacity : {0.01, 0.1, 0.5, 0.9}) {
         const std::optional<double> intensity = intensityReaching(state().adaptive, opacity);
-        opacities += QString("<td align='right' width='62'>%1</td>").arg(opacity);
+        opacities += QString("<td align='right' width='48'>%1</td>").arg(opacity);
         intensities += QString("<td align='right'>%1</td>").arg(intensity ? intensityText(*intensity) : tr("never"));
     }
     return tr("Computed from the volume. To edit it, copy it into nodes.") +

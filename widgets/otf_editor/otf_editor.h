@@ -22,7 +22,7 @@ class NodeTable;
 /// Composes the plot, the legend, the numbers of the active curve and the node table. Values in, values out: files are
 /// read and written by whoever answers openCurveRequested and saveCurveRequested.
 ///
-/// Its actions own their shortcuts (Ctrl+Z, Ctrl+Shift+Z, C, 1 to 5), which work in the whole window: put the actions
+/// Its actions have the shortcuts that the table of keys gives them, which work in the whole window: put the actions
 /// into menus and give those keys to nothing else.
 class OtfEditor : public QWidget {
     Q_OBJECT
@@ -70,7 +70,8 @@ signals:
     /// As OtfEditorModel::activeCurveChanged.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
     void openCurveRequested();
-    void saveCurveRequested(const echolucent::ManualCurve& curve);
+    /// The person wants to save the curve that is shown.
+    void saveCurveRequested();
 
 protected:
     void changeEvent(QEvent* event) override;

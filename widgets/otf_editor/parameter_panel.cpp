@@ -46,20 +46,20 @@ LinearParameters::LinearParameters(OtfEditorModel& model, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(4);
-    int column = 0;
+    int row = 0;
     for (const auto& [box, text] :
          {std::pair{m_lower, tr("Lower, L<sub>L</sub>")}, std::pair{m_slope, tr("Slope, <i>a</i>")},
           std::pair{m_upper, tr("Upper, L<sub>H</sub>")}}) {
         auto* label = new QLabel(text);
         label->setBuddy(box);
-        grid->addWidget(label, 0, column);
-        grid->addWidget(box, 1, column++);
+        grid->addWidget(label, row, 0);
+        grid->addWidget(box, row++, 1);
     }
-    grid->setColumnStretch(column, 1);
+    grid->setColumnStretch(2, 1);
     grid->addWidget(formula(tr("0 below L<sub>L</sub>, <i>a</i> (<i>x</i> − L<sub>L</sub>) up to L<sub>H</sub>, "
                                "then constant")),
-                    2, 0, 1, column + 1);
-    grid->setRowStretch(3, 1);
+                    row, 0, 1, 3);
+    grid->setRowStretch(row + 1, 1);
     connect(m_lower, &ParameterSpinBox::edited, this, [this](double value, OtfEditorModel::Gesture gesture) {
         LinearCurve curve = m_model.state().linear;
         curve.lower = value;

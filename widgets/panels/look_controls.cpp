@@ -64,6 +64,7 @@ LookControls::Control LookControls::createNumber(const Parameter<Look>& row) {
     slider->setToolTip(toolTipOf(row));
     slider->setRange(row.range.least, row.range.largest);
     slider->setSuffix(degrees ? QStringLiteral("°") : row.unit.empty() ? QString() : " " + textOf(row.unit));
+    slider->setStandard(numberOf(*row.get(lookAtStart())).value());
     connect(slider, &ValueSlider::valueChanged, this, [this, &row](double value) { take(row, value); });
     return {slider, [slider](const ParameterValue& value) { slider->setValue(*numberOf(value)); }};
 }

@@ -15,8 +15,9 @@ class QWidget;
 namespace echolucent {
 
 /// Holds a look and shows it in its controls: a check box for a flag, a combo box for a choice, a slider with a spin
-/// box for a number. A control's object name is "view." and the row's name in camel case ("view.colourMap"); the row
-/// says its label and its tool tip. A number that no person has moved keeps all its digits, whatever the control shows.
+/// box and a reset for a number. A control's object name is "view." and the row's name in camel case
+/// ("view.colourMap"); the row says its label and its tool tip. A number that no person has moved keeps all its digits,
+/// whatever the control shows.
 class LookControls : public QObject {
     Q_OBJECT
 

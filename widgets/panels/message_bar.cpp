@@ -7,13 +7,29 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 namespace {
 
-constexpr int signWidth = 40;  // the coloured stripe and the sign beside it
+constexpr int signWidth = 40;    // the coloured stripe and the sign beside it
+constexpr int gapToPicture = 8;  // pixels of the picture below the bar and, at least, beside it
+constexpr int leastTextWidth = 160;
+constexpr int leastWidth = 480;   // where the picture has it
+constexpr int cornerWidth = 142;  // of the picture's orientation marker and of its scale bar, which stay in sight
+
+QLabel* createLine(const QString& name, const QString& accessibleName) {
+    auto* label = named(new QLabel, name, accessibleName);
+    label->setTextFormat(Qt::PlainText);  // file names may hold anything
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setMinimumWidth(leastTextWidth);
+    label->setMinimumHeight(20);  // the sign's
+    return label;
+}
 
 struct Appearance {
     QColor colour;
@@ -34,14 +50,11 @@ Appearance appearanceOf(MessageKind kind) {
 
 MessageBar::MessageBar(QWidget* parent)
     : QWidget(parent),
-      m_text(named(new QLabel, "message.text", tr("Message"))),
+      m_text(createLine("message.text", tr("Message"))),
+      m_remarkText(createLine("message.remark", tr("Remark on the picture"))),
       m_actions(new QHBoxLayout),
       m_close(named(new QToolButton, "message.close", tr("Close this message"), tr("Close"))) {
     setObjectName("message");
-    m_text->setTextFormat(Qt::PlainText);  // file names may hold anything
-    m_text->setWordWrap(true);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_text->setMinimumWidth(160);
     m_close->setText(QStringLiteral("✕"));
     m_close->setAutoRaise(true);
     m_close->setFocusPolicy(Qt::StrongFocus);
@@ -49,16 +62,67 @@ MessageBar::MessageBar(QWidget* parent)
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(signWidth, 6, 6, 6);
-    layout->addWidget(m_text, 1);
+    auto* lines = new QVBoxLayout;
+    lines->setSpacing(4);
+    lines->addWidget(m_text);
+    lines->addWidget(m_remarkText);
+    layout->addLayout(lines, 1);
     layout->addLayout(m_actions);
     layout->addWidget(m_close);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     hide();
 }
 
+void MessageBar::lieOver(QWidget& picture) {
+    m_picture = &picture;
+    // An OpenGL window covers what Qt draws into its window, but not another native window above it.
+    setAttribute(Qt::WA_DontCreateNativeAncestors);
+    setAttribute(Qt::WA_NativeWindow);
+    picture.installEventFilter(this);
+    place();
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_picture) {
+        const QEvent::Type type = event->type();
+        if (type == QEvent::Resize || type == QEvent::Move) place();
+        // Its own windows are made, and lie on top, only after it is shown.
+        if (type == QEvent::Show) QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool MessageBar::event(QEvent* event) {
+    const bool taken = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::StyleChange) place();
+    return taken;
+}
+
+void MessageBar::place() {
+    if (m_picture == nullptr || isHidden()) return;
+    const QRect picture(m_picture->mapTo(parentWidget(), QPoint(0, 0)), m_picture->size());
+    const int between = picture.width() - 2 * cornerWidth;
+    const int widest = std::max(between, std::min(leastWidth, picture.width() - 2 * gapToPicture));
+    const int width = std::min(widthOfWords(), widest);
+    const int height = layout()->totalHeightForWidth(width);
+    setGeometry(picture.left() + (picture.width() - width) / 2, picture.bottom() + 1 - gapToPicture - height, width,
+                height);
+    raise();
+}
+
+/// Of the bar with each of its sentences on one line.
+int MessageBar::widthOfWords() const {
+    int words = 0;
+    for (const QLabel* line : {m_text, m_remarkText})
+        if (!line->isHidden()) words = std::max(words, line->fontMetrics().horizontalAdvance(line->text()) + 4);
+    const QMargins margins = layout()->contentsMargins();
+    const int buttons = m_actions->sizeHint().width() + m_close->sizeHint().width();
+    return margins.left() + words + 2 * layout()->spacing() + buttons + margins.right();
+}
+
 void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
     removeActions();
-    m_messageKind = kind;
+    m_kind = kind;
     m_message = text;
     for (int i = 0; i < actions.size(); ++i) {
         auto* button =
@@ -81,21 +145,18 @@ void MessageBar::setRemark(const QString& sentence) {
 }
 
 void MessageBar::showText() {
-    QStringList sentences{m_message};
-    if (!m_remarkClosed) sentences << m_remark;
-    sentences.removeAll(QString());
-    if (sentences.isEmpty()) {
+    m_text->setText(m_message);
+    m_text->setVisible(!m_message.isEmpty());
+    m_remarkText->setText(remarks() ? m_remark : QString());
+    m_remarkText->setVisible(remarks());
+    if (text().isEmpty()) {
         hide();
-        m_text->clear();
         return;
     }
-    const bool remarked = !m_remarkClosed && !m_remark.isEmpty();
-    m_kind = remarked && m_messageKind == MessageKind::info ? MessageKind::warning : m_messageKind;
-    const QString text = sentences.join(QLatin1Char(' '));
-    m_text->setText(text);
-    setAccessibleName(appearanceOf(m_kind).name);
-    setAccessibleDescription(text);
+    setAccessibleName(appearanceOf(kind()).name);
+    setAccessibleDescription(text());
     show();
+    place();
     update();
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
@@ -104,7 +165,7 @@ void MessageBar::showText() {
 void MessageBar::takeBack(const QString& text) {
     if (m_message != text) return;
     m_message.clear();
-    m_messageKind = MessageKind::info;
+    m_kind = MessageKind::info;
     removeActions();
     showText();
 }
@@ -112,14 +173,21 @@ void MessageBar::takeBack(const QString& text) {
 void MessageBar::dismiss() {
     hide();
     m_message.clear();
-    m_messageKind = MessageKind::info;
+    m_kind = MessageKind::info;
     m_remark.clear();
     m_remarkClosed = false;
     m_text->clear();
+    m_remarkText->clear();
     removeActions();
 }
 
-QString MessageBar::text() const { return m_text->text(); }
+QString MessageBar::text() const {
+    QStringList sentences{m_text->text(), m_remarkText->text()};
+    sentences.removeAll(QString());
+    return sentences.join(QLatin1Char(' '));
+}
+
+MessageKind MessageBar::kind() const { return m_message.isEmpty() && remarks() ? MessageKind::warning : m_kind; }
 
 void MessageBar::removeActions() {
     while (QLayoutItem* item = m_actions->takeAt(0)) {
@@ -148,20 +216,26 @@ void MessageBar::keyPressEvent(QKeyEvent* event) {
 }
 
 void MessageBar::paintEvent(QPaintEvent*) {
-    const Appearance appearance = appearanceOf(m_kind);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Window));
-    painter.fillRect(QRect(0, 0, 4, height()), appearance.colour);
-    const QRectF disc(12, height() / 2.0 - 9, 18, 18);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(appearance.colour);
-    painter.drawEllipse(disc);
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
-    painter.setPen(Qt::black);
-    painter.drawText(disc, Qt::AlignCenter, appearance.sign);
+    const auto paintSign = [&](const QLabel* line, MessageKind kind, int top, int bottom) {
+        const Appearance appearance = appearanceOf(kind);
+        painter.fillRect(QRect(0, top, 4, bottom - top), appearance.colour);
+        const QRectF disc(12, line->geometry().center().y() - 8.5, 18, 18);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(appearance.colour);
+        painter.drawEllipse(disc);
+        painter.setPen(Qt::black);
+        painter.drawText(disc, Qt::AlignCenter, appearance.sign);
+    };
+    const bool message = !m_text->isHidden();
+    const int border = message ? m_text->geometry().bottom() + 3 : 0;
+    if (message) paintSign(m_text, m_kind, 0, remarks() ? border : height());
+    if (remarks()) paintSign(m_remarkText, MessageKind::warning, border, height());
 }
 
 }  // namespace echolucent

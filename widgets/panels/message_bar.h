@@ -1,4 +1,4 @@
-// One sentence for the person at the top of the picture, with ways out as buttons. Not modal.
+// One sentence for the person over the picture's lower edge, with ways out as buttons. Not modal.
 #pragma once
 
 #include <QList>
@@ -20,18 +20,23 @@ struct MessageAction {
     std::function<void()> run;  ///< called once, after the bar has closed; may be empty
 };
 
-/// Objects: message (this), message.text, message.action.0 ..., message.close. Hidden until showMessage. Escape closes
-/// it while the focus is inside.
+/// Objects: message (this), message.text, message.remark, message.action.0 ..., message.close. Hidden until
+/// showMessage. Escape closes it while the focus is inside. Message and remark each have a line with a sign of their
+/// own, so that good news stays good news beside trouble.
 class MessageBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
+    /// Lays the bar over the lower edge of a picture, which has the same parent and outlives it: as wide as its words,
+    /// at most as the picture, and above native windows in it.
+    void lieOver(QWidget& picture);
+
     /// Shows a sentence; replaces what was shown before.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// A sentence that is true of what is shown now: stands behind the message, or alone as a warning. Empty takes it
-    /// away; said again after it was closed, it stays closed.
+    /// A sentence that warns of what is shown now: stands below the message, or alone. Empty takes it away; said again
+    /// after it was closed, it stays closed.
     void setRemark(const QString& sentence);
     /// Takes the message away where it is still this one; the remark stays. Emits nothing.
     void takeBack(const QString& text);
@@ -40,13 +45,17 @@ public:
 
     /// Message and remark; empty where nothing is shown.
     [[nodiscard]] QString text() const;
-    [[nodiscard]] MessageKind kind() const { return m_kind; }
+    /// The message's; where the remark stands alone, a warning.
+    [[nodiscard]] MessageKind kind() const;
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
     /// The person closed the bar, or took an action (then before it runs).
     void closed();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -54,13 +63,17 @@ private:
     void removeActions();
     void showText();
     void closeByPerson();
+    [[nodiscard]] bool remarks() const { return !m_remarkClosed && !m_remark.isEmpty(); }
+    void place();
+    [[nodiscard]] int widthOfWords() const;
 
-    MessageKind m_kind = MessageKind::info;         ///< as it is shown: a remark makes a warning of an information
-    MessageKind m_messageKind = MessageKind::info;  ///< the message's own
+    QWidget* m_picture = nullptr;  ///< over which the bar lies
+    MessageKind m_kind = MessageKind::info;
     QString m_message;
     QString m_remark;
     bool m_remarkClosed = false;
     QLabel* m_text;
+    QLabel* m_remarkText;
     QHBoxLayout* m_actions;
     QToolButton* m_close;
 };

@@ -1,10 +1,10 @@
 #include "widgets/panels/panel_controls.h"
 
-#include <QAbstractSlider>
 #include <QComboBox>
-#include <QKeyEvent>
+#include <QEvent>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <cstdlib>
 
 namespace echolucent {
@@ -13,17 +13,12 @@ QString textOf(std::string_view words) { return QString::fromUtf8(words.data(), 
 
 namespace {
 
-class ControlFilter : public QObject {
+class WheelFilter : public QObject {
 public:
     using QObject::QObject;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractSlider*>(watched) != nullptr) {
-            const int key = static_cast<QKeyEvent*>(event)->key();
-            if (key == Qt::Key_Left || key == Qt::Key_Right) event->accept();
-            return false;
-        }
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
         event->ignore();  // goes on to the scroll area around the panel
         return true;
@@ -34,13 +29,21 @@ protected:
 
 void wheelNeedsFocus(QWidget* control) {
     control->setFocusPolicy(Qt::StrongFocus);
-    control->installEventFilter(new ControlFilter(control));
+    control->installEventFilter(new WheelFilter(control));
 }
 
 QLabel* labelFor(QWidget* control, const QString& text) {
     auto* label = new QLabel(text);
     label->setBuddy(control);
     return label;
+}
+
+QToolButton* resetButton(const QString& objectName, const QString& what) {
+    auto* button = named(new QToolButton, objectName, what, what);
+    button->setText(QStringLiteral("⟲"));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
 }
 
 QLabel* secondaryLabel(const QString& text) {

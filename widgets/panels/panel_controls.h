@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace echolucent {
 
@@ -23,11 +24,14 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
 }
 
 /// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by
-/// accident. A slider with the focus keeps the arrow keys, which elsewhere turn the view.
+/// accident.
 void wheelNeedsFocus(QWidget* control);
 
 /// A text in front of a control, which is its buddy.
 [[nodiscard]] QLabel* labelFor(QWidget* control, const QString& text);
+
+/// A small button with a bent arrow that sets something back; `what` is its accessible name and its tool tip.
+[[nodiscard]] QToolButton* resetButton(const QString& objectName, const QString& what);
 
 /// A text that stands back behind the others.
 [[nodiscard]] QLabel* secondaryLabel(const QString& text = {});

@@ -4,14 +4,22 @@
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
+namespace {
+constexpr QColor sourceColour{0x8b, 0x94, 0x9e};  // secondary text
+constexpr int cellMargins = 14;
+constexpr int narrowestNames = 60;
+constexpr int widestNames = 120;
+}  // namespace
+
 StudyPanel::StudyPanel(QWidget* parent)
     : QWidget(parent),
-      m_facts(named(new QTableWidget(0, 3), "study.facts", tr("What is known of the study"))),
+      m_facts(named(new QTableWidget(0, 2), "study.facts", tr("What is known of the study"))),
       m_warnings(named(new QLabel, "study.warnings", tr("What to know before trusting the picture"))) {
     setObjectName("study");
     setAccessibleName(tr("Study"));
@@ -20,11 +28,10 @@ StudyPanel::StudyPanel(QWidget* parent)
     m_warnings->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_warnings->hide();
 
-    m_facts->setHorizontalHeaderLabels({tr("Fact"), tr("Value"), tr("Source")});
+    m_facts->setHorizontalHeaderLabels({tr("Fact"), tr("Value, and where it is from")});
     m_facts->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_facts->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_facts->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
     m_facts->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
-    m_facts->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
     m_facts->verticalHeader()->hide();
     m_facts->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_facts->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -32,6 +39,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     m_facts->setTabKeyNavigation(false);  // Tab goes on to the next panel
     m_facts->setShowGrid(false);
     m_facts->setWordWrap(true);
+    m_facts->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // both columns share the width, and words wrap
 
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_warnings);
@@ -39,16 +47,27 @@ StudyPanel::StudyPanel(QWidget* parent)
 }
 
 void StudyPanel::setStudy(const QList<StudyFactRow>& facts, const QStringList& warnings) {
-    m_facts->setRowCount(static_cast<int>(facts.size()));
-    for (int row = 0; row < m_facts->rowCount(); ++row) {
-        const StudyFactRow& fact = facts[row];
-        const QStringList texts{fact.name, fact.value, fact.source};
-        for (int column = 0; column < texts.size(); ++column) {
-            auto* item = new QTableWidgetItem(texts[column]);
-            item->setToolTip(texts[column].toHtmlEscaped());
-            m_facts->setItem(row, column, item);
-        }
+    m_facts->setRowCount(0);
+    const auto put = [this](int row, int column, const QString& text) {
+        auto* item = new QTableWidgetItem(text);
+        item->setToolTip(text.toHtmlEscaped());
+        m_facts->setItem(row, column, item);
+        return item;
+    };
+    int nameWidth = 0;
+    for (const StudyFactRow& fact : facts) {
+        int row = m_facts->rowCount();
+        m_facts->insertRow(row);
+        put(row, 0, fact.name);
+        put(row, 1, fact.value);
+        nameWidth = std::max(nameWidth, m_facts->fontMetrics().horizontalAdvance(fact.name) + cellMargins);
+        if (fact.source.isEmpty()) continue;
+        // On a line of its own: three columns are too many for a narrow panel.
+        m_facts->insertRow(++row);
+        put(row, 0, {});
+        put(row, 1, fact.source)->setForeground(sourceColour);
     }
+    m_facts->horizontalHeader()->resizeSection(0, std::clamp(nameWidth, narrowestNames, widestNames));
     QStringList lines;
     for (const QString& warning : warnings) lines << QStringLiteral("⚠ ") + warning;
     m_warnings->setText(lines.join('\n'));

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <cmath>
 
 #include "widgets/panels/panel_controls.h"
@@ -55,9 +56,26 @@ void ValueSlider::setRange(double minimum, double maximum) {
 
 void ValueSlider::setSuffix(const QString& suffix) { m_spinBox->setSuffix(suffix); }
 
+void ValueSlider::setStandard(double standard) {
+    m_standard = standard;
+    if (m_reset == nullptr) {
+        m_reset = resetButton(m_slider->objectName() + ".reset", tr("Reset: %1").arg(m_slider->accessibleName()));
+        layout()->addWidget(m_reset);
+        connect(m_reset, &QToolButton::clicked, m_spinBox, [this] { m_spinBox->setValue(m_standard); });
+    }
+    showReset();
+}
+
+/// A number that the spin box rounds is no other number.
+void ValueSlider::showReset() {
+    if (m_reset != nullptr)
+        m_reset->setEnabled(m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()));
+}
+
 void ValueSlider::showOnSlider() {
     const QSignalBlocker blocker(m_slider);
     m_slider->setValue(static_cast<int>(std::lround((value() - minimum()) / m_step)));
+    showReset();
 }
 
 void ValueSlider::takeFromSlider(int step) {
@@ -65,6 +83,7 @@ void ValueSlider::takeFromSlider(int step) {
         const QSignalBlocker blocker(m_spinBox);
         m_spinBox->setValue(minimum() + step * m_step);
     }
+    showReset();
     emit valueChanged(value());
 }
 

@@ -5,6 +5,7 @@
 
 class QDoubleSpinBox;
 class QSlider;
+class QToolButton;
 
 namespace echolucent {
 
@@ -26,6 +27,9 @@ public:
     /// Clamps the value into the new range; emits nothing. Needs minimum <= maximum.
     void setRange(double minimum, double maximum);
     void setSuffix(const QString& suffix);
+    /// Shows a button, `name` + ".reset", that sets the value back to `standard`; it is enabled where the value
+    /// differs.
+    void setStandard(double standard);
 
 signals:
     /// The person moved the slider or changed the number.
@@ -33,12 +37,15 @@ signals:
 
 private:
     void showOnSlider();
+    void showReset();
     void takeFromSlider(int step);
     void takeFromSpinBox(double value);
 
     double m_step;
     QSlider* m_slider;
     QDoubleSpinBox* m_spinBox;
+    QToolButton* m_reset = nullptr;
+    double m_standard = 0.0;
 };
 
 }  // namespace echolucent

@@ -8,9 +8,8 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "widgets/panels/look_controls.h"
 #include "widgets/panels/panel_controls.h"
@@ -26,6 +25,31 @@ QComboBox* createChoice(const QString& name, const QString& accessibleName, cons
     for (const auto& [text, choice] : entries) comboBox->addItem(text, static_cast<int>(choice));
     wheelNeedsFocus(comboBox);
     return comboBox;
+}
+
+constexpr int labelWidth = 92;  // pixels; longer labels are wrapped, so that the panel fits a narrow column
+
+/// A title with a button that sets back what stands below it.
+QToolButton* addGroup(QGridLayout& grid, const QString& resetName, const QString& title, const QString& resets) {
+    auto* reset = resetButton(resetName, resets);
+    auto* label = new QLabel(title);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label, 1);
+    row->addWidget(reset);
+    grid.addLayout(row, grid.rowCount(), 0, 1, 2);
+    return reset;
+}
+
+void addRow(QGridLayout& grid, QLabel* label, QWidget* control) {
+    const int row = grid.rowCount();
+    if (label != nullptr) {
+        label->setWordWrap(true);
+        grid.addWidget(label, row, 0);
+    }
+    grid.addWidget(control, row, 1);
 }
 
 template <typename Choice>
@@ -78,13 +102,6 @@ void ViewPanel::createChoices() {
     selectData(m_beamAxis, static_cast<int>(BeamAxis::plusZ));
 }
 
-QLayout* ViewPanel::createLightRow() {
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_look->control("light_azimuth"), 1);
-    row->addWidget(m_look->control("light_elevation"), 1);
-    return row;
-}
-
 void ViewPanel::createPhaseSelector() {
     const QString toolTip = tr("Phase of the 4D study");
     m_phaseSlider = named(new QSlider(Qt::Horizontal), "view.phase", tr("Phase"), toolTip);
@@ -108,80 +125,100 @@ void ViewPanel::createPhaseSelector() {
     layout->addWidget(m_phaseSpinBox);
 }
 
-QLayout* ViewPanel::createNearCutRow() {
-    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a near cut"),
-                          tr("Looks along this view for fluid behind a wall, and cuts inside the fluid"));
-    connect(suggest, &QPushButton::clicked, this, &ViewPanel::nearCutSuggestionRequested);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_nearCut, 1);
-    row->addWidget(suggest);
-    return row;
-}
-
 QLayout* ViewPanel::createButtons() {
-    auto* reset = named(new QPushButton(tr("Reset view")), "view.reset", tr("Reset view"),
-                        tr("Looks along the beam axis at the whole volume (R)"));
+    auto* resetAll = named(new QPushButton(tr("Reset all")), "view.resetAll", tr("Reset all"),
+                           tr("Look, cut, view and curve back to what opening gave (Shift+R)"));
     auto* savePicture = named(new QPushButton(tr("Save picture…")), "view.savePicture", tr("Save picture"),
                               tr("Writes the picture as PNG (P)"));
-    connect(reset, &QPushButton::clicked, this, &ViewPanel::resetRequested);
+    connect(resetAll, &QPushButton::clicked, this, &ViewPanel::resetAllRequested);
     connect(savePicture, &QPushButton::clicked, this, &ViewPanel::savePictureRequested);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_look->control("depth_colouring"), 1);
-    row->addWidget(reset, 1);
+    row->addWidget(resetAll, 1);
     row->addWidget(savePicture, 1);
     return row;
 }
 
 void ViewPanel::arrange() {
-    m_modeRemark = named(new QLabel(tr("In this mode the opacity curve, light and depth colours play no part.")),
-                         "view.mode.remark", tr("Remark on the mode"));
-    m_modeRemark->setWordWrap(true);
     auto* grid = new QGridLayout;
-    const auto add = [grid](int row, int column, QWidget* control, const QString& text) {
-        grid->addWidget(labelFor(control, text), row, column);
-        grid->addWidget(control, row, column + 1);
-    };
-    m_phaseLabel = labelFor(m_phaseSlider, tr("Phase"));
-    grid->addWidget(labelFor(m_nearCut, tr("Near cut")), 0, 0);
-    grid->addLayout(createNearCutRow(), 0, 1, 1, 3);
-    grid->addWidget(m_phaseLabel, 1, 0);
-    grid->addWidget(m_phaseSelector, 1, 1, 1, 3);
-    const auto addChoice = [&](int row, int column, const char* name) {
-        QWidget* control = m_look->control(name);
-        add(row, column, control, control->accessibleName());
-    };
-    addChoice(2, 0, "mode");
-    add(2, 2, m_beamAxis, tr("Beam axis"));
-    grid->addWidget(m_modeRemark, 3, 0, 1, 4);
-    addChoice(4, 0, "colour_map");
-    addChoice(4, 2, "projection");
-    addChoice(5, 0, "interpolation");
-    add(5, 2, m_renderer, tr("Renderer"));
-    addChoice(6, 0, "reduction");
-    addChoice(6, 2, "lighting");
-    grid->addLayout(createLightRow(), 7, 0, 1, 4);
-    addRest(*grid);
+    grid->setColumnMinimumWidth(0, labelWidth);
     grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(3, 1);
+    addCutGroup(*grid);
+    addLookGroups(*grid);
+    addViewGroup(*grid);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(grid);
     layout->addLayout(createButtons());
     layout->addStretch(1);
 }
 
-/// Choices of the look that have no place of their own: a row each, below the others.
-void ViewPanel::addRest(QGridLayout& grid) {
-    static constexpr std::array<std::string_view, 9> placed{"mode",          "reduction",       "lighting",
-                                                            "light_azimuth", "light_elevation", "colour_map",
-                                                            "projection",    "interpolation",   "depth_colouring"};
-    for (const Parameter<Look>& row : lookParameters()) {
-        QWidget* control = m_look->control(row.name);
-        if (control == nullptr || std::find(placed.begin(), placed.end(), row.name) != placed.end()) continue;
-        const int next = grid.rowCount();
-        if (!std::holds_alternative<bool>(*row.get(Look{})))
-            grid.addWidget(labelFor(control, LookControls::label(row)), next, 0);
-        grid.addWidget(control, next, 1, 1, 3);
+void ViewPanel::addCutGroup(QGridLayout& grid) {
+    auto* reset = addGroup(grid, "view.cut.reset", tr("Cut"), tr("Reset the cut to what opening gave"));
+    connect(reset, &QToolButton::clicked, this, &ViewPanel::nearCutResetRequested);
+    addRow(grid, labelFor(m_nearCut, tr("Near cut")), m_nearCut);
+    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a near cut"),
+                          tr("Looks along this view for fluid behind a wall, and cuts inside the fluid"));
+    connect(suggest, &QPushButton::clicked, this, &ViewPanel::nearCutSuggestionRequested);
+    addRow(grid, nullptr, suggest);
+}
+
+void ViewPanel::addLookGroups(QGridLayout& grid) {
+    struct Group {
+        QString name;
+        QString title;
+        std::vector<std::string_view> rows;
+    };
+    std::vector<Group> groups{
+        {"light",
+         tr("Light"),
+         {"lighting", "light_azimuth", "light_elevation", "light_softness", "shadow", "occlusion", "translucency"}},
+        {"speckle", tr("Speckle"), {"reduction"}},
+        {"colours", tr("Colours"), {"colour_map", "depth_colouring"}},
+        {"rendering", tr("Rendering"), {"mode", "interpolation", "projection"}}};
+    const auto placed = [&groups](std::string_view name) {
+        return std::ranges::any_of(
+            groups, [name](const Group& group) { return std::ranges::find(group.rows, name) != group.rows.end(); });
+    };
+    for (const Parameter<Look>& row : lookParameters())
+        if (m_look->control(row.name) != nullptr && !placed(row.name)) groups.back().rows.push_back(row.name);
+    for (const Group& group : groups) {
+        QToolButton* reset =
+            addGroup(grid, "view." + group.name + ".reset", group.title, tr("Reset: %1").arg(group.title.toLower()));
+        connect(reset, &QToolButton::clicked, this, [this, group] { resetLook(group.title, group.rows); });
+        for (const std::string_view row : group.rows) {
+            QWidget* control = m_look->control(row);
+            const bool saysItself = qobject_cast<QAbstractButton*>(control) != nullptr;
+            const QString label = LookControls::label(*parameterNamed(lookParameters(), row));
+            addRow(grid, saysItself ? nullptr : labelFor(control, label), control);
+            if (row == "mode") {
+                m_modeRemark = named(new QLabel(tr("In this mode the opacity curve, light and depth colours play no "
+                                                   "part.")),
+                                     "view.mode.remark", tr("Remark on the mode"));
+                m_modeRemark->setWordWrap(true);
+                grid.addWidget(m_modeRemark, grid.rowCount(), 0, 1, 2);
+            }
+        }
     }
+    addRow(grid, labelFor(m_renderer, tr("Renderer")), m_renderer);
+}
+
+void ViewPanel::addViewGroup(QGridLayout& grid) {
+    QToolButton* reset = addGroup(grid, "view.reset", tr("View"),
+                                  tr("Reset the view: looks along the beam axis at the whole volume (R)"));
+    connect(reset, &QToolButton::clicked, this, &ViewPanel::resetRequested);
+    m_phaseLabel = labelFor(m_phaseSlider, tr("Phase"));
+    addRow(grid, m_phaseLabel, m_phaseSelector);
+    addRow(grid, labelFor(m_beamAxis, tr("Beam axis")), m_beamAxis);
+}
+
+void ViewPanel::resetLook(const QString& group, const std::vector<std::string_view>& rows) {
+    Look look = m_look->look();
+    for (const std::string_view name : rows) {
+        const Parameter<Look>& row = *parameterNamed(lookParameters(), name);
+        row.set(look, *row.get(lookAtStart()));
+    }
+    if (look == m_look->look()) return;
+    setLook(look);
+    emit lookReset(look, group);
 }
 
 void ViewPanel::updateForMode() { m_modeRemark->setVisible(look().mode != RenderMode::direct); }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QWidget>
+#include <string_view>
+#include <vector>
 
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
@@ -22,8 +24,10 @@ class ValueSlider;
 /// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.reduction, view.lighting, view.lightAzimuth
 /// (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow, view.occlusion, view.translucency,
 /// view.depthColouring, view.colourMap, view.interpolation, view.projection, view.renderer, view.beamAxis, view.phase
-/// (+ .value; hidden with one phase), view.reset, view.savePicture. What plays no part in the mode chosen is disabled,
-/// and the remark says so of the curve. No setter emits a signal.
+/// (+ .value; hidden with one phase), view.reset, view.resetAll, view.savePicture; sliders with ".value" and ".reset".
+/// The controls stand in groups, each with a reset beside its title: view.cut.reset, view.light.reset,
+/// view.speckle.reset, view.colours.reset, view.rendering.reset; view.reset is that of the view. What plays no part in
+/// the mode chosen is disabled, and the remark says so of the curve. No setter emits a signal.
 class ViewPanel : public QWidget {
     Q_OBJECT
 
@@ -56,12 +60,17 @@ signals:
     void nearCutChanged(double mm);
     /// The person asks where to cut.
     void nearCutSuggestionRequested();
+    /// The person asks for the cut that opening gave.
+    void nearCutResetRequested();
     void lookChanged(const echolucent::Look& look);
+    /// A group of the look, by its title, was set back to what the program starts with.
+    void lookReset(const echolucent::Look& look, const QString& group);
     void rendererChanged(echolucent::RendererChoice renderer);
     void beamAxisChanged(echolucent::BeamAxis axis);
     /// Counted from 0.
     void phaseChanged(int phase);
     void resetRequested();
+    void resetAllRequested();
     void savePictureRequested();
 
 private:
@@ -69,11 +78,12 @@ private:
     void createPhaseSelector();
     void connectControls();
     void arrange();
-    void addRest(QGridLayout& grid);
-    QLayout* createNearCutRow();
     QLayout* createButtons();
+    void addCutGroup(QGridLayout& grid);
+    void addLookGroups(QGridLayout& grid);
+    void addViewGroup(QGridLayout& grid);
+    void resetLook(const QString& group, const std::vector<std::string_view>& rows);
     void updateForMode();
-    QLayout* createLightRow();
     void showPhase(int phase);
 
     ValueSlider* m_nearCut = nullptr;

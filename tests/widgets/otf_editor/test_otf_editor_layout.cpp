@@ -94,7 +94,7 @@ void TestOtfEditorLayout::plotDoesNotMoveWhenTheActiveCurveChanges() {
 
 void TestOtfEditorLayout::fitsANarrowDock() {
     QVERIFY2(
-        m_editor->minimumSizeHint().width() <= 420 && m_editor->minimumSizeHint().height() <= 520,
+        m_editor->minimumSizeHint().width() <= 329 && m_editor->minimumSizeHint().height() <= 520,
         qPrintable(
             QString("%1 x %2").arg(m_editor->minimumSizeHint().width()).arg(m_editor->minimumSizeHint().height())));
 }

@@ -8,23 +8,26 @@
 
 namespace echolucent {
 
+namespace {
+constexpr int kindsInARow = 2;  // so that the legend fits a narrow column
+}
+
 CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
     setObjectName("otfEditor.legend");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
-    for (int row = 0; row < 2; ++row) {
-        grid->addWidget(secondaryLabel(row == 0 ? tr("Render") : tr("Show")), row, 0);
-    }
     for (const CurveKind kind : allCurveKinds) {
-        const int column = static_cast<int>(indexOf(kind)) + 1;
+        const int place = static_cast<int>(indexOf(kind));
+        const int row = place / kindsInARow;
+        const int column = 2 * (place % kindsInARow);
         auto* active = new QRadioButton(curveShortName(kind));
         active->setObjectName("otfEditor.active." + curveKey(kind));
         active->setAccessibleName(tr("Render the %1 curve").arg(curveName(kind)));
-        active->setToolTip(tr("Render the %1 curve (%2)").arg(curveName(kind)).arg(column));
+        active->setToolTip(tr("Render the %1 curve (%2)").arg(curveName(kind)).arg(place + 1));
         connect(active, &QRadioButton::clicked, this, [this, kind] { m_model.setActive(kind); });
-        grid->addWidget(active, 0, column);
+        grid->addWidget(active, row, column, Qt::AlignLeft);
         auto* visible = new QCheckBox;
         visible->setObjectName("otfEditor.legend." + curveKey(kind) + ".visible");
         visible->setAccessibleName(tr("Show the %1 curve in the plot").arg(curveName(kind)));
@@ -32,11 +35,13 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
         visible->setIcon(curveSample(kind));
         visible->setIconSize(curveSampleSize);
         connect(visible, &QCheckBox::toggled, this, [this, kind](bool on) { m_model.setVisible(kind, on); });
-        grid->addWidget(visible, 1, column);
+        grid->addWidget(visible, row, column + 1, Qt::AlignLeft);
         m_active[indexOf(kind)] = active;
         m_visible[indexOf(kind)] = visible;
     }
-    grid->setColumnStretch(6, 1);
+    // In the place that the fifth kind leaves free.
+    grid->addWidget(secondaryLabel(tr("○ render   □ show")), 2, 2, 1, 2);
+    for (const int visibleColumn : {1, 3}) grid->setColumnStretch(visibleColumn, 1);
     connect(&m_model, &OtfEditorModel::changed, this, &CurveLegend::showState);
     showState();
 }

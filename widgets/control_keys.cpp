@@ -1,0 +1,64 @@
+#include "widgets/control_keys.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QRadioButton>
+#include <QTabBar>
+
+namespace echolucent {
+
+namespace {
+
+bool moves(int key) {
+    switch (key) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+        case Qt::Key_Home:
+        case Qt::Key_End: return true;
+        default: return false;
+    }
+}
+
+bool presses(int key) { return key == Qt::Key_Space || key == Qt::Key_Select; }
+
+/// Digits and what else begins a number.
+bool beginsNumber(int key) {
+    return (key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Period || key == Qt::Key_Comma ||
+           key == Qt::Key_Minus;
+}
+
+}  // namespace
+
+bool wantsKey(const QWidget& control, const QKeyEvent& event) {
+    const int key = event.key();
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&control); view && event.matches(QKeySequence::Copy))
+        return true;
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+    if (qobject_cast<const QRadioButton*>(&control)) return moves(key) || presses(key);
+    if (qobject_cast<const QAbstractButton*>(&control)) return presses(key);
+    if (qobject_cast<const QAbstractSlider*>(&control) || qobject_cast<const QTabBar*>(&control)) return moves(key);
+    if (qobject_cast<const QComboBox*>(&control)) return moves(key) || presses(key);
+    if (qobject_cast<const QAbstractItemView*>(&control))
+        return moves(key) || presses(key) || beginsNumber(key) || key == Qt::Key_Delete;
+    return false;
+}
+
+ControlKeys::ControlKeys(QObject* parent) : QObject(parent) { QCoreApplication::instance()->installEventFilter(this); }
+
+bool ControlKeys::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || watched != QApplication::focusWidget()) return false;
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (!wantsKey(*static_cast<QWidget*>(watched), *key)) return false;
+    key->accept();
+    return true;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,123 @@
+#include "widgets/key_table.h"
+
+#include <QCoreApplication>
+
+namespace echolucent {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("keys", text); }
+
+std::vector<KeyRow> pictureRows() {
+    constexpr KeyPlace place = KeyPlace::picture;
+    return {
+        {place, tr("left drag"), tr("orbits")},
+        {place, tr("middle drag, Shift + left drag"), tr("moves the picture")},
+        {place, tr("wheel, right drag"), tr("zooms, the wheel about the point under the cursor")},
+        {place, tr("Ctrl + left drag"), tr("moves the light, where the picture is lit")},
+        {place, tr("Ctrl + ← → ↑ ↓; with Shift"), tr("orbits by 1°; by 10°")},
+        {place, tr("Shift + ← → ↑ ↓"), tr("moves the picture")},
+        {place, tr("+, −"), tr("zooms in, zooms out")},
+        {place, tr("Escape during a drag"), tr("ends the drag without change")},
+        {place, tr("a file or folder dropped"), tr("opens it")},
+    };
+}
+
+std::vector<KeyRow> curveEditorRows() {
+    constexpr KeyPlace place = KeyPlace::curveEditor;
+    return {
+        {place, tr("left drag of a node; with Shift"), tr("moves the node; moves it along one axis only")},
+        {place, tr("double click on the plot, on an axis, in the corner"),
+         tr("adds a node; shows that axis whole; shows both whole")},
+        {place, tr("wheel; with Ctrl or on the opacity axis"), tr("zooms the intensities; zooms the opacities")},
+        {place, tr("middle drag"), tr("moves the plot")},
+        {place, tr("Tab, Page Up, Page Down"), tr("select the next or previous node")},
+        {place, tr("← → ↑ ↓; with Shift"), tr("move the selected node by 1/256; by ten times as much")},
+        {place, tr("Delete"), tr("deletes the selected node (also in the table of nodes)")},
+        {place, tr("Enter, F2 or a double click in the table of nodes"), tr("lets a number be typed")},
+        {place, tr("Escape during a drag"), tr("ends the drag without change")},
+    };
+}
+
+std::vector<KeyRow> windowRows() {
+    constexpr KeyPlace place = KeyPlace::window;
+    return {
+        {place, "Ctrl+O, Ctrl+Q", tr("open a volume, quit"), {{"file.open", "Ctrl+O"}, {"file.quit", "Ctrl+Q"}}},
+        {place, "A", tr("computes the OTF for this view"), {{"otf.computeForThisView", "A"}}},
+        {place,
+         "1 2 3 4 5",
+         tr("render the adaptive, manual, linear, parabolic or quartic curve"),
+         {{"otfEditor.action.active.adaptive", "1"},
+          {"otfEditor.action.active.manual", "2"},
+          {"otfEditor.action.active.linear", "3"},
+          {"otfEditor.action.active.parabolic", "4"},
+          {"otfEditor.action.active.quartic", "5"}}},
+        {place,
+         "Ctrl+Z, Ctrl+Shift+Z",
+         tr("undo and redo of whatever was changed: curves, view, beam, cut, look, method, motion"),
+         {{"otfEditor.action.undo", "Ctrl+Z"}, {"otfEditor.action.redo", "Ctrl+Shift+Z"}}},
+        {place, "C", tr("resets the active curve"), {{"otfEditor.action.reset", "C"}}},
+        {place,
+         "R, Shift+R",
+         tr("reset the view; look, cut, view and curve back to what opening gave"),
+         {{"view.resetView", "R"}, {"view.resetAll", "Shift+R"}}},
+        {place, "F", tr("shows the picture alone on the full screen, and leaves it"), {{"view.fullScreen", "F"}}},
+        {place,
+         "N",
+         tr("cuts away what stands before the fluid, or takes the cut back"),
+         {{"view.toggleNearCut", "N"}}},
+        {place,
+         "Q, Shift+Q; L",
+         tr("more or less speckle reduction; the next light"),
+         {{"view.moreReduction", "Q"}, {"view.lessReduction", "Shift+Q"}, {"view.nextLighting", "L"}}},
+        {place,
+         "Space, ←, →",
+         tr("play or pause, one degree back, one degree on"),
+         {{"motion.playOrPause", "Space"}, {"motion.back", "Left"}, {"motion.on", "Right"}}},
+        {place,
+         "P, Ctrl+C",
+         tr("save the picture, copy it to the clipboard"),
+         {{"file.savePicture", "P"}, {"edit.copyPicture", "Ctrl+C"}}},
+        {place, "F1", tr("explains what the picture shows"), {{"help.explain", "F1"}}},
+        {place, "Escape", tr("ends a drag, closes a message that has the focus, leaves the full screen")},
+    };
+}
+
+std::vector<KeyRow> allRows() {
+    std::vector<KeyRow> rows = pictureRows();
+    for (const std::vector<KeyRow>& more : {curveEditorRows(), windowRows()})
+        rows.insert(rows.end(), more.begin(), more.end());
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<KeyRow>& keyTable() {
+    static const std::vector<KeyRow> table = allRows();
+    return table;
+}
+
+QString titleOf(KeyPlace place) {
+    switch (place) {
+        case KeyPlace::picture: return tr("In the picture");
+        case KeyPlace::curveEditor: return tr("In the curve editor");
+        case KeyPlace::window: return tr("Anywhere in the window");
+    }
+    return {};
+}
+
+QKeySequence keyOf(const QString& action) {
+    for (const KeyRow& row : keyTable())
+        for (const KeyOfAction& key : row.actions)
+            if (key.action == action) return QKeySequence::fromString(key.key, QKeySequence::PortableText);
+    return {};
+}
+
+QString markdownOf(KeyPlace place) {
+    QString text = QStringLiteral("| %1 | |\n|---|---|\n").arg(titleOf(place).toLower());
+    for (const KeyRow& row : keyTable())
+        if (row.place == place) text += QStringLiteral("| %1 | %2 |\n").arg(row.keys, row.meaning);
+    return text;
+}
+
+}  // namespace echolucent

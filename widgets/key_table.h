@@ -1,0 +1,41 @@
+// Every key and gesture of the window: one table for the menus, the panel of explanations and the README.
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+#include <array>
+#include <vector>
+
+namespace echolucent {
+
+/// Where a key or gesture works. What has the focus is asked first, then the window.
+enum class KeyPlace { picture, curveEditor, window };
+inline constexpr std::array allKeyPlaces{KeyPlace::picture, KeyPlace::curveEditor, KeyPlace::window};
+
+/// The key of an action of the window, by the action's object name.
+struct KeyOfAction {
+    QString action;
+    QString key;  ///< as QKeySequence's portable text: "Ctrl+Shift+Z"
+};
+
+/// One line of the table: keys or gestures that belong together, and what they do.
+struct KeyRow {
+    KeyPlace place;
+    QString keys;     ///< as people read them
+    QString meaning;  ///< of the keys, in their order
+    std::vector<KeyOfAction> actions{};
+};
+
+/// All rows, those of one place together.
+[[nodiscard]] const std::vector<KeyRow>& keyTable();
+
+/// "In the picture", "In the curve editor", "Anywhere in the window".
+[[nodiscard]] QString titleOf(KeyPlace place);
+
+/// The key of the action with this object name; an empty one where the table gives it none.
+[[nodiscard]] QKeySequence keyOf(const QString& action);
+
+/// The rows of a place as a table of Markdown, as README.md holds it.
+[[nodiscard]] QString markdownOf(KeyPlace place);
+
+}  // namespace echolucent
