@@ -14,7 +14,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(pare
         if (!std::exchange(m_looking, false)) return;
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
     });
-    connect(&m_parts.model, &DocumentModel::cutsChanged, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
+    connect(&m_parts.model, &DocumentModel::changed, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
 }
 
 void NearCutFinder::find() {
@@ -69,12 +69,18 @@ QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const 
 
 void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
     m_told = text;
-    m_toldCut = cutOf(m_parts.model.document(), m_parts.view);
+    m_toldPicture = presentPicture();
     m_parts.messages.showMessage(kind, text, actions);
 }
 
+NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
+    const Document& document = m_parts.model.document();
+    return {document.study, phaseOf(document, m_parts.view), cutOf(document, m_parts.view),
+            viewpointOf(document, m_parts.view)};
+}
+
 void NearCutFinder::takeBackWhatIsNoLongerTrue() {
-    if (m_told.isEmpty() || cutOf(m_parts.model.document(), m_parts.view) == m_toldCut) return;
+    if (m_told.isEmpty() || presentPicture() == m_toldPicture) return;
     m_parts.messages.takeBack(std::exchange(m_told, {}));
 }
 

@@ -37,14 +37,23 @@ private:
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Cut>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
+    /// What a message about a cut is true of.
+    struct CutPicture {
+        StudyReference study;
+        int phase = 0;
+        Cut cut;
+        Viewpoint seenFrom;  ///< the cut turns with the view
+        friend bool operator==(const CutPicture&, const CutPicture&) = default;
+    };
+    [[nodiscard]] CutPicture presentPicture() const;
     void takeBackWhatIsNoLongerTrue();
     void cutAlong(const Cut& cut, const ViewDirection& direction);
 
     Parts m_parts;
     Viewpoint m_looksFrom;
     bool m_looking = false;
-    QString m_told;  ///< the newest message, which is true while the cut is m_toldCut; then it is empty
-    Cut m_toldCut;
+    QString m_told;  ///< the newest message, which is true of m_toldPicture; then it is empty
+    CutPicture m_toldPicture;
 };
 
 }  // namespace echolucent

@@ -112,6 +112,8 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     if (facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
                   << motionSentence(facts.document.motion.otf);
+    if (curveIsOfAnotherView(facts.document, facts.view, facts.otf))
+        sentences << tr("The curve was computed for another view than this one: A computes it for this one.");
     if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);
     if (look.lighting == Lighting::depth && look.reaching.shadow > 0)
         sentences << tr(

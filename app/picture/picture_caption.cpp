@@ -48,11 +48,19 @@ QString lightLine(const Look& look) {
 
 }  // namespace
 
+bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf) {
+    if (otf == nullptr || document.motionAngle != 0.0) return false;
+    if (lookOf(document, view).mode != RenderMode::direct || viewOf(document, view).curve != CurveKind::adaptive)
+        return false;
+    return directionOf(otf->view) != poseOf(document, view).direction;
+}
+
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
     QStringList lines{beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
                       cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
-                      speckleLine(look.reduction, facts.speckle), lightLine(look)};
+                      speckleLine(look.reduction, facts.speckle), lightLine(look),
+                      facts.curveOfAnotherView ? tr("curve of another view (A computes it for this one)") : QString()};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }

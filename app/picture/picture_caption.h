@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
 
 namespace echolucent {
@@ -19,11 +20,16 @@ struct CaptionFacts {
     const Document& document;
     int view;  ///< of the document
     ShownSpeckle speckle = ShownSpeckle::asRead;
-    bool lengthsKnown = true;  ///< the volume's spacing is known, so that lengths in mm may be told
+    bool curveOfAnotherView = false;  ///< as curveIsOfAnotherView()
+    bool lengthsKnown = true;         ///< the volume's spacing is known, so that lengths in mm may be told
 };
 
+/// Whether the picture's curve is adaptive and was computed for another direction than the picture is seen along: the
+/// hand has turned the view since. The frames of a motion are no views of their own in this. `otf` may be null.
+[[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf);
+
 /// One line for each of these that is true: which way round and how that is known, what is cut off and who cut it, how
-/// much speckle was taken away, which light falls.
+/// much speckle was taken away, which light falls, that the curve was computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent

@@ -39,6 +39,10 @@ void PictureControls::connectPanel() {
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(view(), phase); });
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
+    connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
+        edit(tr("reset %1").arg(group.toLower()), [this, &look](Document& next) { lookOf(next, view()) = look; });
+        keep();
+    });
     connect(panel, &ViewPanel::rendererChanged, this, [this] {
         takeRenderer();
         keep();
@@ -99,6 +103,24 @@ void PictureControls::resetView() {
     edit(tr("reset view"), [this](Document& next) {
         poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = next.beam.axis});
     });
+}
+
+void PictureControls::resetAll(const Document& opened) {
+    edit(tr("reset all"), [this, &opened](Document& next) {
+        next.beam = opened.beam;
+        next.curves = opened.curves;
+        next.method.direction = opened.method.direction;
+        next.motionAngle = 0.0;
+        viewOf(next, view()).curve = viewOf(opened, view()).curve;
+        cutOf(next, view()) = cutOf(opened, view());
+        lookOf(next, view()) = lookOf(opened, view());
+        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = next.beam.axis});
+    });
+    keep();
+}
+
+void PictureControls::resetCut(const Document& opened) {
+    edit(tr("reset cut"), [this, &opened](Document& next) { cutOf(next, view()) = cutOf(opened, view()); });
 }
 
 void PictureControls::showDocument() {

@@ -38,6 +38,10 @@ public:
     void keep();
     /// Shows the whole volume, seen along the beam, as a step of the document.
     void resetView();
+    /// Look, cut, beam, view and curves as in `opened`, the document that opening gave; one step.
+    void resetAll(const Document& opened);
+    /// The cut as in `opened`.
+    void resetCut(const Document& opened);
     /// Takes the speckle reduction so many levels on, back where it is negative, up to the ends.
     void reduceSpeckle(int levels);
     /// Flat, surface, depth, and around again.

@@ -92,6 +92,7 @@ void ShownStudy::takeVolume() {
             showWhole(found);
             m_parts.model.edit(found, tr("beam and cut found on opening"));
         }
+        m_opened = m_parts.model.document();
         m_parts.motion.beginAtRest(phases);
         m_parts.computing.begin();
         showNearCutRange();
@@ -156,7 +157,7 @@ void ShownStudy::doWithoutOtf(const QString& sentence) {
     m_parts.motion.showWaitingFrame();
 }
 
-/// While it plays the bar would push the picture up and down.
+/// While it plays the bar would come and go over the picture.
 void ShownStudy::showRemarkAtRest() {
     if (!m_parts.player.isPlaying()) showRemark();
 }

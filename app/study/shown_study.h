@@ -41,6 +41,9 @@ public:
     };
     explicit ShownStudy(const Parts& parts, QObject* parent = nullptr);
 
+    /// The document as opening the study gave it, with what was found then.
+    [[nodiscard]] const Document& opened() const { return m_opened; }
+
 private:
     void tellFacts();
     void takeVolume();
@@ -54,6 +57,7 @@ private:
     void showNearCutRange();
 
     Parts m_parts;
+    Document m_opened;
     const Study* m_study = nullptr;                   ///< told apart by address only
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF
 };

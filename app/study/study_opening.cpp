@@ -1,5 +1,6 @@
 #include "app/study/study_opening.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -8,6 +9,18 @@
 #include "widgets/panels/raw_layout_dialog.h"
 
 namespace echolucent {
+
+namespace {
+
+/// "heart.mha"; of a file that was read because its folder, or a header beside it, was opened: "slices/17.dcm".
+QString shownName(const QString& opened, const QString& concerned) {
+    const QString name = QFileInfo(opened).fileName();
+    if (concerned.isEmpty() || QFileInfo(concerned) == QFileInfo(opened)) return name;
+    return QFileInfo(opened).isDir() ? name + '/' + QDir(opened).relativeFilePath(concerned)
+                                     : QFileInfo(concerned).fileName();
+}
+
+}  // namespace
 
 StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages)
     : QObject(&window), m_window(window), m_session(session), m_settings(settings), m_messages(messages) {
@@ -64,8 +77,10 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
                                      open(path, options);
                                  }};
     if (failure.layoutUnknown) actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
+    if (failure.opacityCurve)
+        actions << MessageAction{tr("Open it as a curve"), [this, path] { emit curveChosen(path); }};
     Failure shown = failure;
-    shown.file = QFileInfo(path).fileName().toStdString();
+    shown.file = shownName(path, QString::fromStdString(failure.file)).toStdString();
     // The way out is a button here; the sentence would name an option of the command line.
     if (!actions.isEmpty()) shown.remedy.clear();
     m_messages.showMessage(MessageKind::error, QString::fromStdString(shown.sentence()), actions);

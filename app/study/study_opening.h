@@ -28,6 +28,10 @@ public:
     /// Fills a menu with the files opened last.
     void fillRecentFiles(QMenu& menu);
 
+signals:
+    /// The person wants to open this file as a curve.
+    void curveChosen(const QString& path);
+
 private:
     void openRaw(const QString& path);
     void tellFailure(const QString& path, const Failure& failure);

@@ -1,29 +1,66 @@
 #include "app/window/curve_and_picture_files.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "io/curve_file.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
 
+namespace {
+
+/// A curve as nodes: its own; the corners of a linear one; all samples of the adaptive one; of a power as many samples.
+ManualCurve nodesOf(const OpacityCurve& curve) {
+    if (const auto* manual = std::get_if<ManualCurve>(&curve)) return *manual;
+    if (const auto* linear = std::get_if<LinearCurve>(&curve)) {
+        // It may reach opacity 1 before its upper end.
+        const double full = linear->slope > 0 ? linear->lower + 1.0 / linear->slope : 1.0;
+        const double upper = std::min(linear->upper, full);
+        return {{{linear->lower, 0.0}, {upper, opacityAt(curve, upper)}}};
+    }
+    constexpr int samplesOfFormula = 256;
+    const auto* sampled = std::get_if<SampledCurve>(&curve);
+    const int count = sampled ? static_cast<int>(sampled->opacities.size()) : samplesOfFormula;
+    ManualCurve nodes;
+    if (count < 2) return {{{0.0, 0.0}}};
+    const std::vector<double> opacities = sampledOpacities(curve, count);
+    for (int i = 0; i < count; ++i)
+        nodes.nodes.push_back({static_cast<double>(i) / (count - 1), opacities[static_cast<std::size_t>(i)]});
+    return nodes;
+}
+
+}  // namespace
+
 CurveAndPictureFiles::CurveAndPictureFiles(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
     connect(&m_parts.editor, &OtfEditor::openCurveRequested, this, &CurveAndPictureFiles::chooseAndOpenCurve);
-    connect(&m_parts.editor, &OtfEditor::saveCurveRequested, this, [this] { chooseAndSaveCurve(); });
+    connect(&m_parts.editor, &OtfEditor::saveCurveRequested, this,
+            [this] { chooseAndSaveCurve(m_parts.editor.state().active); });
+    connect(&m_parts.editor, &OtfEditor::activeCurveChanged, this,
+            [this] { m_parts.messages.takeBack(std::exchange(m_told, {})); });
 }
 
 void CurveAndPictureFiles::chooseAndOpenCurve() {
-    if (!mayLoseManualCurve()) return;
     const QString path = QFileDialog::getOpenFileName(&m_parts.window, tr("Open curve"), m_parts.settings.lastFolder(),
                                                       tr("Opacity curves (*.json);;All files (*)"));
-    if (!path.isEmpty()) openCurve(path);
+    if (!path.isEmpty()) openCurveOfPerson(path);
+}
+
+void CurveAndPictureFiles::openCurveOfPerson(const QString& path) {
+    if (mayLoseManualCurve()) openCurve(path);
 }
 
 bool CurveAndPictureFiles::openCurve(const QString& path) {
@@ -36,25 +73,52 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
     return true;
 }
 
-bool CurveAndPictureFiles::chooseAndSaveCurve() {
-    QFileDialog dialog(&m_parts.window, tr("Save curve"), m_parts.settings.lastFolder(), tr("Opacity curves (*.json)"));
+QString CurveAndPictureFiles::chooseFileToSave(const QString& title, const QString& filter, const QString& what,
+                                               const QString& suffix) {
+    const Session& session = m_parts.session;
+    // The file's own name, and nothing of what stands in it.
+    const QString study = session.isSimulatedScan() || session.path().isEmpty()
+                              ? tr("simulated-scan")
+                              : QFileInfo(session.path()).completeBaseName();
+    QFileDialog dialog(&m_parts.window, title, m_parts.settings.lastSaveFolder(), filter);
+    dialog.setObjectName("saveFile");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("json");
-    return dialog.exec() == QDialog::Accepted && saveCurve(dialog.selectedFiles().first());
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(QStringLiteral("%1-%2.%3").arg(study, what, suffix));
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString path = dialog.selectedFiles().first();
+    m_parts.settings.setLastSaveFolder(QFileInfo(path).absolutePath());
+    return path;
 }
 
-bool CurveAndPictureFiles::saveCurve(const QString& path) {
+bool CurveAndPictureFiles::chooseAndSaveCurve(CurveKind kind) {
+    const QString path = chooseFileToSave(tr("Save the %1 curve").arg(curveName(kind)), tr("Opacity curves (*.json)"),
+                                          curveKey(kind), QStringLiteral("json"));
+    return !path.isEmpty() && saveCurve(path, kind);
+}
+
+bool CurveAndPictureFiles::saveCurve(const QString& path) { return saveCurve(path, m_parts.editor.state().active); }
+
+bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
+    const ManualCurve nodes = nodesOf(curveOf(m_parts.editor.state(), kind));
     if (!report(mayOverwrite(path))) return false;
-    if (!report(writeCurve(path.toStdString(), m_parts.editor.state().manual))) return false;
-    m_parts.editor.setManualSaved();
+    if (!report(writeCurve(path.toStdString(), nodes))) return false;
+    if (kind == CurveKind::manual) m_parts.editor.setManualSaved();
+    m_told = tr("The %1 curve was saved as %2 (%3).")
+                 .arg(curveName(kind), QFileInfo(path).fileName(),
+                      nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
+    m_parts.messages.showMessage(MessageKind::info, m_told);
     return true;
 }
 
 void CurveAndPictureFiles::chooseAndSavePicture() {
-    QFileDialog dialog(&m_parts.window, tr("Save picture"), m_parts.settings.lastFolder(), tr("Pictures (*.png)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("png");
-    if (dialog.exec() == QDialog::Accepted) savePicture(dialog.selectedFiles().first());
+    const QString path =
+        chooseFileToSave(tr("Save picture"), tr("Pictures (*.png)"), QStringLiteral("picture"), QStringLiteral("png"));
+    if (!path.isEmpty()) savePicture(path);
+}
+
+void CurveAndPictureFiles::copyPicture() {
+    if (m_parts.session.volume()) QApplication::clipboard()->setImage(m_parts.picture.convergedImage());
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
@@ -88,7 +152,7 @@ bool CurveAndPictureFiles::mayLoseManualCurve() {
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(save);
     box.exec();
-    if (static_cast<QAbstractButton*>(save) == box.clickedButton()) return chooseAndSaveCurve();
+    if (static_cast<QAbstractButton*>(save) == box.clickedButton()) return chooseAndSaveCurve(CurveKind::manual);
     return static_cast<QAbstractButton*>(discard) == box.clickedButton();
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/study/session.h"
 #include "app/window/settings.h"
+#include "processing/document/curve_set.h"
 #include "processing/result.h"
 
 class QWidget;
@@ -32,21 +33,32 @@ public:
 
     /// Opens a manual curve (JSON) and makes it active; the edit can be undone. False, with a message, where it cannot.
     bool openCurve(const QString& path);
+    /// The same where a person asks for it: an edited curve is not lost without asking.
+    void openCurveOfPerson(const QString& path);
+    /// Saves the curve that is shown as nodes, and says which it is and how many nodes it has.
     bool saveCurve(const QString& path);
     /// Saves what the 3D view shows, without any name of a patient or file in it.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
+    /// Puts the same picture into the clipboard.
+    void copyPicture();
     /// Asks where an edited manual curve would be lost. Returns false where it must not be.
     bool mayLoseManualCurve();
 
 private:
     void chooseAndOpenCurve();
-    bool chooseAndSaveCurve();
+    bool chooseAndSaveCurve(CurveKind kind);
+    bool saveCurve(const QString& path, CurveKind kind);
+    /// Asks for a file in the folder of the last one; its name is proposed from the study's file and `what` it holds.
+    /// An empty text where the person does not want to.
+    [[nodiscard]] QString chooseFileToSave(const QString& title, const QString& filter, const QString& what,
+                                           const QString& suffix);
     /// Fails where `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);
 
     Parts m_parts;
+    QString m_told;  ///< of a curve that was saved, while it is shown as it was saved
 };
 
 }  // namespace echolucent

@@ -2,7 +2,9 @@
 
 #include <QAbstractButton>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QTimer>
 
@@ -14,19 +16,23 @@
 #include "app/picture/picture_controls.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
+#include "app/window/full_screen.h"
 #include "app/window/review_room.h"
 #include "app/window/window_menus.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/panels/explain_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
+#include "widgets/panels/motion_panel.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/view_panel.h"
 
 namespace echolucent {
 
 namespace {
-constexpr int mainView = 1;  // the view of the default document
-}
+constexpr int mainView = 1;       // the view of the default document
+constexpr int layoutVersion = 2;  // of the docks: an arrangement of an older kind is not restored
+}  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> session)
     : m_settings(settingsFile), m_curves(m_document, mainView), m_session(std::move(session)) {
@@ -35,10 +41,15 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
     setAcceptDrops(true);
     resize(1440, 920);
     m_widgets = layOut(*this, m_curves, m_course);
+    m_fullScreen = new FullScreen(*this, {m_widgets.motion});
+    m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
+    m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
     connectProgress();
     connectUnits();
     connectCaption();
+    connectExplanation();
+    connectResets();
     createActions();
     restoreSettings();
     showProgress();
@@ -145,10 +156,30 @@ void MainWindow::connectUnits() {
     });
     connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
             &CurveAndPictureFiles::chooseAndSavePicture);
+    connect(m_opening.get(), &StudyOpening::curveChosen, m_files.get(), &CurveAndPictureFiles::openCurveOfPerson);
+}
+
+void MainWindow::connectResets() {
     connect(m_widgets.controls, &ViewPanel::resetRequested, this, [this] {
         m_pictureControls->resetView();
         m_motion->rewind();
     });
+    connect(m_widgets.controls, &ViewPanel::resetAllRequested, this, [this] {
+        m_motion->rewind();
+        m_pictureControls->resetAll(m_shownStudy->opened());
+    });
+    connect(m_widgets.controls, &ViewPanel::nearCutResetRequested, this,
+            [this] { m_pictureControls->resetCut(m_shownStudy->opened()); });
+}
+
+/// The panel says of every picture what it shows and why.
+void MainWindow::connectExplanation() {
+    ExplainPanel* panel = m_widgets.explain;
+    panel->setSource([this] { return explanation(); });
+    connect(&m_document, &DocumentModel::changed, panel, &ExplainPanel::follow);
+    connect(m_session.get(), &Session::otfComputed, panel, &ExplainPanel::follow);
+    connect(m_session.get(), &Session::otfFailed, panel, &ExplainPanel::follow);
+    connect(m_session.get(), &Session::quietVoxelsMade, panel, &ExplainPanel::follow);
 }
 
 void MainWindow::connectCaption() {
@@ -158,10 +189,12 @@ void MainWindow::connectCaption() {
     const auto tell = [this] {
         // A picture that is still of the study before keeps its own caption.
         if (!m_session->volume() || m_view->held()) return;
-        m_widgets.picture->setCaption(pictureCaption({.document = m_document.document(),
-                                                      .view = mainView,
-                                                      .speckle = shownSpeckle(),
-                                                      .lengthsKnown = m_session->volume()->geometry().spacingKnown}));
+        m_widgets.picture->setCaption(pictureCaption(
+            {.document = m_document.document(),
+             .view = mainView,
+             .speckle = shownSpeckle(),
+             .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), mainView, m_motion->otf()),
+             .lengthsKnown = m_session->volume()->geometry().spacingKnown}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
     connect(m_session.get(), &Session::otfComputed, this, tell);
@@ -184,6 +217,9 @@ void MainWindow::createActions() {
     commands.openSimulatedScan = [this] { openSimulatedScan(); };
     commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
+    commands.copyPicture = [this] { m_files->copyPicture(); };
+    commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
+    commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
     commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
     commands.reduceSpeckle = [this](int levels) { m_pictureControls->reduceSpeckle(levels); };
     commands.toggleNearCut = [this] {
@@ -194,7 +230,10 @@ void MainWindow::createActions() {
     commands.computeForThisView = [this] { m_computing->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
-    commands.explain = [this] { showText(*this, "explanation", tr("What does the picture show?"), explanation()); };
+    commands.explain = [this] {
+        m_widgets.explainDock->show();
+        m_widgets.explainDock->raise();
+    };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
     m_room->createMenu(*this);
 }
@@ -217,21 +256,25 @@ void MainWindow::restoreSettings() {
     m_pictureControls->restore();
     m_room->restore();
     Document document = m_document.document();
-    document.motion.pingPong = m_settings.motionPingPong();
+    document.motion = m_settings.motion();
+    document.method = m_settings.method();
+    viewOf(document, mainView).curve = m_settings.activeCurve();
     m_document.begin(document);
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
-    if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state);
+    if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state, layoutVersion);
 }
 
 void MainWindow::keepSettings() {
     m_pictureControls->keep();
     m_room->keep();
-    m_settings.setMotionPingPong(m_document.document().motion.pingPong);
+    m_settings.setMotion(m_document.document().motion);
+    m_settings.setMethod(m_document.document().method);
+    m_settings.setActiveCurve(viewOf(m_document.document(), mainView).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_settings.setWindowGeometry(saveGeometry());
-    m_settings.setWindowState(saveState());
+    m_settings.setWindowState(saveState(layoutVersion));
 }
 
 bool MainWindow::idle() const {
@@ -267,8 +310,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_motionPlayer.pause();
+    m_fullScreen->leave();  // what it hides is to be there again at the next start
     keepSettings();
     event->accept();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_escapes.endFirst()) return;
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

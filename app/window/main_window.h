@@ -9,8 +9,10 @@
 #include "app/motion/motion_frames.h"
 #include "app/picture/picture_caption.h"
 #include "app/study/shown_study.h"
+#include "app/window/escape_order.h"
 #include "app/window/settings.h"
 #include "app/window/window_layout.h"
+#include "widgets/control_keys.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -18,6 +20,7 @@ namespace echolucent {
 
 class CurveAndPictureFiles;
 class CurveControls;
+class FullScreen;
 class MethodControls;
 class NearCutFinder;
 class PictureControls;
@@ -56,6 +59,9 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
+    /// Whoever begins something that Escape ends adds it here.
+    [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
+
     /// What the picture shows and why it looks as it does, in a few sentences.
     [[nodiscard]] QString explanation() const;
 
@@ -67,6 +73,7 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -75,6 +82,8 @@ private:
     void connectProgress();
     void connectUnits();
     void connectCaption();
+    void connectExplanation();
+    void connectResets();
     void createActions();
     void restoreSettings();
     void keepSettings();
@@ -86,11 +95,14 @@ private:
     DocumentModel m_document;
     DocumentCurves m_curves;
     HandGesture m_hand;
+    ControlKeys m_controlKeys;
+    EscapeOrder m_escapes;
     std::unique_ptr<Session> m_session;
     MotionPlayer m_motionPlayer;
     OtfCourse m_course;
 
     WindowLayout m_widgets;
+    FullScreen* m_fullScreen = nullptr;
 
     // Above the widgets they are made of, which they must not outlive.
     std::unique_ptr<DocumentView> m_view;

@@ -2,9 +2,11 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "processing/adaptive/method_parameters.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -12,12 +14,18 @@ namespace {
 
 constexpr auto recentFilesKey = "recent/files";
 constexpr auto lastFolderKey = "recent/folder";
+constexpr auto lastSaveFolderKey = "recent/saveFolder";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
 constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
+constexpr auto motionOtfKey = "motion/otf";
+constexpr auto motionAxisKey = "motion/axis";
+constexpr auto activeCurveKey = "otfEditor/activeCurve";
+constexpr auto initialKey = "method/initial";
+constexpr auto initialScaleKey = "method/initialScale";
 
 QString absolutePath(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
@@ -28,19 +36,39 @@ bool boolOr(const QVariant& value, bool otherwise) {
     return text == "false" ? false : otherwise;
 }
 
-QString keyOf(const Parameter<Look>& row) { return "picture/" + QString::fromStdString(camelCase(row.name)); }
+template <typename Values>
+QString keyOf(const QString& group, const Parameter<Values>& row) {
+    return group + '/' + QString::fromStdString(camelCase(row.name));
+}
 
-/// A stored value of the kind that the row has; nothing where it is not understood.
-std::optional<ParameterValue> valueOf(const QVariant& stored, const Parameter<Look>& row) {
+QString keyOf(const Parameter<Look>& row) { return keyOf("picture", row); }
+
+/// A stored value of the kind of `standard`; nothing where it is not understood.
+std::optional<ParameterValue> valueOf(const QVariant& stored, const ParameterValue& standard,
+                                      const ParameterRange& range) {
     const QString text = stored.toString();
-    const ParameterValue standard = *row.get(Look{});
     if (std::holds_alternative<std::string>(standard)) return text.toStdString();
     if (std::holds_alternative<bool>(standard))
         return text == "true" || text == "false" ? std::optional<ParameterValue>(text == "true") : std::nullopt;
     bool understood = false;
     const double number = stored.toDouble(&understood);
-    if (!understood || !inRange(number, row.range)) return std::nullopt;
+    if (!understood || !inRange(number, range)) return std::nullopt;
+    if (std::holds_alternative<std::int64_t>(standard)) return static_cast<std::int64_t>(std::llround(number));
     return number;
+}
+
+QVariant storedOf(const ParameterValue& value) {
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+    if (const auto* choice = std::get_if<std::string>(&value)) return textOf(*choice);
+    return *numberOf(value);
+}
+
+ParameterRange initialScaleRange() { return parameterNamed(methodParameters(), "opacity_scale")->range; }
+
+/// The choice that a stored name names, or the standard one.
+template <typename Choice>
+Choice choiceOr(const QVariant& stored, std::optional<Choice> (*fromName)(std::string_view), Choice standard) {
+    return fromName(stored.toString().toStdString()).value_or(standard);
 }
 
 }  // namespace
@@ -72,6 +100,8 @@ void Settings::clearRecentFiles() { m_store.remove(recentFilesKey); }
 
 QString Settings::lastFolder() const { return m_store.value(lastFolderKey).toString(); }
 void Settings::setLastFolder(const QString& folder) { m_store.setValue(lastFolderKey, folder); }
+QString Settings::lastSaveFolder() const { return m_store.value(lastSaveFolderKey, lastFolder()).toString(); }
+void Settings::setLastSaveFolder(const QString& folder) { m_store.setValue(lastSaveFolderKey, folder); }
 
 QByteArray Settings::windowGeometry() const { return m_store.value(geometryKey).toByteArray(); }
 void Settings::setWindowGeometry(const QByteArray& geometry) { m_store.setValue(geometryKey, geometry); }
@@ -84,20 +114,15 @@ Look Settings::look() const {
         if (!chosenByPersons(row)) continue;
         // Files of before 0.2 know depth colours by another key.
         const QVariant older = row.name == "depth_colouring" ? m_store.value("picture/depthColoured") : QVariant();
-        if (const auto value = valueOf(m_store.value(keyOf(row), older), row)) row.set(look, *value);
+        if (const auto value = valueOf(m_store.value(keyOf(row), older), *row.get(Look{}), row.range))
+            row.set(look, *value);
     }
     return look;
 }
 void Settings::setLook(const Look& look) {
     for (const Parameter<Look>& row : lookParameters()) {
         if (!chosenByPersons(row)) continue;
-        const ParameterValue value = *row.get(look);
-        if (const auto* flag = std::get_if<bool>(&value))
-            m_store.setValue(keyOf(row), *flag);
-        else if (const auto* choice = std::get_if<std::string>(&value))
-            m_store.setValue(keyOf(row), textOf(*choice));
-        else
-            m_store.setValue(keyOf(row), *numberOf(value));
+        m_store.setValue(keyOf(row), storedOf(*row.get(look)));
     }
 }
 
@@ -113,8 +138,47 @@ PaneLayout Settings::paneLayout() const {
 }
 void Settings::setPaneLayout(PaneLayout layout) { m_store.setValue(paneLayoutKey, textOf(nameOf(layout))); }
 
-bool Settings::motionPingPong() const { return boolOr(m_store.value(pingPongKey), true); }
-void Settings::setMotionPingPong(bool pingPong) { m_store.setValue(pingPongKey, pingPong); }
+MotionChoice Settings::motion() const {
+    const MotionChoice standard;
+    return {.axis = choiceOr(m_store.value(motionAxisKey), &motionAxisFromName, standard.axis),
+            .otf = choiceOr(m_store.value(motionOtfKey), &motionOtfFromName, standard.otf),
+            .pingPong = boolOr(m_store.value(pingPongKey), standard.pingPong)};
+}
+void Settings::setMotion(const MotionChoice& motion) {
+    m_store.setValue(motionAxisKey, textOf(nameOf(motion.axis)));
+    m_store.setValue(motionOtfKey, textOf(nameOf(motion.otf)));
+    m_store.setValue(pingPongKey, motion.pingPong);
+}
+
+CurveKind Settings::activeCurve() const {
+    return choiceOr(m_store.value(activeCurveKey), &curveKindFromName, CurveKind::adaptive);
+}
+void Settings::setActiveCurve(CurveKind kind) { m_store.setValue(activeCurveKey, textOf(nameOf(kind))); }
+
+MethodChoice Settings::method() const {
+    MethodChoice method;
+    method.initial = choiceOr(m_store.value(initialKey), &initialKindFromName, method.initial);
+    const ParameterValue scale =
+        valueOf(m_store.value(initialScaleKey), method.initialScale, initialScaleRange()).value_or(method.initialScale);
+    method.initialScale = *numberOf(scale);
+    // The choices stand first in the table, so that what applies to them alone is read after them.
+    for (const Parameter<AdaptiveOtfConfig>& row : methodParameters()) {
+        const auto standard = row.get(method.config);
+        if (!standard) continue;
+        if (const auto value = valueOf(m_store.value(keyOf("method", row)), *standard, row.range))
+            row.set(method.config, *value);
+    }
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (!problemOf(method.config).empty()) method.config = AdaptiveOtfConfig{};
+    return method;
+}
+void Settings::setMethod(const MethodChoice& method) {
+    m_store.remove("method");  // what belongs to a choice that was left is not kept
+    m_store.setValue(initialKey, textOf(nameOf(method.initial)));
+    m_store.setValue(initialScaleKey, method.initialScale);
+    for (const Parameter<AdaptiveOtfConfig>& row : methodParameters())
+        if (const auto value = row.get(method.config)) m_store.setValue(keyOf("method", row), storedOf(*value));
+}
 
 bool Settings::save() {
     m_store.sync();

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "processing/document/document.h"
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
 #include "widgets/planes/pane_grid.h"
@@ -29,6 +30,9 @@ public:
     /// Folder in which the next file dialog opens; empty at first.
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
+    /// Folder in which the next dialog for saving opens; lastFolder() at first.
+    [[nodiscard]] QString lastSaveFolder() const;
+    void setLastSaveFolder(const QString& folder);
 
     /// As QMainWindow::saveGeometry and saveState gave them; empty at first.
     [[nodiscard]] QByteArray windowGeometry() const;
@@ -45,8 +49,14 @@ public:
     void setHistogramLogarithmic(bool logarithmic);
     [[nodiscard]] PaneLayout paneLayout() const;  ///< [only3d]
     void setPaneLayout(PaneLayout layout);
-    [[nodiscard]] bool motionPingPong() const;  ///< [true]
-    void setMotionPingPong(bool pingPong);
+    /// Axis, OTF and order of the frames; what moves is a matter of the study and stays as by default.
+    [[nodiscard]] MotionChoice motion() const;
+    void setMotion(const MotionChoice& motion);
+    [[nodiscard]] CurveKind activeCurve() const;  ///< [adaptive]
+    void setActiveCurve(CurveKind kind);
+    /// Parameters and initial function, each by itself; its direction is a matter of the study and stays as by default.
+    [[nodiscard]] MethodChoice method() const;
+    void setMethod(const MethodChoice& method);
 
     /// Writes to disc now; false where that failed.
     bool save();

@@ -10,6 +10,7 @@
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
+#include "widgets/panels/explain_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -25,11 +26,15 @@ namespace echolucent {
 
 namespace {
 
+/// Width of the column of panels at the start, logical pixels: at 1280 the picture keeps more than 70 % of the window.
+constexpr int columnWidth = 340;
+
 QDockWidget* addDock(QMainWindow& window, const QString& title, const QString& name, QWidget* content) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(name);
     auto* scroll = new QScrollArea(dock);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);  // the controls inside have the keys
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(content);
@@ -51,24 +56,23 @@ QWidget* pictureContent(const WindowLayout& layout) {
     return content;
 }
 
+/// One column of panels, tabbed by what a person is doing; nothing beside the 3D view grows when one is opened.
 void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
-    QDockWidget* otf = addDock(window, title("Opacity transfer function"), "dock.otfEditor", layout.editor);
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     QDockWidget* picture = addDock(window, title("Picture"), "dock.view", pictureContent(layout));
-    QDockWidget* room = addDock(window, title("Planes and box"), "dock.room", layout.room);
-    QDockWidget* method = addDock(window, title("Adaptive"), "dock.method", layout.method);
+    QDockWidget* curve = addDock(window, title("Curve"), "dock.otfEditor", layout.editor);
+    QDockWidget* room = addDock(window, title("Planes"), "dock.room", layout.room);
+    QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
     QDockWidget* study = addDock(window, title("Study"), "dock.study", layout.facts);
-    layout.courseDock = addDock(window, title("OTF over angle"), "dock.motionMap", layout.course);
-    window.splitDockWidget(otf, picture, Qt::Vertical);
-    // Behind the editor, so that nothing beside the 3D view grows when it opens.
-    window.tabifyDockWidget(otf, layout.courseDock);
+    layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
+    layout.explainDock = addDock(window, title("Explain"), "dock.explain", layout.explain);
+    for (QDockWidget* dock : {curve, room, method, study, layout.courseDock, layout.explainDock})
+        window.tabifyDockWidget(picture, dock);
     layout.courseDock->hide();
-    window.tabifyDockWidget(picture, room);
-    window.tabifyDockWidget(room, method);
-    window.tabifyDockWidget(method, study);
+    layout.explainDock->hide();
     picture->raise();
-    window.resizeDocks({otf, picture}, {560, 300}, Qt::Vertical);
-    window.resizeDocks({otf, picture}, {430, 430}, Qt::Horizontal);
+    window.resizeDocks({picture}, {columnWidth}, Qt::Horizontal);
 }
 
 }  // namespace
@@ -79,16 +83,15 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     WindowLayout layout;
-    // The bar stands above the picture, not on it: a native OpenGL window covers its sibling widgets.
-    layout.messages = new MessageBar(centre);
     for (const PlaneName plane : allPlaneNames) layout.planes[indexOf(plane)] = new PlanePane(plane, centre);
     layout.picture = new VolumeViewWidget(centre);
     layout.panes = new PaneGrid({layout.planes[0], layout.planes[1], layout.planes[2], layout.picture}, centre);
     layout.motion = new MotionPanel(centre);
-    column->addWidget(layout.messages);
     column->addWidget(layout.panes, 1);
     column->addWidget(layout.motion);
     window.setCentralWidget(centre);
+    layout.messages = new MessageBar(centre);
+    layout.messages->lieOver(*layout.panes);
 
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);
@@ -97,6 +100,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.room = new RoomPanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
+    layout.explain = new ExplainPanel(&window);
     arrangeDocks(window, layout);
 
     layout.status = new RunStatus(&window);

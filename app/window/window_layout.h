@@ -10,6 +10,7 @@ namespace echolucent {
 
 class CurveOwner;
 class CurveSliders;
+class ExplainPanel;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
@@ -39,11 +40,13 @@ struct WindowLayout {
     OtfCoursePanel* course = nullptr;
     QDockWidget* courseDock = nullptr;
     StudyPanel* facts = nullptr;
+    ExplainPanel* explain = nullptr;
+    QDockWidget* explainDock = nullptr;
     RunStatus* status = nullptr;
 };
 
-/// Makes the widgets and puts them into the window: the planes and the picture in the middle, the panels in docks
-/// beside it.
+/// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
+/// beside it, the messages over the picture's lower edge.
 [[nodiscard]] WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& course);
 
 }  // namespace echolucent

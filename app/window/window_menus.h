@@ -1,4 +1,4 @@
-// The window's menus and the keys that stand in them.
+// The window's menus; their keys stand in the table of keys.
 #pragma once
 
 #include <QString>
@@ -14,15 +14,12 @@ class OtfEditor;
 
 /// What the menus' own actions do; the OTF editor brings its actions along.
 struct WindowCommands {
-    std::function<void()> openFile, openFolder, openRawFile, openSimulatedScan, savePicture, resetView,
-        computeForThisView, playOrPause, explain, nextLighting, toggleNearCut;
+    std::function<void()> openFile, openFolder, openRawFile, openSimulatedScan, savePicture, copyPicture, resetView,
+        resetAll, computeForThisView, playOrPause, explain, nextLighting, toggleNearCut, toggleFullScreen;
     std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(QMenu& menu)> fillRecentFiles;
 };
-
-/// A box of text beside the window that waits for nobody.
-void showText(QMainWindow& window, const QString& name, const QString& title, const QString& text);
 
 /// Fills the menu bar. `course` is the dock of the OTF over the angle, which has an action of its own beside that of
 /// every dock.

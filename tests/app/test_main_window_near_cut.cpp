@@ -64,7 +64,7 @@ private slots:
         lookFrom(m_fixture.window(), {.azimuthDegrees = 35});
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
         m_fixture.waitUntilIdle();
-        m_fixture.click("message.action.0");
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
         QCOMPARE(session().otf()->view.nearCutMm, 0.0);
         QCOMPARE(session().otf()->view.azimuthDegrees, 35.0);
@@ -167,6 +167,34 @@ private slots:
         m_fixture.waitUntilIdle();
     }
 
+    void aMessageDoesNotStayOverPicturesOfOtherCuts() {
+        const auto suggest = [this](const NearCutFinding& finding) {
+            session().setNearCutSearch(found(finding));
+            m_fixture.click("view.nearCut.suggest");
+            QTRY_VERIFY(message()->isVisible());
+            m_fixture.waitUntilIdle();
+            QVERIFY(message()->isVisible());
+        };
+        // The cut goes with the view: seen from elsewhere it is another one.
+        suggest(wallBeforeFluid(18));
+        QCOMPARE(message()->kind(), MessageKind::info);
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 35});
+        QVERIFY(!message()->isVisible());
+        suggest({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."});
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 10});
+        QVERIFY(!message()->isVisible());
+        suggest(wallBeforeFluid(12));
+        m_fixture.window().motionPlayer().setAngle(7);
+        QVERIFY(!message()->isVisible());
+        // Moved and magnified it is the same.
+        suggest(wallBeforeFluid(14));
+        Document next = m_fixture.window().document().document();
+        poseOf(next, 1).magnification = 2;
+        m_fixture.window().document().edit(next, "zoom");
+        QVERIFY(message()->isVisible());
+        m_fixture.waitUntilIdle();
+    }
+
     void theWayBackKeepsTheViewOfAFrame() {
         session().setNearCutSearch(found(wallBeforeFluid(18)));
         m_fixture.click("motion.mode.eachView");
@@ -177,7 +205,7 @@ private slots:
         m_fixture.window().motionPlayer().setAngle(7);
         m_fixture.waitUntilIdle();
         QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);
-        m_fixture.click("message.action.0");
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
         QCOMPARE(session().otf()->view.nearCutMm, 0.0);
         QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);

@@ -59,7 +59,7 @@ private slots:
         waitUntilIdle();
         QVERIFY(std::abs(view().look().light.azimuthDegrees - 40) < 1e-9);
         QVERIFY(window().explanation().contains("40° to the right"));
-        auto* inner = window().windowHandle()->findChild<QWindow*>();
+        auto* inner = pictureWindow();
         const QPoint from(inner->width() / 2, inner->height() / 2);
         QTest::mousePress(inner, Qt::LeftButton, Qt::ControlModifier, from);
         const QPointF to = from + QPointF(-inner->height() / 6.0, 0);

@@ -191,7 +191,7 @@ private slots:
 private:
     std::string document() { return jsonOf(window().document().document()); }
     QUndoStack& steps() { return window().document().steps(); }
-    QWindow* picture() { return window().windowHandle()->findChild<QWindow*>(); }
+    QWindow* picture() { return pictureWindow(); }
     void orbit(const QPoint& from, const QPoint& to) {
         QTest::mousePress(picture(), Qt::LeftButton, {}, from);
         for (int step = 1; step <= 5; ++step) {

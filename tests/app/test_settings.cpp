@@ -20,7 +20,7 @@ private slots:
         QVERIFY(settings.lastFolder().isEmpty());
         QVERIFY(settings.windowGeometry().isEmpty());
         QVERIFY(settings.windowState().isEmpty());
-        QVERIFY(settings.histogramLogarithmic() && settings.motionPingPong());
+        QVERIFY(settings.histogramLogarithmic() && settings.motion().pingPong);
         QCOMPARE(settings.look(), lookAtStart());
         QCOMPARE(settings.look().lighting, Lighting::depth);
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
@@ -36,6 +36,13 @@ private slots:
                           .colourMap = ColourMap::ice,
                           .projection = Projection::perspective,
                           .interpolation = Interpolation::nearest};
+        const MotionChoice motion{.axis = MotionAxis::x, .otf = MotionOtf::leastFlicker, .pingPong = false};
+        MethodChoice method;
+        method.initial = InitialKind::quartic;
+        method.initialScale = 0.75;
+        method.config.detection = VarianceRule{};
+        method.config.curve = ProductRule{};
+        method.config.grid.columns = 11;
         {
             Settings settings(store());
             settings.addRecentFile(file);
@@ -45,7 +52,10 @@ private slots:
             settings.setLook(chosen);
             settings.setRenderer(RendererChoice::graphicsCard);
             settings.setHistogramLogarithmic(false);
-            settings.setMotionPingPong(false);
+            settings.setMotion(motion);
+            settings.setActiveCurve(CurveKind::quartic);
+            settings.setMethod(method);
+            settings.setLastSaveFolder("/else/where");
             QVERIFY(settings.save());
         }
         const Settings settings(store());
@@ -53,7 +63,11 @@ private slots:
         QCOMPARE(settings.lastFolder(), "/some/where");
         QCOMPARE(settings.windowGeometry(), bytes);
         QCOMPARE(settings.windowState(), bytes + bytes);
-        QVERIFY(!settings.histogramLogarithmic() && !settings.motionPingPong());
+        QVERIFY(!settings.histogramLogarithmic());
+        QCOMPARE(settings.lastSaveFolder(), "/else/where");
+        QVERIFY(settings.motion() == motion);
+        QCOMPARE(settings.activeCurve(), CurveKind::quartic);
+        QVERIFY(settings.method() == method);
         QCOMPARE(settings.look(), chosen);
         QCOMPARE(settings.renderer(), RendererChoice::graphicsCard);
     }
@@ -139,7 +153,7 @@ private slots:
     void aFolderThatCannotBeWrittenIsSaid() {
         fileNamed("plain");
         Settings settings(m_folder->filePath("plain/settings.ini"));
-        settings.setMotionPingPong(false);
+        settings.setMotion({.pingPong = false});
         QVERIFY(!settings.save());
     }
 

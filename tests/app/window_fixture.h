@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWindow>
 #include <memory>
 
 #include "app/window/main_window.h"
@@ -75,6 +76,8 @@ public:
         if (found == nullptr) qFatal("no %s", qPrintable(name));
         return found;
     }
+    /// The OpenGL window of the 3D view, which gets its mouse.
+    QWindow* pictureWindow() { return window().windowHandle()->findChild<QWindow*>("view3d.surface"); }
     void click(const QString& name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
 
 private:

@@ -69,7 +69,7 @@ void WindowUnderTest::fillTwoThirds() {
     }
 }
 
-QWindow* WindowUnderTest::pictureWindow() { return m_window->windowHandle()->findChild<QWindow*>(); }
+QWindow* WindowUnderTest::pictureWindow() { return m_window->windowHandle()->findChild<QWindow*>("view3d.surface"); }
 
 void WindowUnderTest::waitUntilConverged() {
     await("the converged picture",

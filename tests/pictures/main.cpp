@@ -63,7 +63,7 @@ void save(MainWindow& window, const QString& path) {
 
 /// Twelve moves of the mouse, each when the picture of the one before is on the screen.
 void takeInMotion(MainWindow& window, const QString& path) {
-    auto* picture = window.windowHandle()->findChild<QWindow*>();
+    auto* picture = window.windowHandle()->findChild<QWindow*>("view3d.surface");
     QPoint hand(picture->width() / 2, picture->height() / 2);
     QTest::mousePress(picture, Qt::LeftButton, {}, hand);
     for (int i = 0; i < 12; ++i) {

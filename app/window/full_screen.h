@@ -1,0 +1,38 @@
+// The picture alone on the whole screen.
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QObject>
+#include <QPointer>
+#include <QWidget>
+
+class QMainWindow;
+
+namespace echolucent {
+
+/// Hides the window's docks, menu bar and status bar, and `panels` of its central widget; shows them again exactly as
+/// they were.
+class FullScreen : public QObject {
+    Q_OBJECT
+
+public:
+    FullScreen(QMainWindow& window, const QList<QWidget*>& panels);
+
+    [[nodiscard]] bool active() const { return m_active; }
+    void toggle();
+    /// False where the window is not on the full screen.
+    bool leave();
+
+private:
+    void enter();
+
+    QMainWindow& m_window;
+    QList<QWidget*> m_panels;
+    QList<QPointer<QWidget>> m_hidden;  ///< what was seen before, docks apart
+    QByteArray m_docks;                 ///< as QMainWindow::saveState() gave them
+    Qt::WindowStates m_windowState;
+    bool m_active = false;
+};
+
+}  // namespace echolucent

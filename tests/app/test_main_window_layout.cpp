@@ -1,0 +1,249 @@
+// The window at 1280 x 720: one column of tabs, nothing clipped, messages over the picture, the full screen.
+#include <QAbstractScrollArea>
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSlider>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTableWidget>
+#include <QWindow>
+#include <cmath>
+
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// Colour of a place of the screen, other windows above it included.
+QColor onScreen(const QWidget& widget, const QPoint& place) {
+    const QPoint global = widget.mapToGlobal(place);
+    return QColor(widget.screen()->grabWindow(0, global.x(), global.y(), 1, 1).toImage().pixelColor(0, 0));
+}
+
+}  // namespace
+
+class TestMainWindowLayout : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QFile theme(QStringLiteral(":/dark.qss"));
+        QVERIFY(theme.open(QIODevice::ReadOnly));
+        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        window().resize(1280, 720);
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void theColumnIs340WideAndThePictureKeepsItsShare() {
+        QCOMPARE(window().size(), QSize(1280, 720));
+        QCOMPARE(child<QDockWidget>("dock.view")->width(), 340);
+        QVERIFY(window().volumeView().width() >= 0.6 * 1280);
+        QVERIFY2(window().minimumSizeHint().width() < 984,
+                 qPrintable(QString::number(window().minimumSizeHint().width())));
+        window().resize(900, 600);
+        QTRY_COMPARE(window().width(), 900);
+    }
+
+    void onePanelIsInFrontOfTheOthersOfItsColumn() {
+        const QList<QDockWidget*> docks = window().findChildren<QDockWidget*>();
+        for (QDockWidget* dock : docks) dock->show();
+        QStringList titles;
+        const QTabBar* tabs = tabBar();
+        QVERIFY(tabs != nullptr);
+        for (int i = 0; i < tabs->count(); ++i) titles << tabs->tabText(i);
+        QCOMPARE(titles, (QStringList{"Picture", "Curve", "Method", "Study", "Motion", "Explain"}));
+        // No title is cut.
+        for (int i = 0; i < tabs->count(); ++i)
+            QVERIFY2(tabs->tabRect(i).width() >= tabs->fontMetrics().horizontalAdvance(titles[i]) + 8 &&
+                         tabs->rect().contains(tabs->tabRect(i)),
+                     qPrintable(titles[i]));
+    }
+
+    void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth() {
+        for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            const int picture = window().volumeView().width();
+            dock->show();
+            dock->raise();
+            QCoreApplication::processEvents();
+            QVERIFY2(window().volumeView().width() == picture, qPrintable(dock->objectName()));
+            auto* area = qobject_cast<QScrollArea*>(dock->widget());
+            QVERIFY(area != nullptr);
+            QVERIFY(!area->horizontalScrollBar()->isVisible());
+            QVERIFY2(area->widget()->width() <= area->viewport()->width(), qPrintable(dock->objectName()));
+            for (const QWidget* control : area->widget()->findChildren<QWidget*>()) {
+                if (!control->isVisible() ||
+                    qobject_cast<QAbstractScrollArea*>(control->parentWidget()->parentWidget()))
+                    continue;
+                const int left = control->mapTo(area->widget(), QPoint(0, 0)).x();
+                QVERIFY2(left >= 0 && left + control->width() <= area->widget()->width(),
+                         qPrintable(dock->objectName() + ": " + control->objectName()));
+            }
+        }
+    }
+
+    void noWordOfAPanelIsCut() {
+        for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            QCoreApplication::processEvents();
+            for (const QLabel* label : dock->findChildren<QLabel*>()) {
+                if (!label->isVisible() || label->text().isEmpty()) continue;
+                const int needed =
+                    label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+                QVERIFY2(label->height() >= needed, qPrintable(label->text()));
+                if (!label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored)
+                    QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+            }
+            for (const QAbstractButton* button : dock->widget()->findChildren<QAbstractButton*>())
+                if (button->isVisible() && !button->text().isEmpty())
+                    QVERIFY2(button->width() >= button->minimumSizeHint().width(), qPrintable(button->text()));
+        }
+    }
+
+    void theSourceOfAFactIsInSight() {
+        auto* dock = child<QDockWidget>("dock.study");
+        dock->raise();
+        auto* facts = child<QTableWidget>("study.facts");
+        QTRY_VERIFY(facts->isVisible());
+        QTRY_VERIFY(facts->columnWidth(0) + facts->columnWidth(1) <= facts->viewport()->width());
+        bool found = false;
+        for (int row = 0; row < facts->rowCount(); ++row) {
+            if (facts->item(row, 1)->text() != "ElementSpacing") continue;
+            found = true;
+            const QRect place = facts->visualRect(facts->model()->index(row, 1));
+            QVERIFY(facts->viewport()->rect().contains(place));
+            QVERIFY(place.width() >= facts->fontMetrics().horizontalAdvance("ElementSpacing"));
+        }
+        QVERIFY(found);
+    }
+
+    void messagesLieOverThePictureAndPushNothing() {
+        const QRect picture = window().volumeView().geometry();
+        auto* bar = child<MessageBar>("message");
+        bar->showMessage(MessageKind::warning, "A sentence.");
+        QCOMPARE(window().volumeView().geometry(), picture);
+        QVERIFY(picture.contains(bar->geometry()));
+        // It is seen over the OpenGL window too.
+        QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0xe8, 0xb0, 0x4b));
+        bar->showMessage(MessageKind::info, "Good news.");
+        QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0x4f, 0xb3, 0xbf));
+        QTest::mouseClick(child<QAbstractButton>("message.close"), Qt::LeftButton);
+        QVERIFY(!bar->isVisible());
+        QCOMPARE(window().volumeView().geometry(), picture);
+    }
+
+    void theFullScreenShowsThePictureAloneAndBringsAllBack() {
+        child<QDockWidget>("dock.study")->raise();
+        window().resizeDocks({child<QDockWidget>("dock.study")}, {380}, Qt::Horizontal);
+        QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
+        child<QDockWidget>("dock.method")->close();
+        const QSize before = window().size();
+        const auto seen = [this] {
+            QStringList names;
+            for (const char* name : {"dock.view", "dock.otfEditor", "dock.method", "dock.study", "dock.motionMap",
+                                        "dock.explain", "motion", "study.facts", "adaptive.strength"})
+                if (child<QWidget>(name)->isVisible()) names << name;
+            if (window().menuBar()->isVisible()) names << "menu";
+            if (window().statusBar()->isVisible()) names << "status";
+            return names;
+        };
+        const QStringList seenBefore = seen();
+        QVERIFY(seenBefore.contains("study.facts") && !seenBefore.contains("dock.method"));
+        for (const Qt::Key leave : {Qt::Key_F, Qt::Key_Escape}) {
+            QTest::keyClick(&window(), Qt::Key_F);
+            QVERIFY(window().isFullScreen());
+            QCOMPARE(seen(), QStringList());
+            QTRY_COMPARE(window().volumeView().size(), window().size());
+            QTest::keyClick(&window(), leave);
+            QVERIFY(!window().isFullScreen());
+            window().resize(before);  // a virtual display has no window manager that would do it
+            QTRY_COMPARE(seen(), seenBefore);
+            QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
+        }
+        waitUntilIdle();
+    }
+
+    void keysWorkOnTheFullScreenAndClosingThereLosesNoPanel() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        QTest::keyClick(&window(), Qt::Key_3);
+        QCOMPARE(viewOf(window().document().document(), 1).curve, CurveKind::linear);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(viewOf(window().document().document(), 1).curve, CurveKind::adaptive);
+        window().close();
+        MainWindow next(settingsFile());
+        next.show();
+        QVERIFY(!next.isFullScreen());
+        QVERIFY(next.findChild<QDockWidget*>("dock.view")->isVisible());
+        QVERIFY(next.menuBar()->isVisible());
+    }
+
+    void escapeEndsADragBeforeTheFullScreen() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        const Pose before = poseOf(window().document().document(), 1);
+        auto* inner = pictureWindow();
+        const QPoint from(inner->width() / 2, inner->height() / 2);
+        QTest::mousePress(inner, Qt::LeftButton, {}, from);
+        QTest::mouseMove(inner, from + QPoint(60, 0));
+        QTRY_VERIFY(poseOf(window().document().document(), 1) != before);
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QCOMPARE(poseOf(window().document().document(), 1), before);
+        QVERIFY(window().isFullScreen());
+        QTest::mouseRelease(inner, Qt::LeftButton, {}, from);
+        int lassos = 1;
+        window().escapeOrder().add(EscapeStep::lasso, [&lassos] { return lassos-- > 0; });
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QCOMPARE(lassos, 0);
+        QVERIFY(window().isFullScreen());
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QVERIFY(!window().isFullScreen());
+        waitUntilIdle();
+    }
+
+    void f1OpensOnePanelThatFollowsThePicture() {
+        const QRect picture = window().volumeView().geometry();
+        QTest::keyClick(&window(), Qt::Key_F1);
+        QTest::keyClick(&window(), Qt::Key_F1);
+        auto* text = child<QLabel>("explain.picture");
+        QTRY_VERIFY(text->isVisible());
+        QCOMPARE(QApplication::topLevelWidgets().contains(&window()), true);
+        QCOMPARE(QApplication::activeModalWidget(), nullptr);
+        QCOMPARE(window().volumeView().geometry(), picture);
+        QCOMPARE(text->text(), window().explanation());
+        QVERIFY(child<QLabel>("explain.keys")->text().contains("computes the OTF for this view"));
+        QTest::keyClick(&window(), Qt::Key_4);
+        QTRY_VERIFY(text->text().contains("A parabolic OTF"));
+        waitUntilIdle();
+    }
+
+private:
+    [[nodiscard]] const QTabBar* tabBar() {
+        for (const QTabBar* tabs : window().findChildren<QTabBar*>())
+            if (tabs->isVisible() && tabs->parentWidget() == &window()) return tabs;
+        return nullptr;
+    }
+
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    TestMainWindowLayout test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_layout.moc"
