@@ -37,18 +37,19 @@ std::string sidewaysWarning(const std::vector<SlicePlane>& planes, const SliceSt
 Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
                                const std::vector<SlicePlane>& planes) {
     const SlicePlane& first = planes.front();
-    const auto refuse = [&](const std::string& problem, const std::string& remedy) {
-        return fail(FailureKind::unreadable, file, positionTag, problem, remedy);
+    const auto refuse = [&](const SlicePlane& plane, const std::string& problem, const std::string& remedy) {
+        return fail(FailureKind::unreadable, plane.file.empty() ? file : plane.file, positionTag, problem, remedy);
     };
     for (const SlicePlane& plane : planes)
         if (!isPosition(plane.position))
-            return refuse(fmt::format("puts a slice at ({:.4g}, {:.4g}, {:.4g}) mm, where no scanner can be",
+            return refuse(plane,
+                          fmt::format("puts a slice at ({:.4g}, {:.4g}, {:.4g}) mm, where no scanner can be",
                                       plane.position[0], plane.position[1], plane.position[2]),
                           "Export the series again.");
-    const bool parallel = std::all_of(planes.begin(), planes.end(),
-                                      [&](const SlicePlane& plane) { return sameOrientation(plane, first); });
-    if (!parallel)
-        return refuse("belongs to slices that are not parallel: a rotated or freehand sweep is no volume yet",
+    const auto turned = std::find_if_not(planes.begin(), planes.end(),
+                                         [&](const SlicePlane& plane) { return sameOrientation(plane, first); });
+    if (turned != planes.end())
+        return refuse(*turned, "belongs to slices that are not parallel: a rotated or freehand sweep is no volume yet",
                       "Have it resampled to a volume by the scanner or its software.");
     const Vec3 normal = first.alongRow.cross(first.alongColumn);
     std::vector<double> depth(planes.size());
@@ -62,16 +63,23 @@ Result<SliceStack> stackSlices(const std::string& file, const std::string& posit
     stack.spacing = (depth[stack.order.back()] - depth[stack.order.front()]) / static_cast<double>(planes.size() - 1);
     double least = stack.spacing;
     double most = stack.spacing;
+    const SlicePlane* afterLeast = &first;
+    const SlicePlane* afterMost = &first;
     for (std::size_t i = 1; i < planes.size(); ++i) {
         const double distance = depth[stack.order[i]] - depth[stack.order[i - 1]];
+        const SlicePlane& plane = planes[stack.order[i]];
+        if (distance < least) afterLeast = &plane;
+        if (distance > most) afterMost = &plane;
         least = std::min(least, distance);
         most = std::max(most, distance);
     }
     if (!(least >= samePositionMm))
-        return refuse("is the same for two slices", "Keep the slices of one volume at one time in the folder.");
+        return refuse(*afterLeast, "is the same for two slices",
+                      "Keep the slices of one volume at one time in the folder.");
     if (!(most - stack.spacing <= refusedUnevenness * stack.spacing &&
           stack.spacing - least <= refusedUnevenness * stack.spacing))
         return refuse(
+            most - stack.spacing >= stack.spacing - least ? *afterMost : *afterLeast,
             fmt::format("puts slices between {:.4g} and {:.4g} mm apart; slices are missing or uneven", least, most),
             "Export the whole series again, with equal distances.");
     if (most - least > mentionedUnevenness * stack.spacing)

@@ -15,6 +15,7 @@ struct SlicePlane {
     Vec3 position{0, 0, 0};
     Vec3 alongRow{1, 0, 0};
     Vec3 alongColumn{0, 1, 0};
+    std::string file{};  ///< that holds the picture, where each has one of its own
 };
 
 /// How the slices of one volume lie on each other.
@@ -26,9 +27,9 @@ struct SliceStack {
     std::vector<std::string> warnings;
 };
 
-/// Sorts planes along their common normal. Fails (about `file`, naming `positionTag`) where a position is no number or
-/// farther than 10 km away, where the planes are not parallel, where two share a position, or where distances differ
-/// from their mean by more than a tenth. `planes` holds at least two.
+/// Sorts planes along their common normal. Fails (about the file of the plane concerned, or else `file`, naming
+/// `positionTag`) where a position is no number or farther than 10 km away, where the planes are not parallel, where
+/// two share a position, or where distances differ from their mean by more than a tenth. `planes` holds at least two.
 [[nodiscard]] Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
                                              const std::vector<SlicePlane>& planes);
 

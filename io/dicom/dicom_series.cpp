@@ -123,8 +123,8 @@ struct SliceOrder {
 Result<SliceOrder> orderByPosition(const std::string& folder, const Series& series) {
     std::vector<SlicePlane> planes;
     for (const FileHeader& file : series.files)
-        planes.push_back(
-            {*file.placement->position, (*file.placement->orientation)[0], (*file.placement->orientation)[1]});
+        planes.push_back({*file.placement->position, (*file.placement->orientation)[0],
+                          (*file.placement->orientation)[1], file.path});
     auto stack = stackSlices(folder, positionName, planes);
     if (!stack) return tl::unexpected(stack.error());
     SliceOrder order;

@@ -108,6 +108,21 @@ TEST(DicomFolder, UnevenAndDoubleSlicesAreRefused) {
     }
 }
 
+TEST(DicomFolder, ARefusalNamesTheFileConcerned) {
+    const auto refusalOf = [](const std::vector<TestImage>& slices) {
+        const TemporaryFolder folder;
+        for (std::size_t i = 0; i < slices.size(); ++i) writeDicom(folder.file("IM" + std::to_string(i)), slices[i]);
+        return std::filesystem::path(readStudy(folder.path()).error().file).filename().string();
+    };
+    const auto at = [](double depth) { return slice(1, {0, 0, depth}); };
+    EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(4), at(5)}), "IM3");  // the slice behind the gap
+    EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(2), at(3)}), "IM3");
+    TestImage turned = at(2);
+    turned.orientation = {0, 1, 0, -1, 0, 0};
+    EXPECT_EQ(refusalOf({at(0), at(1), turned, at(3)}), "IM2");
+    EXPECT_EQ(refusalOf({at(0), at(1), at(1e9)}), "IM2");
+}
+
 TEST(DicomFolder, SlightlyUnevenSlicesAreReadWithAWarning) {
     const TemporaryFolder folder;
     writeShuffled(folder, {slice(1, {0, 0, 0}), slice(2, {0, 0, 1.04}), slice(3, {0, 0, 2})});
