@@ -14,6 +14,20 @@
 
 using namespace echolucent;
 
+namespace {
+
+QRect whereSomethingShows(const Picture& picture) {
+    QRect seen;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(x))] > 0.05F)
+                seen |= QRect(x, y, 1, 1);
+    return seen;
+}
+
+}  // namespace
+
 class TestMainWindowPicture : public QObject, private WindowFixture {
     Q_OBJECT
 
@@ -72,6 +86,44 @@ private slots:
         QCOMPARE(panel().look().light.azimuthDegrees, 40.0);
         QTest::mouseRelease(inner, Qt::LeftButton, Qt::ControlModifier, from);
         waitUntilIdle();
+    }
+
+    void whatIsDataStandsInThePicturesCentreAlongEveryAxis() {
+        // A block of echo far off the middle of its grid; the rest is no data.
+        VolumeGeometry geometry;
+        geometry.size = {64, 60, 56};
+        geometry.spacing = Vec3(1.0, 0.8, 1.3);
+        std::vector<std::uint8_t> voxels(64 * 60 * 56, 0);
+        for (int z = 6; z < 34; ++z)
+            for (int y = 28; y < 54; ++y)
+                for (int x = 2; x < 24; ++x)
+                    voxels[static_cast<std::size_t>((z * 60 + y) * 64 + x)] =
+                        static_cast<std::uint8_t>(120 + (x * 7 + y * 5 + z * 3) % 60);
+        open(file("aside.mha", {std::make_shared<const Volume>(geometry, Voxels(std::move(voxels)))}));
+        choose("view.mode", RenderMode::maximum);
+        choose("view.reduction", SpeckleReduction::off);
+        for (const BeamAxis axis : {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusY,
+                                    BeamAxis::plusZ, BeamAxis::minusZ}) {
+            for (const double cutMm : {0.0, 4.0}) {
+                choose("view.beamAxis", axis);
+                Document next = window().document().document();
+                cutOf(next, 1) = {.nearCutMm = cutMm};
+                window().document().edit(next, "near cut");
+                waitUntilIdle();
+                const Picture& picture = *view().picture();
+                const QRect seen = whereSomethingShows(picture);
+                QVERIFY(seen.height() > picture.height / 4);
+                QVERIFY2(std::abs(seen.left() + seen.right() + 1 - picture.width) <= 4 &&
+                             std::abs(seen.top() + seen.bottom() + 1 - picture.height) <= 4,
+                         qPrintable(QString("%1, cut %2: %3 %4 of %5 %6")
+                                        .arg(child<QComboBox>("view.beamAxis")->currentText())
+                                        .arg(cutMm)
+                                        .arg(seen.center().x())
+                                        .arg(seen.center().y())
+                                        .arg(picture.width)
+                                        .arg(picture.height)));
+            }
+        }
     }
 
     void looksAreRemembered() {

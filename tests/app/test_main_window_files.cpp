@@ -1,0 +1,197 @@
+// Files that the window opens and saves: names that are proposed, what is saved and said, and what is remembered.
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTimer>
+#include <cmath>
+
+#include "io/curve_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+class TestMainWindowFiles : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(m_out.isValid());
+        QFile theme(QStringLiteral(":/dark.qss"));
+        QVERIFY(theme.open(QIODevice::ReadOnly));
+        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        m_file = file("visit.7.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        window().resize(1280, 720);
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void theCurveThatIsShownIsSavedAndSaid_data() {
+        QTest::addColumn<int>("key");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("nodes");
+        QTest::newRow("adaptive") << static_cast<int>(Qt::Key_1) << "adaptive" << 256;
+        QTest::newRow("manual") << static_cast<int>(Qt::Key_2) << "manual" << 3;
+        QTest::newRow("linear") << static_cast<int>(Qt::Key_3) << "linear" << 2;
+        QTest::newRow("parabolic") << static_cast<int>(Qt::Key_4) << "parabolic" << 256;
+        QTest::newRow("quartic") << static_cast<int>(Qt::Key_5) << "quartic" << 256;
+    }
+    void theCurveThatIsShownIsSavedAndSaid() {
+        QFETCH(int, key);
+        QFETCH(QString, name);
+        QFETCH(int, nodes);
+        window().otfEditor().model().moveNode(1, {0.45, 0.25});  // the manual curve is no other's
+        QTest::keyClick(&window(), static_cast<Qt::Key>(key));
+        const QString path = m_out.filePath(name + ".json");
+        QVERIFY(window().saveCurve(path));
+        const auto saved = readCurve(path.toStdString());
+        QVERIFY(saved);
+        QCOMPARE(static_cast<int>(saved->nodes.size()), nodes);
+        for (int i = 0; i <= 510; ++i)
+            QVERIFY(std::abs(opacityAt(*saved, i / 510.0) - opacityAt(window().otfEditor().activeCurve(), i / 510.0)) <
+                    1e-4);
+        QCOMPARE(message()->text(), QString("The %1 curve was saved as %1.json (%2 nodes).").arg(name).arg(nodes));
+        QCOMPARE(message()->kind(), MessageKind::info);
+        QCOMPARE(window().otfEditor().isManualModified(), name != "manual");
+        // It is no longer said over the picture of another curve.
+        QTest::keyClick(&window(), key == Qt::Key_3 ? Qt::Key_4 : Qt::Key_3);
+        QVERIFY(!message()->isVisible());
+    }
+
+    void dialogsProposeANameAndRememberTheFolder() {
+        QString proposed;
+        QString folder;
+        const auto accept = [&](const QString& path) {
+            QTimer::singleShot(0, this, [&, path] {
+                auto* dialog = window().findChild<QFileDialog*>("saveFile");
+                QVERIFY(dialog != nullptr);
+                proposed = QFileInfo(dialog->selectedFiles().value(0)).fileName();
+                folder = dialog->directory().absolutePath();
+                if (path.isEmpty()) return dialog->reject();
+                dialog->selectFile(path);
+                static_cast<QDialog*>(dialog)->done(QDialog::Accepted);
+            });
+        };
+        const QString other = m_out.filePath("other");
+        QVERIFY(QDir().mkpath(other));
+        accept(other + "/mine.png");
+        QTest::keyClick(&window(), Qt::Key_P);
+        QCOMPARE(proposed, "visit.7-picture.png");
+        QCOMPARE(folder, QFileInfo(m_file).absolutePath());  // the study's own, the first time
+        QVERIFY(QFile::exists(other + "/mine.png"));
+        accept({});
+        child<QWidget>("dock.otfEditor")->raise();
+        QTRY_VERIFY(child<QWidget>("otfEditor.saveCurve")->isVisible());
+        click("otfEditor.saveCurve");
+        QCOMPARE(proposed, "visit.7-adaptive.json");
+        QCOMPARE(folder, other);
+        window().openSimulatedScan();
+        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        accept({});
+        QTest::keyClick(&window(), Qt::Key_P);
+        QCOMPARE(proposed, "simulated-scan-picture.png");
+    }
+
+    void theQuestionAboutAnEditedCurveCutsNoWord() {
+        window().otfEditor().model().moveNode(1, {0.45, 0.25});
+        int looked = 0;
+        QStringList cut;
+        QTimer::singleShot(0, this, [&] {
+            auto* box = window().findChild<QMessageBox*>("unsavedCurve");
+            if (box == nullptr) qFatal("nothing was asked");
+            for (QAbstractButton* button : box->buttons()) {
+                ++looked;
+                const bool inside = box->rect().contains(QRect(button->mapTo(box, QPoint(0, 0)), button->size()));
+                if (!inside || button->width() < button->sizeHint().width()) cut << button->text();
+            }
+            box->button(QMessageBox::Cancel)->click();
+        });
+        window().close();
+        QCOMPARE(looked, 3);
+        QCOMPARE(cut, QStringList());
+        QVERIFY(window().isVisible());
+    }
+
+    void aCurveOpenedAsAVolumeSaysWhatItIs() {
+        const QString path = m_out.filePath("curve.json");
+        const ManualCurve curve{{{0.2, 0.0}, {0.6, 0.5}}};
+        QVERIFY(writeCurve(path.toStdString(), curve));
+        QSignalSpy failed(&window().session(), &Session::openFailed);
+        window().open(path);
+        QVERIFY(failed.wait());
+        QCOMPARE(message()->text(), "curve.json: is an opacity curve, not a volume.");
+        QCOMPARE(child<QPushButton>("message.action.0")->text(), "Open it as a curve");
+        click("message.action.0");
+        QVERIFY(window().otfEditor().activeCurve() == OpacityCurve(curve));
+        waitUntilIdle();
+    }
+
+    void anErrorOfAFolderNamesTheFile() {
+        const QString folder = m_out.filePath("slices");
+        QVERIFY(QDir().mkpath(folder));
+        QFile broken(folder + "/17.dcm");
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write(QByteArray(128, 0) + "DICM" + QByteArray("\x02\x00\x10\x00UI\xff\x7f", 8));
+        broken.close();
+        QSignalSpy failed(&window().session(), &Session::openFailed);
+        window().open(folder);
+        QVERIFY(failed.wait());
+        QVERIFY2(message()->text().contains("17.dcm"), qPrintable(message()->text()));
+        QVERIFY2(message()->text().startsWith("slices"), qPrintable(message()->text()));
+        QVERIFY2(!message()->text().contains(m_out.path()), qPrintable(message()->text()));
+    }
+
+    void motionCurveAndMethodAreRemembered() {
+        click("motion.mode.mean");
+        auto* axis = child<QComboBox>("motion.axis");
+        axis->setCurrentIndex(0);
+        QTest::keyClick(&window(), Qt::Key_4);
+        child<QWidget>("dock.method")->raise();
+        auto* strength = child<QWidget>("adaptive.rampOpacity");
+        QTRY_VERIFY(strength->isVisible());
+        strength->setFocus();
+        QTest::keyClick(strength, Qt::Key_Left);
+        waitUntilIdle();
+        const Document document = window().document().document();
+        QVERIFY(document.method.config != AdaptiveOtfConfig{});
+        window().close();
+        MainWindow next(settingsFile());
+        const Document& again = next.document().document();
+        QVERIFY(again.motion == document.motion);
+        QCOMPARE(again.motion.otf, MotionOtf::mean);
+        QCOMPARE(viewOf(again, 1).curve, CurveKind::parabolic);
+        QVERIFY(configOf(again) == configOf(document));
+        QVERIFY(next.findChild<QRadioButton*>("motion.mode.mean")->isChecked());
+        QVERIFY(next.findChild<QRadioButton*>("otfEditor.active.parabolic")->isChecked());
+        // Opening a study keeps them too.
+        QSignalSpy computed(&next.session(), &Session::otfComputed);
+        next.open(m_file);
+        QVERIFY(computed.wait(20000));
+        QCOMPARE(again.motion.otf, MotionOtf::mean);
+        QVERIFY(next.session().otf()->config == configOf(document));
+        QTRY_VERIFY_WITH_TIMEOUT(next.idle(), 30000);
+    }
+
+private:
+    MessageBar* message() { return child<MessageBar>("message"); }
+
+    QTemporaryDir m_out;
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    TestMainWindowFiles test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_files.moc"
