@@ -140,6 +140,10 @@ private slots:
         QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0xe8, 0xb0, 0x4b));
         bar->showMessage(MessageKind::info, "Good news.");
         QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0x4f, 0xb3, 0xbf));
+        // A tab that comes to the front raises the picture's window as well, and the bar stays above it.
+        child<QDockWidget>("dock.study")->raise();
+        QTRY_VERIFY(child<QWidget>("study.facts")->isVisible());
+        QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0x4f, 0xb3, 0xbf));
         QTest::mouseClick(child<QAbstractButton>("message.close"), Qt::LeftButton);
         QVERIFY(!bar->isVisible());
         QCOMPARE(window().volumeView().geometry(), picture);
@@ -154,7 +158,7 @@ private slots:
         const auto seen = [this] {
             QStringList names;
             for (const char* name : {"dock.view", "dock.otfEditor", "dock.method", "dock.study", "dock.motionMap",
-                                        "dock.explain", "motion", "study.facts", "adaptive.strength"})
+                                     "dock.explain", "motion", "study.facts", "adaptive.strength"})
                 if (child<QWidget>(name)->isVisible()) names << name;
             if (window().menuBar()->isVisible()) names << "menu";
             if (window().statusBar()->isVisible()) names << "status";

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
@@ -78,17 +79,17 @@ void MessageBar::lieOver(QWidget& picture) {
     // An OpenGL window covers what Qt draws into its window, but not another native window above it.
     setAttribute(Qt::WA_DontCreateNativeAncestors);
     setAttribute(Qt::WA_NativeWindow);
-    picture.installEventFilter(this);
+    for (QWidget* around = &picture; around != nullptr; around = around->parentWidget())
+        around->installEventFilter(this);
     place();
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_picture) {
-        const QEvent::Type type = event->type();
-        if (type == QEvent::Resize || type == QEvent::Move) place();
-        // Its own windows are made, and lie on top, only after it is shown.
-        if (type == QEvent::Show) QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
-    }
+    const QEvent::Type type = event->type();
+    if (watched == m_picture && (type == QEvent::Resize || type == QEvent::Move)) place();
+    // The picture's own window is made after it is shown, and raised with whatever it lies in (by a tab of the docks).
+    if (m_picture != nullptr && (type == QEvent::Show || type == QEvent::ZOrderChange))
+        QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);
 }
 
@@ -108,6 +109,8 @@ void MessageBar::place() {
     setGeometry(picture.left() + (picture.width() - width) / 2, picture.bottom() + 1 - gapToPicture - height, width,
                 height);
     raise();
+    // The widget may be the foremost one already while its window is not.
+    if (QWindow* own = windowHandle()) own->raise();
 }
 
 /// Of the bar with each of its sentences on one line.

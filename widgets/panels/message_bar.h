@@ -29,8 +29,8 @@ class MessageBar : public QWidget {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Lays the bar over the lower edge of a picture, which has the same parent and outlives it: as wide as its words,
-    /// at most as the picture, and above native windows in it.
+    /// Lays the bar over the lower edge of a picture that outlives it and stands in the same window already: as wide as
+    /// its words, between the picture's corners where these leave room, and above native windows in it.
     void lieOver(QWidget& picture);
 
     /// Shows a sentence; replaces what was shown before.
