@@ -18,8 +18,29 @@ std::vector<KeyRow> pictureRows() {
         {place, tr("Ctrl + ← → ↑ ↓; with Shift"), tr("orbits by 1°; by 10°")},
         {place, tr("Shift + ← → ↑ ↓"), tr("moves the picture")},
         {place, tr("+, −"), tr("zooms in, zooms out")},
+        {place, tr("left drag with the scalpel; double click, Enter"), tr("draws a stroke; closes a polygon")},
+        {place, tr("left drag of a mark of the render box"), tr("moves a face, an edge, a corner or the whole box")},
+        {place, tr("double click"), tr("gives the picture the whole room, or gives it back")},
         {place, tr("Escape during a drag"), tr("ends the drag without change")},
         {place, tr("a file or folder dropped"), tr("opens it")},
+    };
+}
+
+std::vector<KeyRow> planeRows() {
+    constexpr KeyPlace place = KeyPlace::planes;
+    return {
+        {place, tr("left click, left drag"), tr("moves the reference point, where the planes meet")},
+        {place, tr("left drag at the rim"), tr("turns the three planes about it")},
+        {place, tr("left drag of a mark or line of the box"),
+         tr("moves a face, a corner or the whole box; turns it; moves or bows where the picture begins")},
+        {place, tr("wheel; with Ctrl"), tr("steps through parallel planes; zooms about the cursor")},
+        {place, tr("middle drag, Shift + left drag"), tr("moves the plane's picture")},
+        {place, tr("right drag"), tr("sets window (to the right) and level (down)")},
+        {place, tr("double click"), tr("gives the plane the whole room, or gives it back")},
+        {place, tr("←, →; with Shift"), tr("turn by 1°; by 10°")},
+        {place, tr("↑, ↓; Page Up, Page Down"), tr("step by one plane; by ten")},
+        {place, tr("+, −; Home"), tr("zoom in, zoom out; resets the plane")},
+        {place, tr("Escape during a drag"), tr("ends the drag without change")},
     };
 }
 
@@ -61,6 +82,24 @@ std::vector<KeyRow> windowRows() {
          "R, Shift+R",
          tr("reset the view; look, cut, view and curve back to what opening gave"),
          {{"view.resetView", "R"}, {"view.resetAll", "Shift+R"}}},
+        {place,
+         "F2, F3, F4",
+         tr("show the 3D view alone; planes A, B, C beside it; the 3D view large and the planes small"),
+         {{"room.only3d", "F2"}, {"room.quad", "F3"}, {"room.large3d", "F4"}}},
+        {place,
+         "B; Ctrl+1 to Ctrl+6",
+         tr("shows only what lies in the render box; looks in from its top, bottom, left, right, near or far side"),
+         {{"room.switchBox", "B"},
+          {"room.lookInFrom1", "Ctrl+1"},
+          {"room.lookInFrom2", "Ctrl+2"},
+          {"room.lookInFrom3", "Ctrl+3"},
+          {"room.lookInFrom4", "Ctrl+4"},
+          {"room.lookInFrom5", "Ctrl+5"},
+          {"room.lookInFrom6", "Ctrl+6"}}},
+        {place,
+         "S, Shift+S",
+         tr("takes the scalpel or puts it away; shows all again that it has cut"),
+         {{"room.scalpel", "S"}, {"room.takeAllStrokesBack", "Shift+S"}}},
         {place, "F", tr("shows the picture alone on the full screen, and leaves it"), {{"view.fullScreen", "F"}}},
         {place,
          "N",
@@ -79,13 +118,14 @@ std::vector<KeyRow> windowRows() {
          tr("save the picture, copy it to the clipboard"),
          {{"file.savePicture", "P"}, {"edit.copyPicture", "Ctrl+C"}}},
         {place, "F1", tr("explains what the picture shows"), {{"help.explain", "F1"}}},
-        {place, "Escape", tr("ends a drag, closes a message that has the focus, leaves the full screen")},
+        {place, "Escape",
+         tr("ends a drag, then a stroke of the scalpel, a pane that has the whole room, the full screen")},
     };
 }
 
 std::vector<KeyRow> allRows() {
     std::vector<KeyRow> rows = pictureRows();
-    for (const std::vector<KeyRow>& more : {curveEditorRows(), windowRows()})
+    for (const std::vector<KeyRow>& more : {planeRows(), curveEditorRows(), windowRows()})
         rows.insert(rows.end(), more.begin(), more.end());
     return rows;
 }
@@ -100,6 +140,7 @@ const std::vector<KeyRow>& keyTable() {
 QString titleOf(KeyPlace place) {
     switch (place) {
         case KeyPlace::picture: return tr("In the picture");
+        case KeyPlace::planes: return tr("In a plane");
         case KeyPlace::curveEditor: return tr("In the curve editor");
         case KeyPlace::window: return tr("Anywhere in the window");
     }

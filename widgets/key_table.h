@@ -9,8 +9,8 @@
 namespace echolucent {
 
 /// Where a key or gesture works. What has the focus is asked first, then the window.
-enum class KeyPlace { picture, curveEditor, window };
-inline constexpr std::array allKeyPlaces{KeyPlace::picture, KeyPlace::curveEditor, KeyPlace::window};
+enum class KeyPlace { picture, planes, curveEditor, window };
+inline constexpr std::array allKeyPlaces{KeyPlace::picture, KeyPlace::planes, KeyPlace::curveEditor, KeyPlace::window};
 
 /// The key of an action of the window, by the action's object name.
 struct KeyOfAction {
@@ -29,7 +29,7 @@ struct KeyRow {
 /// All rows, those of one place together.
 [[nodiscard]] const std::vector<KeyRow>& keyTable();
 
-/// "In the picture", "In the curve editor", "Anywhere in the window".
+/// "In the picture", "In a plane", "In the curve editor", "Anywhere in the window".
 [[nodiscard]] QString titleOf(KeyPlace place);
 
 /// The key of the action with this object name; an empty one where the table gives it none.

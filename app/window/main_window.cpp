@@ -45,6 +45,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
     m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
+    m_room->addTo(m_escapes);
     connectProgress();
     connectUnits();
     connectCaption();
@@ -122,6 +123,10 @@ void MainWindow::connectProgress() {
     connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
+        const bool pictureShown = m_widgets.picture->isVisibleTo(m_widgets.panes);
+        m_widgets.messages->lieOver(pictureShown ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
+    });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);

@@ -6,6 +6,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include "widgets/key_table.h"
+#include "widgets/volume_view/lasso_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -26,6 +28,17 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
             [&panes = m_parts.panes] { panes.toggleMaximised(paneCount - 1); });
 }
 
+void ReviewRoom::addTo(EscapeOrder& escapes) {
+    escapes.add(EscapeStep::drag, [this] { return m_planes.cancelDrag(); });
+    escapes.add(EscapeStep::lasso, [this] {
+        if (m_parts.picture.lasso().cancelDrawing()) return true;
+        if (!m_scalpel.tool()) return false;
+        m_scalpel.setTool(std::nullopt);
+        return true;
+    });
+    escapes.add(EscapeStep::maximisedPane, [this] { return m_parts.panes.endMaximised(); });
+}
+
 void ReviewRoom::createMenu(QMainWindow& window) {
     QAction* before = nullptr;
     for (QAction* action : window.menuBar()->actions())
@@ -44,10 +57,10 @@ void ReviewRoom::createMenu(QMainWindow& window) {
 
 void ReviewRoom::addLayouts(QMenu& menu) {
     auto* group = new QActionGroup(&menu);
-    const auto add = [&](const QString& text, const QString& name, Qt::Key key, PaneLayout layout) {
+    const auto add = [&](const QString& text, const QString& name, PaneLayout layout) {
         QAction* action = menu.addAction(text);
         action->setObjectName(name);
-        action->setShortcut(key);
+        action->setShortcut(keyOf(name));
         action->setCheckable(true);
         action->setActionGroup(group);
         connect(action, &QAction::triggered, &m_parts.panes,
@@ -58,9 +71,9 @@ void ReviewRoom::addLayouts(QMenu& menu) {
         connect(&m_parts.panes, &PaneGrid::paneLayoutChanged, action, show);
         show();
     };
-    add(tr("&3D only"), QStringLiteral("room.only3d"), Qt::Key_F2, PaneLayout::only3d);
-    add(tr("&Planes A, B, C and 3D"), QStringLiteral("room.quad"), Qt::Key_F3, PaneLayout::quad);
-    add(tr("3D &large, planes small"), QStringLiteral("room.large3d"), Qt::Key_F4, PaneLayout::large3d);
+    add(tr("&3D only"), QStringLiteral("room.only3d"), PaneLayout::only3d);
+    add(tr("&Planes A, B, C and 3D"), QStringLiteral("room.quad"), PaneLayout::quad);
+    add(tr("3D &large, planes small"), QStringLiteral("room.large3d"), PaneLayout::large3d);
 }
 
 void ReviewRoom::addPlanes(QMenu& menu) {
@@ -89,7 +102,7 @@ void ReviewRoom::addPlanes(QMenu& menu) {
 void ReviewRoom::addBox(QMenu& menu) {
     QAction* box = menu.addAction(tr("Render &box"));
     box->setObjectName(QStringLiteral("room.switchBox"));
-    box->setShortcut(Qt::Key_B);
+    box->setShortcut(keyOf(box->objectName()));
     box->setCheckable(true);
     connect(box, &QAction::triggered, &m_controls, &RoomControls::switchBox);
     const auto show = [this, box] { box->setChecked(boxOf(m_parts.model.document(), m_parts.view).on); };
@@ -101,7 +114,7 @@ void ReviewRoom::addBox(QMenu& menu) {
         const auto index = static_cast<int>(side);
         QAction* action = fronts->addAction(texts[static_cast<std::size_t>(side)]);
         action->setObjectName(QStringLiteral("room.lookInFrom%1").arg(index + 1));
-        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)));
+        action->setShortcut(keyOf(action->objectName()));
         connect(action, &QAction::triggered, this, [this, side] { m_controls.chooseFront(side); });
     }
 }
@@ -109,14 +122,14 @@ void ReviewRoom::addBox(QMenu& menu) {
 void ReviewRoom::addScalpel(QMenu& menu) {
     QAction* scalpel = menu.addAction(tr("&Scalpel: take or put away"));
     scalpel->setObjectName(QStringLiteral("room.scalpel"));
-    scalpel->setShortcut(Qt::Key_S);
+    scalpel->setShortcut(keyOf(scalpel->objectName()));
     scalpel->setCheckable(true);
     connect(scalpel, &QAction::triggered, &m_scalpel, &ScalpelHand::toggle);
     connect(&m_scalpel, &ScalpelHand::toolChanged, scalpel,
             [this, scalpel] { scalpel->setChecked(m_scalpel.tool().has_value()); });
     QAction* back = menu.addAction(tr("Take all strokes bac&k"));
     back->setObjectName(QStringLiteral("room.takeAllStrokesBack"));
-    back->setShortcut(Qt::SHIFT | Qt::Key_S);
+    back->setShortcut(keyOf(back->objectName()));
     connect(back, &QAction::triggered, &m_scalpel, &ScalpelHand::takeAllBack);
 }
 

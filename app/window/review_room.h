@@ -8,6 +8,7 @@
 #include "app/planes/document_planes.h"
 #include "app/planes/room_controls.h"
 #include "app/planes/scalpel_hand.h"
+#include "app/window/escape_order.h"
 #include "app/window/settings.h"
 #include "widgets/planes/pane_grid.h"
 
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] bool busy() const { return m_planes.busy(); }
     /// Adds the menu of the room, with its keys, before the menu of the OTF.
     void createMenu(QMainWindow& window);
+    /// What Escape ends in the room: drags in planes, the scalpel, a pane that has the whole room.
+    void addTo(EscapeOrder& escapes);
     void restore();
     void keep();
 

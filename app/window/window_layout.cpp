@@ -91,7 +91,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     column->addWidget(layout.motion);
     window.setCentralWidget(centre);
     layout.messages = new MessageBar(centre);
-    layout.messages->lieOver(*layout.panes);
+    layout.messages->lieOver(*layout.picture);
 
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);

@@ -89,7 +89,7 @@ CutSurface startSurface(const Document& document, int view, const Volume& volume
                std::abs(axis.dot(place.axes.forward)) * place.sizeMm[2];
     };
     CutSurface surface;
-    surface.frame = set.on ? frameFrom(set.front, place.axes) : frameOf(looksIn);
+    surface.frame = frameOf(looksIn);
     constexpr int nodes = 33;
     const double across = extent(surface.frame.right), down = extent(surface.frame.down);
     surface.spacingMm = std::max(across, down) / (nodes - 1);
@@ -98,9 +98,8 @@ CutSurface startSurface(const Document& document, int view, const Volume& volume
     surface.rows = count(down);
     surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
-    const double front = set.on || cut.nearCutMm == 0.0
-                             ? surface.frame.forward.dot(place.centreMm) - extent(surface.frame.forward) / 2.0
-                             : nearPlaneDepthMm(looksIn, volume.geometry());
+    double front = surface.frame.forward.dot(place.centreMm) - extent(surface.frame.forward) / 2.0;
+    if (cut.nearCutMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
     surface.depthMm.assign(static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows),
                            static_cast<float>(front));
     return surface;

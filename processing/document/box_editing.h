@@ -22,8 +22,8 @@ namespace echolucent {
 /// A box of a thickness (mm, above 0) around plane A, B or C as it lies now, as wide as all data, seen as the plane is.
 [[nodiscard]] Document withSlab(Document document, int view, PlaneName plane, double thicknessMm, const DataBox& data);
 
-/// The surface that a view's picture begins at, as one that can be bowed: its cut's own; else a flat one, at the front
-/// of its box, or, where the box is off, at its near cut, seen as the adaptive OTF looks in.
+/// The surface that a view's picture begins at, as one that can be bowed: its cut's own; else a flat one across
+/// the way that the adaptive OTF looks in, at its near cut or the front of its box, whichever is deeper.
 [[nodiscard]] CutSurface startSurface(const Document& document, int view, const Volume& volume);
 /// A surface bowed by so many mm along its forward in the middle of its nodes, less towards their border: by
 /// (1 - u^2)(1 - v^2), with u and v from -1 to 1 over the nodes.

@@ -68,6 +68,7 @@ RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("room");
     setAccessibleName(tr("Planes, box and scalpel"));
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
     column->addWidget(createPlanes());
     column->addWidget(createBox());
     column->addWidget(createScalpel());
@@ -81,8 +82,8 @@ RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
 QGroupBox* RoomPanel::createPlanes() {
     auto* group = new QGroupBox(tr("Planes A, B, C"));
     auto* column = new QVBoxLayout(group);
-    m_quiet = named(new QCheckBox(tr("Speckle reduced as in the picture")), "room.quiet",
-                    tr("Speckle reduced as in the picture"), tr("Off: the planes show the voxels that were read"));
+    m_quiet = named(new QCheckBox(tr("Speckle reduced as in 3D")), "room.quiet", tr("Speckle reduced as in 3D"),
+                    tr("Off: the planes show the voxels that were read"));
     m_lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
                     tr("Draws where the planes lie over the 3D picture"));
     const auto changed = [this](const QString& what) { emit planesChanged(m_planes, what); };
@@ -126,9 +127,8 @@ QGroupBox* RoomPanel::createPlanes() {
 QGroupBox* RoomPanel::createBox() {
     auto* group = new QGroupBox(tr("Render box"));
     auto* column = new QVBoxLayout(group);
-    m_box =
-        named(new QCheckBox(tr("Show only what lies in the box (B)")), "room.box", tr("Show only what lies in the box"),
-              tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
+    m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
+                  tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
     connect(m_box, &QCheckBox::toggled, this, &RoomPanel::boxSwitched);
     column->addWidget(m_box);
     addFronts(*column);
@@ -155,7 +155,7 @@ void RoomPanel::addFronts(QVBoxLayout& column) {
 
 void RoomPanel::addSizes(QVBoxLayout& column) {
     static constexpr std::array names{"room.width", "room.depth", "room.height"};
-    const std::array texts{tr("Width, left to right"), tr("Depth, far to near"), tr("Height, top to bottom")};
+    const std::array texts{tr("Left to right"), tr("Far to near"), tr("Top to bottom")};
     auto* grid = new QGridLayout;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         m_sizes[i] = createLength(names[i], texts[i], tr("Size of the box; its centre stays"), 0.1);
@@ -176,9 +176,9 @@ void RoomPanel::addSlab(QVBoxLayout& column) {
     m_slab = createLength("room.slab.thickness", tr("Thickness of a slab"), tr("Of a slab around a plane"), 0.1);
     m_slab->setValue(5.0);
     auto* row = new QHBoxLayout;
-    row->addWidget(labelFor(m_slab, tr("Slab of")));
+    row->addWidget(labelFor(m_slab, tr("Slab")));
     row->addWidget(m_slab, 1);
-    row->addWidget(new QLabel(tr("around")));
+    row->addWidget(new QLabel(tr("at")));
     for (const PlaneName plane : allPlaneNames) {
         const QString letter = textOf(nameOf(plane));
         auto* button = named(new QToolButton, "room.slab." + letter.toLower(), tr("Slab around plane %1").arg(letter),

@@ -49,7 +49,7 @@ private slots:
         click("planes.c.maximise");
         QCOMPARE(pane("planes.c").size(), grid().size());
         click("planes.c.maximise");
-        QWindow* inner = window().windowHandle()->findChild<QWindow*>();
+        QWindow* inner = pictureWindow();
         QTest::mouseDClick(inner, Qt::LeftButton);
         QCOMPARE(window().volumeView().size(), grid().size());
         QTest::mouseDClick(inner, Qt::LeftButton);
