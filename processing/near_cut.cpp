@@ -72,7 +72,8 @@ void countTubes(Seen& seen) {
 }
 
 std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    const auto coarse = SmoothEcho::of(volume, progress);
+    const auto coarse = view.box ? SmoothEcho::of(volume.withDataMask(dataMaskWithin(*view.box, volume)), progress)
+                                 : SmoothEcho::of(volume, progress);
     if (!coarse) return std::nullopt;
     Seen seen;
     const auto tissue = tissueLevel(coarse->intensities());

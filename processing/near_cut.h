@@ -37,9 +37,9 @@ struct NearCutFinding {
     std::string message{};              ///< a sentence that says the answer
 };
 
-/// Looks along a view, without its own cuts, for large dark regions with a wall before and behind them. The answer
-/// depends neither on the volume's resolution nor, but for what a turned view shows, on its direction, and has the same
-/// bits for any number of threads. It is empty only where the search was cancelled.
+/// Looks along a view, within its box and without its own cuts, for large dark regions with a wall before and behind
+/// them. The answer depends neither on the volume's resolution nor, but for what a turned view shows, on its direction,
+/// and has the same bits for any number of threads. It is empty only where the search was cancelled.
 [[nodiscard]] std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view,
                                                         const Progress& progress = {});
 

@@ -8,6 +8,7 @@
 #include "io/output/picture_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/picture/empty_picture.h"
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {
@@ -93,8 +94,7 @@ Result<void> render(const RenderOptions& options) {
     settings->camera =
         defaultCamera((*volume)->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
-    settings->nearPlaneDepthMm = nearPlaneDepthMm(*view, geometry);
-    settings->cutSurface = view->cutSurface;
+    *settings = limitedTo(*view, geometry, *settings);
     const Volume shown = *quietVolume(**volume, look->reduction);
     const OpacityCurve curve = curveFor(**volume, {&shown, look->reduction}, *view, *named, *config);
     const auto picture = castRays(shown, curve, *settings);

@@ -60,7 +60,7 @@ struct Pose {
 /// that aspect. What the hand did not change keeps its bits.
 [[nodiscard]] Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const DataBox& box,
                              double aspect);
-/// The pose of fittedPose(): the whole data box, seen from a viewpoint, fills the picture.
+/// The pose of fittedPose(): the viewpoint's box, or the whole data box where it has none, fills the picture.
 [[nodiscard]] Pose wholeVolumePose(const DataBox& box, const Viewpoint& viewpoint, Projection projection,
                                    double aspect);
 

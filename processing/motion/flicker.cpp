@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent {
@@ -65,7 +66,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
         ofFrame.camera = defaultCamera(volume.dataBox(), frame.view, aspect);
         // A box that grew and shrank with its outline would seem to come and go.
         ofFrame.camera.heightMm = heightMm;
-        ofFrame.nearPlaneDepthMm = nearPlaneDepthMm(frame.view, volume.geometry());
+        ofFrame = limitedTo(frame.view, volume.geometry(), ofFrame);
         return caster->cast(otf, ofFrame, {{}, progress.cancel});
     };
 }

@@ -23,16 +23,13 @@ Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect) {
     if (!(aspect > 0.0) || !std::isfinite(aspect)) throw std::invalid_argument("defaultCamera: aspect must be above 0");
     constexpr double margin = 1.04;
     Camera camera;
-    camera.focalPoint = box.centreMm();
+    const OrientedBox fitted = view.box.value_or(orientedBoxOf(box));
+    camera.focalPoint = fitted.centreMm;
     camera.frame = frameOf(view);
-    const Vec3 size = box.sizeMm();
-    // The extent of a box along a direction is the sum of its edges' extents.
-    const auto extent = [&](const Vec3& direction) {
-        return std::abs(direction[0]) * size[0] + std::abs(direction[1]) * size[1] + std::abs(direction[2]) * size[2];
-    };
-    camera.heightMm = margin * std::max(extent(camera.frame.down), extent(camera.frame.right) / aspect);
+    camera.heightMm =
+        margin * std::max(fitted.extentAlong(camera.frame.down), fitted.extentAlong(camera.frame.right) / aspect);
     const double halfAngle = camera.viewAngleDegrees * 0.5 * std::numbers::pi / 180.0;
-    camera.distanceMm = camera.heightMm * 0.5 / std::tan(halfAngle) + extent(camera.frame.forward) * 0.5;
+    camera.distanceMm = camera.heightMm * 0.5 / std::tan(halfAngle) + fitted.extentAlong(camera.frame.forward) * 0.5;
     return camera;
 }
 

@@ -26,9 +26,10 @@ struct Camera {
     friend bool operator==(const Camera& a, const Camera& b) = default;
 };
 
-/// The camera of the default picture: parallel, looking along the view, the whole box in the picture with 4 % of its
-/// extent to spare, for a picture of that width / height (> 0). Its perspective values are set too: switching the
-/// projection keeps the whole box in the picture.
+/// The camera of the default picture: parallel, looking along the view, what is fitted at its centre and whole in the
+/// picture with 4 % of its extent to spare, for a picture of that width / height (> 0). Fitted is the view's box, or
+/// the data box where the view has none. Its perspective values are set too: switching the projection keeps all of it
+/// in the picture.
 [[nodiscard]] Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect);
 
 }  // namespace echolucent

@@ -26,7 +26,7 @@ struct ZoomLimits {
 /// height.
 [[nodiscard]] Camera cameraFor(const CameraPose& pose);
 
-/// The whole box in the picture, seen along a view (see defaultCamera()).
+/// The view's box, or the data box where it has none, whole in the picture, seen along the view (see defaultCamera()).
 [[nodiscard]] CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection projection, double aspect);
 
 /// How far a drag over the picture's height turns.

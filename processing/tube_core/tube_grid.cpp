@@ -27,6 +27,30 @@ Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
 /// mm along the axis from its point.
 using Chord = CutSurface::Stretch;
 
+/// What the tube cores cover: the view's box, or the volume's.
+OrientedBox coveredBox(const VolumeGeometry& geometry, const Viewpoint& view) {
+    return view.box.value_or(orientedBoxOf(DataBox(geometry)));
+}
+
+/// What is left of a chord behind the faces of a box.
+std::optional<Chord> chordWithin(const std::vector<BoxFace>& faces, const Vec3& point, const Vec3& direction,
+                                 Chord chord) {
+    for (const BoxFace& face : faces) {
+        const double behind = face.inwards.dot(point) - face.depthMm, slope = face.inwards.dot(direction);
+        if (std::abs(slope) < rounding) {
+            if (behind < 0.0) return std::nullopt;
+            continue;
+        }
+        const double crossing = -behind / slope;
+        if (slope > 0.0)
+            chord.begin = std::max(chord.begin, crossing);
+        else
+            chord.end = std::min(chord.end, crossing);
+    }
+    if (!(chord.end > chord.begin)) return std::nullopt;
+    return chord;
+}
+
 /// The part of a line inside the volume's box and behind the near plane; nothing where no part of it is.
 std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
                                 double nearDepth) {
@@ -46,12 +70,28 @@ std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& poin
     return chord;
 }
 
-/// The same, and behind the cut surface.
-std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, const Viewpoint& view,
-                             double nearDepth) {
+/// The same, within the faces of the view's box and behind the cut surface.
+std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<BoxFace>& faces, const Vec3& point,
+                             const Viewpoint& view, double nearDepth) {
     const Vec3 direction = frameOf(view).forward;
-    const auto chord = chordInBox(geometry, point, direction, nearDepth);
+    auto chord = chordInBox(geometry, point, direction, nearDepth);
+    if (chord) chord = chordWithin(faces, point, direction, *chord);
     return chord && view.cutSurface ? view.cutSurface->firstLeft(point, direction, *chord) : chord;
+}
+
+/// The axes of a box that a frame's axes are nearest to: how the box is seen straight onto the side that faces the
+/// view.
+ViewFrame straightOnto(const OrientedBox& box, const ViewFrame& frame) {
+    std::vector<Vec3> left{box.axes.right, box.axes.down, box.axes.forward};
+    const auto takeNearest = [&](const Vec3& direction) {
+        const auto nearest =
+            std::ranges::max_element(left, {}, [&](const Vec3& axis) { return std::abs(axis.dot(direction)); });
+        const Vec3 taken = *nearest;
+        left.erase(nearest);
+        return taken;
+    };
+    const Vec3 forward = takeNearest(frame.forward), right = takeNearest(frame.right);
+    return {right, left.front(), forward};
 }
 
 }  // namespace
@@ -59,14 +99,14 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const Vec3& point, 
 std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view, const TubeGrid& grid,
                                        int cellSize) {
     if (grid.spacing > 0.0) return {grid.spacing, grid.spacing};
-    const ViewFrame unturned = frameOf(Viewpoint{.beamAxis = view.beamAxis});
-    const Vec3 boxUnits = (geometry.boxMaxMm() - geometry.boxMinMm()) * (1.0 / geometry.unit());
+    const OrientedBox box = coveredBox(geometry, view);
+    const ViewFrame straight =
+        view.box ? straightOnto(*view.box, frameOf(view)) : frameOf(Viewpoint{.beamAxis = view.beamAxis});
     const auto shared = [&](const Vec3& lateral, int count) {
-        const double extent = std::abs(lateral[0]) * boxUnits[0] + std::abs(lateral[1]) * boxUnits[1] +
-                              std::abs(lateral[2]) * boxUnits[2];
+        const double extent = box.extentAlong(lateral) / geometry.unit();
         return std::max(static_cast<double>(cellSize), std::floor(extent / count + rounding));
     };
-    return {shared(unturned.right, grid.columns), shared(unturned.down, grid.rows)};
+    return {shared(straight.right, grid.columns), shared(straight.down, grid.rows)};
 }
 
 bool tubesLieOnVoxels(const VolumeGeometry& geometry, const Viewpoint& view) {
@@ -84,6 +124,8 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
     const double unit = geometry.unit();
     const double nearDepth = nearPlaneDepthMm(view, geometry);
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
+    const Vec3 centre = view.box ? view.box->centreMm : geometry.centreMm();
+    const auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<BoxFace>{};
 
     std::vector<TubeAxis> axes;
     axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
@@ -92,11 +134,11 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
             TubeAxis axis{column, row, {}, frame.forward, {}, {}};
             const double across = (column - (grid.columns - 1) / 2.0) * acrossUnits * unit;
             const double down = (row - (grid.rows - 1) / 2.0) * downUnits * unit;
-            axis.pointMm = geometry.centreMm() + frame.right * across + frame.down * down;
+            axis.pointMm = centre + frame.right * across + frame.down * down;
             if (onVoxels)
                 axis.pointMm = geometry.gridMmFromVoxel(
                     onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, cellSize));
-            if (const auto chord = chordOf(geometry, axis.pointMm, view, nearDepth)) {
+            if (const auto chord = chordOf(geometry, faces, axis.pointMm, view, nearDepth)) {
                 axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
                 axis.lengthUnits = (chord->end - chord->begin) / unit;
             }

@@ -13,8 +13,9 @@ namespace {
 constexpr double rounding = 1e-9;
 constexpr double noData = std::numeric_limits<double>::quiet_NaN();
 
-/// Where the slabs of a tube on voxels begin and how many there are. A cut surface may end it before the box does.
-void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, bool endsAtSurface, TubeSamples& samples) {
+/// Where the slabs of a tube on voxels begin and how many there are. A cut surface or the
+/// view's box may end it before the volume does.
+void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, bool endsEarlier, TubeSamples& samples) {
     samples.first = *axis.entryVoxel;
     for (int component = 0; component < 3; ++component) {
         const double towards = samples.along[component];
@@ -23,7 +24,7 @@ void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, bool en
         position = towards > 0 ? std::ceil(position - rounding) : std::floor(position + rounding);
         const double last = towards > 0 ? static_cast<double>(geometry.size[component] - 1) : 0.0;
         samples.slabs = std::max(0, static_cast<int>((last - position) * towards) + 1);
-        if (!endsAtSurface) continue;
+        if (!endsEarlier) continue;
         const double skipped = (position - (*axis.entryVoxel)[component]) * towards;
         samples.slabs =
             std::clamp(static_cast<int>(std::floor(*axis.lengthUnits - skipped + rounding)) + 1, 0, samples.slabs);
@@ -49,7 +50,7 @@ std::vector<TubeSamples> samplesOf(std::span<const TubeAxis> axes, const VolumeG
     for (std::size_t t = 0; t < axes.size(); ++t) {
         if (!axes[t].entryVoxel) continue;
         if (common.onVoxels) {
-            placeOnVoxels(axes[t], geometry, view.cutSurface.has_value(), all[t]);
+            placeOnVoxels(axes[t], geometry, view.cutSurface || view.box, all[t]);
             continue;
         }
         all[t].first = *axes[t].entryVoxel + common.along * 0.5;

@@ -1,0 +1,56 @@
+#include "processing/picture/view_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace echolucent {
+
+namespace {
+
+/// The grid axis that a direction runs along; -1 where it runs along none.
+int gridAxisOf(const Vec3& direction) {
+    constexpr double rounding = 1e-12;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 across = direction;
+        across[axis] = 0.0;
+        if (length(across) < rounding) return axis;
+    }
+    return -1;
+}
+
+bool liesAlongGrid(const ViewFrame& axes) {
+    return gridAxisOf(axes.right) >= 0 && gridAxisOf(axes.down) >= 0 && gridAxisOf(axes.forward) >= 0;
+}
+
+/// Faces along the grid's axes as a box; where there is no face it reaches beyond the volume.
+RenderBox boxOf(const std::vector<BoxFace>& faces, const VolumeGeometry& geometry) {
+    const Vec3 beyond = geometry.boxMaxMm() - geometry.boxMinMm();
+    RenderBox box{geometry.boxMinMm() - beyond, geometry.boxMaxMm() + beyond};
+    for (const BoxFace& face : faces) {
+        const int axis = gridAxisOf(face.inwards);
+        (face.inwards[axis] > 0.0 ? box.low : box.high)[axis] = face.depthMm * face.inwards[axis];
+    }
+    return box;
+}
+
+}  // namespace
+
+RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry, RayCastSettings settings) {
+    settings.nearPlaneDepthMm = nearPlaneDepthMm(view, geometry);
+    settings.cutSurface = view.cutSurface;
+    settings.box.reset();
+    settings.clippingPlanes.clear();
+    if (!view.box) return settings;
+    const std::vector<BoxFace> faces = facesThatCut(*view.box, geometry);
+    if (faces.empty()) return settings;
+    if (liesAlongGrid(view.box->axes))
+        settings.box = boxOf(faces, geometry);
+    else
+        std::ranges::transform(faces, std::back_inserter(settings.clippingPlanes), [](const BoxFace& face) {
+            return ClippingPlane{face.inwards * face.depthMm, face.inwards};
+        });
+    return settings;
+}
+
+}  // namespace echolucent
