@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "processing/parallel.h"
@@ -59,7 +60,29 @@ class RayCaster::Parts {
 public:
     explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVolume(*given)) {}
 
+    /// Another cut of the same scan: only the presence of data changes.
+    void setCut(std::shared_ptr<const Volume> given) {
+        kept.forget();
+        const auto presence = presenceIn(*given);
+        m_ranges.setPresence(presence);
+        m_borders = BorderSpace(given->geometry(), presence);
+        std::visit([&](auto& packed) { packed.setPresence(presence); }, m_packed);
+        m_reaching.setVolume(given);
+        volume = std::move(given);
+    }
+
     std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
+        const bool mixes = settings.mode == RenderMode::direct && settings.mixing.share > 0.0;
+        std::optional<Picture> other;
+        // It is cast first, so that what is kept is what the direct picture kept.
+        if (mixes && !(other = castOne(curve, mixedIn(settings), progress))) return std::nullopt;
+        auto picture = castOne(curve, settings, progress);
+        if (picture && mixes) mixIn(*picture, *other, settings.mixing.share);
+        return picture;
+    }
+
+    std::optional<Picture> castOne(const OpacityCurve& curve, const RayCastSettings& settings,
+                                   const Progress& progress) {
         const RayGeometry rays(volume->geometry(), settings);
         if (!m_reaching.update(curve, settings, progress)) return std::nullopt;
         Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
@@ -67,6 +90,7 @@ public:
             [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
         if (!finished) return std::nullopt;
         kept.finishPicture();
+        if (settings.brightness != 1.0) brighten(picture, settings.brightness);
         return picture;
     }
 
@@ -153,6 +177,11 @@ RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_u
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+void RayCaster::setCut(std::shared_ptr<const Volume> volume) {
+    if (!volume->isSameScanAs(*m_parts->volume)) throw std::invalid_argument("RayCaster::setCut: another scan");
+    if (volume != m_parts->volume) m_parts->setCut(std::move(volume));
+}
 
 const std::shared_ptr<const Volume>& RayCaster::volume() const { return m_parts->volume; }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <variant>
 
 #include "processing/parallel.h"
@@ -82,11 +83,22 @@ std::uint8_t levelOf(Voxel value, float perWhite) {
 template <typename Voxel>
 void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, std::vector<std::uint8_t>& levels) {
     const auto perWhite = static_cast<float>(1.0 / volume.whiteLevel());
-    const std::uint8_t* mask = volume.dataMaskOrNull();
+    std::array<std::uint8_t, 256> levelOfByte{};
+    for (std::size_t byte = 0; byte < levelOfByte.size(); ++byte)
+        levelOfByte[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhite);
     parallelFor(tbb::blocked_range<std::size_t>(0, voxels.size(), 1 << 16), [&](const auto& part) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) levels[i] = levelOf(voxels[i], perWhite);
-        if (mask == nullptr) return;
-        for (std::size_t i = part.begin(); i < part.end(); ++i) levels[i] = mask[i] != 0 ? levels[i] : std::uint8_t{0};
+        const std::size_t count = part.end() - part.begin();
+        const Voxel* from = voxels.data() + part.begin();
+        std::uint8_t* to = levels.data() + part.begin();
+        for (std::size_t i = 0; i < count; ++i) {
+            if constexpr (std::is_same_v<Voxel, std::uint8_t>)
+                to[i] = levelOfByte[from[i]];
+            else
+                to[i] = levelOf(from[i], perWhite);
+        }
+        if (volume.dataMaskOrNull() == nullptr) return;
+        const std::uint8_t* mask = volume.dataMaskOrNull() + part.begin();
+        for (std::size_t i = 0; i < count; ++i) to[i] = mask[i] != 0 ? to[i] : std::uint8_t{0};
     });
 }
 

@@ -42,6 +42,12 @@ bool setChoice(Look& look, const ParameterValue& value) {
     return choice.has_value();
 }
 
+/// Direct and minimum are never mixed in.
+std::optional<RenderMode> mixedModeFromName(std::string_view name) {
+    const auto mode = renderModeFromName(name);
+    return mode == RenderMode::maximum || mode == RenderMode::mean ? mode : std::nullopt;
+}
+
 template <auto angle>
 std::optional<ParameterValue> getAngle(const Look& look) {
     return look.light.*angle;
@@ -60,8 +66,8 @@ bool setReaching(Look& look, const ParameterValue& value) {
     return setNumber(look.reaching.*member, value);
 }
 
-const std::array<Parameter<Look>, 14>& rows() {
-    static const std::array<Parameter<Look>, 14> table{{
+const std::array<Parameter<Look>, 17>& rows() {
+    static const std::array<Parameter<Look>, 17> table{{
         {"mode",
          "Mode",
          "What a ray shows of the volume; the opacity curve, light and depth colours play a part in direct mode only",
@@ -72,6 +78,24 @@ const std::array<Parameter<Look>, 14>& rows() {
           nameOf(RenderMode::mean)},
          &getChoice<&Look::mode>,
          &setChoice<&Look::mode, &renderModeFromName>},
+        {"mixing",
+         "Mixed in",
+         "How much of the mixed mode is seen in the picture: none of it, up to nothing else",
+         "share",
+         byLooking,
+         {0, 1},
+         {},
+         [](const Look& look) { return std::optional<ParameterValue>(look.mixing); },
+         [](Look& look, const ParameterValue& value) { return setNumber(look.mixing, value); }},
+        {"mixed_mode",
+         "Mixed mode",
+         "What is mixed into the picture, along the same rays",
+         "",
+         byLooking,
+         {},
+         {nameOf(RenderMode::maximum), nameOf(RenderMode::mean)},
+         &getChoice<&Look::mixedMode>,
+         &setChoice<&Look::mixedMode, &mixedModeFromName>},
         {"reduction",
          "Speckle reduction",
          "How much speckle is taken out of the voxels that the picture is made of",
@@ -163,6 +187,15 @@ const std::array<Parameter<Look>, 14>& rows() {
          {nameOf(ColourMap::sepia), nameOf(ColourMap::grey), nameOf(ColourMap::ice)},
          &getChoice<&Look::colourMap>,
          &setChoice<&Look::colourMap, &colourMapFromName>},
+        {"brightness",
+         "Brightness",
+         "How bright the picture is, a factor on its colours",
+         "",
+         byLooking,
+         {0.25, 4},
+         {},
+         [](const Look& look) { return std::optional<ParameterValue>(look.brightness); },
+         [](Look& look, const ParameterValue& value) { return setNumber(look.brightness, value); }},
         {"projection",
          "Projection",
          "Parallel keeps sizes, perspective gives depth",
@@ -200,8 +233,17 @@ std::span<const Parameter<Look>> lookParameters() { return rows(); }
 
 bool chosenByPersons(const Parameter<Look>& row) { return row.name != "step"; }
 
+namespace {
+/// A mode of which nothing is left is not cast.
+RenderMode seenMode(const Look& look) {
+    return look.mode == RenderMode::direct && look.mixing >= 1.0 ? look.mixedMode : look.mode;
+}
+}  // namespace
+
 bool playsAPart(std::string_view name, const Look& look) {
-    const bool direct = look.mode == RenderMode::direct;
+    if (name == "mixing") return look.mode == RenderMode::direct;
+    if (name == "mixed_mode") return look.mode == RenderMode::direct && look.mixing > 0.0;
+    const bool direct = seenMode(look) == RenderMode::direct;
     if (name == "lighting" || name == "depth_colouring") return direct;
     if (name == "light_azimuth" || name == "light_elevation") return direct && look.lighting != Lighting::flat;
     const bool reaches = direct && look.lighting == Lighting::depth;
@@ -231,10 +273,12 @@ RayCastSettings rayCastSettings(const Look& look) {
     RayCastSettings settings;
     settings.step = look.step;
     settings.interpolation = look.interpolation;
-    settings.mode = look.mode;
+    settings.mode = seenMode(look);
     settings.colourMap = look.colourMap;
+    settings.brightness = look.brightness;
     settings.camera.projection = look.projection;
-    if (look.mode != RenderMode::direct) return settings;
+    if (settings.mode != RenderMode::direct) return settings;
+    if (look.mixing > 0.0) settings.mixing = {look.mixing, look.mixedMode};
     if (look.lighting != Lighting::flat) settings.shading = Shading{.towardsLight = towardsLight(look.light)};
     if (look.lighting == Lighting::depth) {
         settings.shading->ambient = ambientWithReachingLight;

@@ -20,6 +20,8 @@ namespace echolucent {
 /// How a volume looks, apart from its opacity curve, the viewpoint and what is cut away.
 struct Look {
     RenderMode mode = RenderMode::direct;
+    double mixing = 0.0;  ///< [0, 1]: how much of the mixed mode is seen in a picture of the direct mode
+    RenderMode mixedMode = RenderMode::maximum;          ///< maximum or mean; plays a part where something is mixed
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the picture is taken from
     Lighting lighting = Lighting::flat;                  ///< plays a part in direct mode only
     LightDirection light;        ///< where the light stands; plays a part where lighting is not flat
@@ -27,6 +29,7 @@ struct Look {
     ReachingLight reaching;      ///< plays a part where lighting is depth
     bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
     ColourMap colourMap = ColourMap::sepia;
+    double brightness = 1.0;  ///< [1/4, 4]: a factor on the picture's colours
     Projection projection = Projection::parallel;
     Interpolation interpolation = Interpolation::trilinear;
     double step = 1.0;  ///< units between the samples on a ray, > 0

@@ -13,6 +13,19 @@ Picture emptyPicture(int width, int height, bool withDepth) {
     return picture;
 }
 
+void mixIn(Picture& picture, const Picture& other, double share) {
+    const auto there = static_cast<float>(share), here = 1.0f - there;
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        picture.rgba[i] = here * picture.rgba[i] + there * other.rgba[i];
+}
+
+void brighten(Picture& picture, double factor) {
+    const auto by = static_cast<float>(factor);
+    for (std::size_t pixel = 0; pixel + 4 <= picture.rgba.size(); pixel += 4)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            picture.rgba[pixel + channel] = std::min(by * picture.rgba[pixel + channel], picture.rgba[pixel + 3]);
+}
+
 std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background) {
     const std::size_t pixels = picture.rgba.size() / 4;
     std::vector<std::uint8_t> rgb(pixels * 3);

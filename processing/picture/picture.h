@@ -21,6 +21,12 @@ struct Picture {
 /// A picture in which nothing is seen yet; with or without the depths of its pixels, all of them infinite.
 [[nodiscard]] Picture emptyPicture(int width, int height, bool withDepth = false);
 
+/// Mixes another picture of the same size in: `share` parts of it with 1 - share parts of this one. Depths stay.
+void mixIn(Picture& picture, const Picture& other, double share);
+
+/// Multiplies colours by a factor above 0; a colour stays within white of its alpha. Depths stay.
+void brighten(Picture& picture, double factor);
+
 /// The picture over an opaque background (eq. 3's c(r,0)) as 8-bit RGB, rows from the top, three bytes a pixel.
 [[nodiscard]] std::vector<std::uint8_t> overBackground(const Picture& picture, const Vec3& background);
 

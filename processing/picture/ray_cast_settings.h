@@ -37,6 +37,15 @@ struct DepthMap {
     std::vector<float> depthMm;
 };
 
+/// Another picture that is mixed into one of the direct mode, along the same rays: share parts of it with 1 - share
+/// parts of the direct one, colours premultiplied by alpha. Depths are those of the
+/// direct one.
+struct ModeMixing {
+    double share = 0.0;  ///< [0, 1]; at 0 nothing is mixed
+    RenderMode mode = RenderMode::maximum;
+    friend bool operator==(const ModeMixing&, const ModeMixing&) = default;
+};
+
 struct RayCastSettings {
     int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
     Camera camera;
@@ -45,9 +54,11 @@ struct RayCastSettings {
     double step = 1.0;  ///< units (smallest spacing) between samples, > 0
     Interpolation interpolation = Interpolation::trilinear;
     RenderMode mode = RenderMode::direct;
+    ModeMixing mixing{};  ///< direct mode only
     ColourMap colourMap = ColourMap::sepia;
-    std::optional<Shading> shading;                ///< where it is not set, no gradient is computed; direct mode only
-    int lightCoarseness = 2;                       ///< of a usual volume's light, see lightSceneOf(); [1, 16]
+    double brightness = 1.0;         ///< a factor on the picture's colours, above 0; none becomes brighter than white
+    std::optional<Shading> shading;  ///< where it is not set, no gradient is computed; direct mode only
+    int lightCoarseness = 2;         ///< of a usual volume's light, see lightSceneOf(); [1, 16]
     std::optional<DepthColouring> depthColouring;  ///< where it is not set, it costs nothing; direct mode only
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
@@ -58,5 +69,15 @@ struct RayCastSettings {
     bool findDepth = false;      ///< Picture::depthMm is wanted
     friend bool operator==(const RayCastSettings&, const RayCastSettings&) = default;
 };
+
+/// The settings of the picture that is mixed in, by itself.
+[[nodiscard]] inline RayCastSettings mixedIn(RayCastSettings settings) {
+    settings.mode = settings.mixing.mode;
+    settings.mixing = {};
+    settings.shading.reset();
+    settings.depthColouring.reset();
+    settings.findDepth = false;
+    return settings;
+}
 
 }  // namespace echolucent

@@ -1,18 +1,19 @@
 #include "processing/ray_caster/border_space.h"
 
 #include <algorithm>
+#include <span>
 
 #include "processing/parallel.h"
 #include "processing/ray_caster/packed_voxels.h"
 
 namespace echolucent::ray_casting {
 
-BorderSpace::BorderSpace(const FilledVolume& volume) {
+BorderSpace::BorderSpace(const VolumeGeometry& geometry, const std::optional<Volume>& presence) {
     // Samples lie in cubes 0 ... size.
-    for (std::size_t axis = 0; axis < 3; ++axis) m_size[axis] = volume.voxels.geometry().size[axis] / edge + 1;
-    if (!volume.presence) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) m_size[axis] = geometry.size[axis] / edge + 1;
+    if (!presence) return;
     m_distances.assign(static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]), farthest);
-    findBorders(*volume.presence);
+    findBorders(*presence);
     findDistances();
 }
 
@@ -27,18 +28,24 @@ void BorderSpace::findBorders(const Volume& presence) {
         const auto last = [](std::int64_t brick, std::int64_t size) {
             return std::min<std::int64_t>(brick * edge + edge - cubeShift, size - 1);
         };
-        for (std::int64_t brickY = 0; brickY < m_size[1]; ++brickY)
+        // First what is least in each column of voxels of the bricks, whole rows at once.
+        std::vector<std::uint8_t> least(static_cast<std::size_t>(geometry.size[0]));
+        for (std::int64_t brickY = 0; brickY < m_size[1]; ++brickY) {
+            std::ranges::fill(least, std::uint8_t{255});
             for (std::int64_t z = first(brickZ, geometry.size[2]); z <= last(brickZ, geometry.size[2]); ++z)
-                for (std::int64_t y = first(brickY, geometry.size[1]); y <= last(brickY, geometry.size[1]); ++y)
-                    for (std::int64_t brickX = 0; brickX < m_size[0]; ++brickX) {
-                        const std::uint8_t* row = bytes.data() + geometry.offset(0, y, z);
-                        const std::uint8_t* from = row + first(brickX, geometry.size[0]);
-                        const bool borders = std::any_of(from, row + last(brickX, geometry.size[0]) + 1,
-                                                         [](std::uint8_t here) { return here < PresenceUse::allFrom; });
-                        if (borders)
-                            m_distances[static_cast<std::size_t>(brickX + m_size[0] * (brickY + m_size[1] * brickZ))] =
-                                0;
-                    }
+                for (std::int64_t y = first(brickY, geometry.size[1]); y <= last(brickY, geometry.size[1]); ++y) {
+                    const std::uint8_t* row = bytes.data() + geometry.offset(0, y, z);
+                    std::ranges::transform(least, std::span(row, least.size()), least.begin(),
+                                           [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+                }
+            for (std::int64_t brickX = 0; brickX < m_size[0]; ++brickX) {
+                const bool borders = std::any_of(least.begin() + first(brickX, geometry.size[0]),
+                                                 least.begin() + last(brickX, geometry.size[0]) + 1,
+                                                 [](std::uint8_t here) { return here < PresenceUse::allFrom; });
+                if (borders)
+                    m_distances[static_cast<std::size_t>(brickX + m_size[0] * (brickY + m_size[1] * brickZ))] = 0;
+            }
+        }
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "processing/volume/filled_volume.h"
@@ -17,7 +18,9 @@ public:
     /// Distances beyond this one are not told apart.
     static constexpr std::uint8_t farthest = 16;
 
-    explicit BorderSpace(const FilledVolume& volume);
+    /// `presence` is FilledVolume::presence.
+    BorderSpace(const VolumeGeometry& geometry, const std::optional<Volume>& presence);
+    explicit BorderSpace(const FilledVolume& volume) : BorderSpace(volume.voxels.geometry(), volume.presence) {}
 
     [[nodiscard]] const std::array<std::int64_t, 3>& size() const { return m_size; }
     /// One number a brick, x fastest: 0 where the presence around the brick's cubes is below PresenceUse::allFrom, else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "processing/parallel.h"
 #include "processing/ray_caster/packed_voxels.h"
@@ -57,14 +58,16 @@ RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::arr
     return range;
 }
 
-/// Whether samples in a brick may show anything of its voxels.
-bool anyCovered(const FilledVolume& volume, const std::array<std::int64_t, 3>& brick) {
-    if (!volume.presence) return true;
-    const auto& presence = std::get<std::vector<std::uint8_t>>(volume.presence->voxels());
-    RangeOf<std::uint8_t> range;
-    forEachRowOf(volume.presence->geometry(), brick,
-                 [&](std::int64_t first, std::int64_t count) { range.add(presence.data() + first, count); });
-    return range.highest > PresenceUse::noneUpTo;
+/// Calls visit(brick, its offset) for all bricks.
+template <typename Visit>
+void forEachBrick(const BrickGrid& grid, const Visit& visit) {
+    const std::int64_t columns = grid.size[0], rows = grid.size[1];
+    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * grid.size[2]), [&](const auto& range) {
+        for (std::int64_t row = range.begin(); row < range.end(); ++row)
+            for (std::int64_t x = 0; x < columns; ++x)
+                visit(std::array<std::int64_t, 3>{x, row % rows, row / rows},
+                      static_cast<std::size_t>(row * columns + x));
+    });
 }
 
 }  // namespace
@@ -75,7 +78,9 @@ BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
 }
 
 BrickRanges::BrickRanges(const FilledVolume& filled)
-    : m_grid(filled.voxels.geometry()), m_lowest(static_cast<std::size_t>(m_grid.count())), m_highest(m_lowest.size()) {
+    : m_grid(filled.voxels.geometry()),
+      m_lowestHeld(static_cast<std::size_t>(m_grid.count())),
+      m_highestHeld(m_lowestHeld.size()) {
     const double toTable = TransferTable::intervals / filled.voxels.whiteLevel();
     const auto position = [&](auto value) {
         return static_cast<float>(
@@ -83,23 +88,49 @@ BrickRanges::BrickRanges(const FilledVolume& filled)
     };
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
-            const std::int64_t columns = m_grid.size[0], rows = m_grid.size[1];
-            parallelFor(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
-                for (std::int64_t row = range.begin(); row < range.end(); ++row)
-                    for (std::int64_t x = 0; x < columns; ++x) {
-                        const std::array<std::int64_t, 3> at{x, row % rows, row / rows};
-                        const auto found = rangeOf(filled.voxels, voxels.data(), at);
-                        const auto brick = static_cast<std::size_t>(row * columns + x);
-                        const bool anyData = found.lowest <= found.highest && anyCovered(filled, at);
-                        // Rounding in the kernel may leave the range of the voxels by a hair.
-                        m_lowest[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
-                        m_highest[brick] = anyData ? std::min(static_cast<float>(TransferTable::intervals),
-                                                              position(found.highest) + 0.125f)
-                                                   : 0.0f;
-                    }
+            forEachBrick(m_grid, [&](const std::array<std::int64_t, 3>& at, std::size_t brick) {
+                const auto found = rangeOf(filled.voxels, voxels.data(), at);
+                const bool anyData = found.lowest <= found.highest;
+                // Rounding in the kernel may leave the range of the voxels by a hair.
+                m_lowestHeld[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
+                m_highestHeld[brick] =
+                    anyData ? std::min(static_cast<float>(TransferTable::intervals), position(found.highest) + 0.125f)
+                            : 0.0f;
             });
         },
         filled.voxels.voxels());
+    setPresence(filled.presence);
+}
+
+void BrickRanges::setPresence(const std::optional<Volume>& presence) {
+    m_lowest = m_lowestHeld;
+    m_highest = m_highestHeld;
+    if (!presence) return;
+    const VolumeGeometry& geometry = presence->geometry();
+    const auto& bytes = std::get<std::vector<std::uint8_t>>(presence->voxels());
+    const std::int64_t columns = m_grid.size[0], rows = m_grid.size[1];
+    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
+        // First what is most in each column of voxels of the bricks, whole rows at once.
+        std::vector<std::uint8_t> most(static_cast<std::size_t>(geometry.size[0]));
+        for (std::int64_t row = range.begin(); row < range.end(); ++row) {
+            std::ranges::fill(most, std::uint8_t{0});
+            const auto [y, endY] = voxelsOf(row % rows, geometry.size[1]);
+            const auto [z, endZ] = voxelsOf(row / rows, geometry.size[2]);
+            for (std::int64_t slice = z; slice < endZ; ++slice)
+                for (std::int64_t line = y; line < endY; ++line)
+                    std::ranges::transform(most, std::span(bytes.data() + geometry.offset(0, line, slice), most.size()),
+                                           most.begin(), [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+            for (std::int64_t x = 0; x < columns; ++x) {
+                const auto [first, end] = voxelsOf(x, geometry.size[0]);
+                // Samples in a brick show nothing of its voxels where none of them is covered.
+                if (std::any_of(most.begin() + first, most.begin() + end,
+                                [](std::uint8_t here) { return here > PresenceUse::noneUpTo; }))
+                    continue;
+                m_lowest[static_cast<std::size_t>(row * columns + x)] = 1.0f;
+                m_highest[static_cast<std::size_t>(row * columns + x)] = 0.0f;
+            }
+        }
+    });
 }
 
 EmptySpace::EmptySpace(const BrickGrid& grid)

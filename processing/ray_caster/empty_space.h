@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "processing/ray_caster/transfer_table.h"
@@ -26,6 +27,8 @@ struct BrickGrid {
 class BrickRanges {
 public:
     explicit BrickRanges(const FilledVolume& volume);
+    /// Follows another presence of data (FilledVolume::presence) of the same voxels.
+    void setPresence(const std::optional<Volume>& presence);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Table positions. In a brick without any data the lowest is above the highest.
@@ -34,6 +37,7 @@ public:
 
 private:
     BrickGrid m_grid;
+    std::vector<float> m_lowestHeld, m_highestHeld;  ///< of the voxels that hold a value, whatever is present
     std::vector<float> m_lowest, m_highest;
 };
 

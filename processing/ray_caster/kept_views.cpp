@@ -10,6 +10,8 @@ namespace {
 RayCastSettings keyOf(RayCastSettings settings) {
     const RayCastSettings standard;
     settings.colourMap = standard.colourMap;
+    settings.mixing = standard.mixing;
+    settings.brightness = standard.brightness;
     settings.shading = standard.shading;
     settings.lightCoarseness = standard.lightCoarseness;
     settings.depthColouring = standard.depthColouring;

@@ -12,6 +12,8 @@ namespace echolucent::ray_casting {
 /// Samples are kept from a view's second picture on; a move of the camera forgets all.
 class KeptViews {
 public:
+    /// Forgets all: what the samples are of has changed.
+    void forget() { m_views.clear(); }
     /// Where this view's samples go, or are already; null where the view is new or would not fit into memoryLimit
     /// bytes.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,

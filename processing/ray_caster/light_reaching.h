@@ -14,6 +14,12 @@ class LightReaching {
 public:
     explicit LightReaching(std::shared_ptr<const Volume> volume) : m_volume(std::move(volume)) {}
 
+    /// Follows another cut of the same scan.
+    void setVolume(std::shared_ptr<const Volume> volume) {
+        m_volume = std::move(volume);
+        m_sweep.reset();
+        m_packed.reset();
+    }
     /// False where it was cancelled; then there is no light volume.
     [[nodiscard]] bool update(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress);
     /// What the newest update took; 0 where the light volume stayed as it was, or none was asked for.

@@ -1,9 +1,11 @@
 // The voxels of a volume in the order the kernel reads them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "processing/volume/filled_volume.h"
 
@@ -29,6 +31,8 @@ template <typename Voxel>
 class PackedVoxels {
 public:
     explicit PackedVoxels(const FilledVolume& volume);
+    /// Packs another presence of data beside the same voxels; none where all voxels carry data.
+    void setPresence(const std::optional<Volume>& presence);
 
     [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
     /// The factor from a packed value to its table position.
@@ -39,6 +43,7 @@ public:
     [[nodiscard]] std::int64_t sliceStride() const { return m_sliceStride; }  ///< cubes
 
 private:
+    std::array<std::int64_t, 3> m_size;
     std::int64_t m_rowStride, m_sliceStride;
     std::unique_ptr<Voxel[]> m_cubes;
     std::unique_ptr<std::uint8_t[]> m_presence;

@@ -46,6 +46,10 @@ void requireSensible(const RayCastSettings& settings) {
     if (settings.cutSurface && !problemOf(*settings.cutSurface).empty())
         throw std::invalid_argument("castRays: the cut surface " + problemOf(*settings.cutSurface));
     if (settings.shading) requireSensible(*settings.shading);
+    if (!(settings.mixing.share >= 0.0 && settings.mixing.share <= 1.0))
+        throw std::invalid_argument("castRays: the share of a mixed picture must lie between 0 and 1");
+    if (!(settings.brightness > 0.0) || !std::isfinite(settings.brightness))
+        throw std::invalid_argument("castRays: the brightness must be finite and above 0");
     if (settings.opaqueDepth) {
         const DepthMap& map = *settings.opaqueDepth;
         if (map.width < 1 || map.height < 1 ||

@@ -5,6 +5,7 @@
 
 #include "processing/choice_names.h"
 #include "processing/picture/picture_place.h"
+#include "processing/scalpel/outline.h"
 
 namespace echolucent {
 
@@ -14,32 +15,17 @@ constexpr ChoiceNames<4> toolNames{"freehand", "polygon", "box", "eraser"};
 constexpr ChoiceNames<2> sideNames{"inside", "outside"};
 constexpr std::size_t mostPlaces = 100'000;  // what a file may ask for stays within memory and patience
 
-using Place = std::array<double, 2>;
-
 /// Whether an outline winds around a place an odd number of times.
-bool insideOutline(const std::vector<Place>& outline, const Place& at) {
+bool insideOutline(const std::vector<PicturePlace>& outline, const PicturePlace& at) {
     bool inside = false;
-    for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++) {
-        const Place &a = outline[before], &b = outline[i];
-        if ((a[1] > at[1]) == (b[1] > at[1])) continue;
-        if (at[0] < a[0] + (b[0] - a[0]) * (at[1] - a[1]) / (b[1] - a[1])) inside = !inside;
-    }
+    for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++)
+        if (scalpel::crosses(outline[before], outline[i], at)) inside = !inside;
     return inside;
 }
 
-double squaredDistance(const Place& a, const Place& b, const Place& at) {
-    const double alongX = b[0] - a[0], alongY = b[1] - a[1];
-    const double squared = alongX * alongX + alongY * alongY;
-    const double share =
-        squared > 0.0 ? std::clamp(((at[0] - a[0]) * alongX + (at[1] - a[1]) * alongY) / squared, 0.0, 1.0) : 0.0;
-    const double x = at[0] - a[0] - share * alongX, y = at[1] - a[1] - share * alongY;
-    return x * x + y * y;
-}
-
-bool underEraser(const ScalpelStroke& stroke, const Place& at) {
-    const double reach = stroke.radius * stroke.radius;
+bool underEraser(const ScalpelStroke& stroke, const PicturePlace& at) {
     for (std::size_t i = 0; i < stroke.places.size(); ++i)
-        if (squaredDistance(stroke.places[i > 0 ? i - 1 : 0], stroke.places[i], at) <= reach) return true;
+        if (scalpel::liesWithin(stroke.radius, stroke.places[i > 0 ? i - 1 : 0], stroke.places[i], at)) return true;
     return false;
 }
 
@@ -60,8 +46,9 @@ std::string problemOf(const ScalpelStroke& stroke) {
     if (!eraser && stroke.places.size() < 3) return "has an outline of fewer than three places";
     if (stroke.places.empty()) return "has no place";
     if (stroke.places.size() > mostPlaces) return "has more than 100000 places";
-    if (!std::ranges::all_of(stroke.places,
-                             [](const Place& place) { return std::isfinite(place[0]) && std::isfinite(place[1]); }))
+    if (!std::ranges::all_of(stroke.places, [](const PicturePlace& place) {
+            return std::isfinite(place[0]) && std::isfinite(place[1]);
+        }))
         return "has a place that is not finite";
     if (!std::isfinite(stroke.radius) || (eraser ? !(stroke.radius > 0.0) : stroke.radius != 0.0))
         return eraser ? "has a radius that is not above 0" : "has a radius without an eraser";
@@ -73,7 +60,7 @@ std::string problemOf(const ScalpelStroke& stroke) {
 
 bool cutsAway(const ScalpelStroke& stroke, const Vec3& gridMm) {
     if (stroke.depthMm && stroke.camera.frame.forward.dot(gridMm) > *stroke.depthMm) return false;
-    const std::optional<Place> place = placeInPicture(stroke.camera, gridMm);
+    const std::optional<PicturePlace> place = placeInPicture(stroke.camera, gridMm);
     if (!place) return false;  // it lies beside or behind the eye
     if (stroke.tool == ScalpelTool::eraser) return underEraser(stroke, *place);
     return insideOutline(stroke.places, *place) == (stroke.side == ScalpelSide::inside);

@@ -27,7 +27,9 @@ std::optional<Volume> reduced(const Volume& volume, SpeckleReduction reduction, 
 }  // namespace
 
 std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
-    auto quiet = reduced(volume, reduction, progress);
+    // What a scalpel cut still holds echo, and is quiet as if nothing were cut.
+    auto quiet = reduced(volume.withCut(nullptr), reduction, progress);
+    if (quiet) quiet = quiet->withCut(volume.cut());
     if (quiet) progress.at(1.0);  // the last part may have been another thread's, which reports nothing
     return quiet;
 }

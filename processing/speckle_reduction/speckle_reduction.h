@@ -35,7 +35,8 @@ inline constexpr SpeckleReduction defaultSpeckleReduction = SpeckleReduction::me
     return choiceNamed<SpeckleReduction>(speckleReductionNames, name);
 }
 
-/// The volume with quiet voxels: voxel type, geometry, white level and data mask are the volume's. Voxels without data
+/// The volume with quiet voxels: voxel type, geometry, white level and data mask are the volume's. What a scalpel cut
+/// changes none of them (Volume::scannedMask()). Voxels without data
 /// stay as they are, and what is stored in them changes no other voxel. What is above the white level counts as white,
 /// what is below 0 as 0. Where all data is one value it stays that
 /// value. With `off` the result shares the volume's voxels. The result is empty only where progress.cancel was raised,

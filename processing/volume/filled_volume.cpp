@@ -25,22 +25,20 @@ void forEachRow(const Size& size, const Visit& visit) {
     });
 }
 
+/// One byte a voxel, 1 where a mask (empty where all are) marks a voxel that is finite; empty where all voxels are.
 template <typename Voxel>
-bool isData(const Volume& volume, const std::vector<Voxel>& voxels, std::int64_t offset) {
-    if constexpr (std::is_same_v<Voxel, float>)
-        if (!std::isfinite(voxels[static_cast<std::size_t>(offset)])) return false;
-    return volume.hasData(offset);
-}
-
-/// One byte a voxel, 1 where there is data; empty where all voxels carry data.
-template <typename Voxel>
-Bytes dataOf(const Volume& volume, const std::vector<Voxel>& voxels) {
-    if (volume.dataMask().empty() && !std::is_same_v<Voxel, float>) return {};
+Bytes dataOf(const VolumeGeometry& geometry, const Bytes& mask, const std::vector<Voxel>& voxels) {
+    if (mask.empty() && !std::is_same_v<Voxel, float>) return {};
     Bytes data(voxels.size());
-    forEachRow(volume.geometry().size, [&](std::int64_t y, std::int64_t z) {
-        const std::int64_t first = volume.geometry().offset(0, y, z), end = first + volume.geometry().size[0];
-        for (std::int64_t i = first; i < end; ++i)
-            data[static_cast<std::size_t>(i)] = isData(volume, voxels, i) ? 1 : 0;
+    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+        const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
+        std::uint8_t* to = data.data() + first;
+        const std::uint8_t* marks = mask.empty() ? nullptr : mask.data() + first;
+        const Voxel* values = voxels.data() + first;
+        for (std::int64_t x = 0; x < columns; ++x) {
+            to[x] = marks == nullptr || marks[x] != 0 ? 1 : 0;
+            if constexpr (std::is_same_v<Voxel, float>) to[x] &= std::isfinite(values[x]) ? 1 : 0;
+        }
     });
     if (std::find(data.begin(), data.end(), 0) == data.end()) data.clear();
     return data;
@@ -192,24 +190,35 @@ std::uint8_t keptThin(std::uint8_t smooth, bool data) {
     return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
 }
 
-Bytes presenceOf(const VolumeGeometry& geometry, const Bytes& data) {
+Bytes smoothPresence(const VolumeGeometry& geometry, const Bytes& data) {
     Bytes presence(data.size());
     std::transform(data.begin(), data.end(), presence.begin(), [](std::uint8_t one) { return one != 0 ? 255 : 0; });
     presence = smoothedAcross(geometry, smoothedAcross(geometry, smoothedAlongX(geometry, presence), false), true);
+    std::array<std::array<std::uint8_t, 256>, 2> kept{};
+    for (std::size_t smooth = 0; smooth < 256; ++smooth)
+        for (const bool isData : {false, true})
+            kept[isData ? 1 : 0][smooth] = keptThin(static_cast<std::uint8_t>(smooth), isData);
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
-        const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
-            presence[i] = keptThin(presence[i], data[i] != 0);
+        const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
+        std::uint8_t* smooth = presence.data() + first;
+        const std::uint8_t* marks = data.data() + first;
+        for (std::int64_t x = 0; x < columns; ++x) smooth[x] = kept[marks[x]][smooth[x]];
     });
     return presence;
 }
 
+/// `data` is what dataOf() gives.
+std::optional<Volume> presenceOf(const VolumeGeometry& geometry, const Bytes& data) {
+    if (data.empty()) return std::nullopt;
+    return Volume(geometry, smoothPresence(geometry, data), 255.0);
+}
+
 template <typename Voxel>
 FilledVolume filled(const Volume& volume, const std::vector<Voxel>& given) {
-    Bytes mask = dataOf(volume, given);
-    if (mask.empty()) return {volume, std::nullopt};
     const VolumeGeometry& geometry = volume.geometry();
-    Volume presence(geometry, presenceOf(geometry, mask), 255.0);
+    Bytes mask = dataOf(geometry, volume.scannedMask(), given);
+    auto presence = presenceOf(geometry, volume.isCut() ? dataOf(geometry, volume.dataMask(), given) : mask);
+    if (mask.empty()) return {volume.withCut(nullptr), std::move(presence)};
     std::vector<Voxel> voxels = given;
     BitGrid known = bitsOf(geometry, mask);
     for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known, mask);
@@ -226,6 +235,13 @@ FilledVolume filled(const Volume& volume, const std::vector<Voxel>& given) {
 
 FilledVolume filledVolume(const Volume& volume) {
     return std::visit([&](const auto& voxels) { return filled(volume, voxels); }, volume.voxels());
+}
+
+std::optional<Volume> presenceIn(const Volume& volume) {
+    const VolumeGeometry& geometry = volume.geometry();
+    return std::visit(
+        [&](const auto& voxels) { return presenceOf(geometry, dataOf(geometry, volume.dataMask(), voxels)); },
+        volume.voxels());
 }
 
 }  // namespace echolucent

@@ -12,7 +12,8 @@ namespace echolucent {
 /// of them carry data, and asks the presence what it shows of them.
 struct FilledVolume {
     /// The same voxels; where one without data lies within fillReach voxels of data, it holds the mean of what lies
-    /// nearest to it on the data's side. The mask marks what then holds a value; the rest holds 0.
+    /// nearest to it on the data's side. The mask marks what then holds a value; the rest holds 0. What a scalpel cut
+    /// still holds echo and stays as it is: these voxels depend on the scan alone (Volume::scannedMask()).
     Volume voxels;
     /// Bytes with a white level of 255: the data mask, smoothed by the binomial [1 4 6 4 1] / 16 along each axis. So
     /// the surface at one half has no stairs. Where a voxel would end on the other side although it is of a structure
@@ -24,6 +25,8 @@ struct FilledVolume {
 
 /// Takes a few passes over the volume where voxels lack data, else none.
 [[nodiscard]] FilledVolume filledVolume(const Volume& volume);
+/// FilledVolume::presence alone.
+[[nodiscard]] std::optional<Volume> presenceIn(const Volume& volume);
 
 /// What a picture makes of the presence of data, 0 to 1.
 struct PresenceUse {

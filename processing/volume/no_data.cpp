@@ -133,9 +133,11 @@ std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
 
 std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume) {
     std::vector<std::uint8_t> mask = volume.dataMask();
+    const std::vector<std::uint8_t>& scanned = volume.scannedMask();
     std::visit(
         [&](const auto& voxels) {
-            for (std::size_t i = 0; i < mask.size(); ++i) mask[i] |= voxels[i] == 0 ? 1 : 0;
+            // What a scalpel cut was no guess.
+            for (std::size_t i = 0; i < scanned.size(); ++i) mask[i] |= scanned[i] == 0 && voxels[i] == 0 ? 1 : 0;
         },
         volume.voxels());
     if (std::find(mask.begin(), mask.end(), 0) == mask.end()) mask.clear();

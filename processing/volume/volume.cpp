@@ -67,6 +67,7 @@ Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whi
     else if (const double level = whiteLevelOf({m_voxels.get(), 1}).level; level > 0)
         m_whiteLevel = level;
     m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(finiteMask(*m_voxels));
+    m_scannedMask = m_dataMask;
     m_dataBox = dataBoxOf(m_geometry, *m_dataMask);
 }
 
@@ -90,8 +91,17 @@ Volume Volume::withDataMask(std::vector<std::uint8_t> mask) const {
         throw std::invalid_argument("Volume: the data mask does not match the size");
     Volume marked = *this;
     marked.m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(std::move(mask));
+    marked.m_scannedMask = marked.m_dataMask;
     marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
     return marked;
+}
+
+Volume Volume::withCut(SharedMask mask) const {
+    if (mask && mask->size() != static_cast<std::size_t>(m_geometry.voxelCount()))
+        throw std::invalid_argument("Volume: the mask of the cut does not match the size");
+    Volume left = *this;
+    left.m_dataMask = mask ? std::move(mask) : m_scannedMask;
+    return left;
 }
 
 Volume Volume::withDataBox(const DataBox& box) const {

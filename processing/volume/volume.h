@@ -93,6 +93,11 @@ public:
     [[nodiscard]] const std::uint8_t* dataMaskOrNull() const {
         return m_dataMask->empty() ? nullptr : m_dataMask->data();
     }
+    /// What dataMask() was before a scalpel cut: the scan's own mask. Voxels that it does not mark hold no echo; those
+    /// that were cut still do.
+    [[nodiscard]] const std::vector<std::uint8_t>& scannedMask() const { return *m_scannedMask; }
+    /// Whether a scalpel cut (withCut()).
+    [[nodiscard]] bool isCut() const { return m_dataMask != m_scannedMask; }
     [[nodiscard]] bool hasData(std::int64_t offset) const {
         return m_dataMask->empty() || (*m_dataMask)[static_cast<std::size_t>(offset)] != 0;
     }
@@ -101,12 +106,25 @@ public:
     /// The stored value over the white level, clamped to [0,1]; 0 where the value is NaN.
     [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;
 
+    /// Whether this is the same scan, of which a scalpel may have cut other voxels: it shares voxels and scannedMask().
+    [[nodiscard]] bool isSameScanAs(const Volume& other) const {
+        return m_voxels == other.m_voxels && m_scannedMask == other.m_scannedMask;
+    }
+
     /// The box that pictures are fitted to: around the voxels that are data, where nobody set another.
     [[nodiscard]] const DataBox& dataBox() const { return m_dataBox; }
 
     /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte a voxel.
-    /// The data box is made anew.
+    /// The data box is made anew, and no voxel counts as cut.
     [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
+    /// One byte a voxel, shared.
+    using SharedMask = std::shared_ptr<const std::vector<std::uint8_t>>;
+    /// A volume that shares these voxels, of which a scalpel left as data what the mask marks: one byte a voxel, and
+    /// none marked that scannedMask() does not mark. Null takes the cut back. The scan's own mask and the data box
+    /// stay, so that the picture keeps still.
+    [[nodiscard]] Volume withCut(SharedMask mask) const;
+    /// The mask of the cut for another volume of the same grid and scan; null where nothing was cut.
+    [[nodiscard]] SharedMask cut() const { return isCut() ? m_dataMask : nullptr; }
     /// The same volume with another data box: the phases of a study share one, so that a picture keeps still.
     [[nodiscard]] Volume withDataBox(const DataBox& box) const;
 
@@ -114,7 +132,7 @@ private:
     VolumeGeometry m_geometry;
     std::shared_ptr<const Voxels> m_voxels;
     double m_whiteLevel = 1.0;
-    std::shared_ptr<const std::vector<std::uint8_t>> m_dataMask;
+    SharedMask m_dataMask, m_scannedMask;  ///< the same one where nothing was cut
     DataBox m_dataBox;
 };
 
@@ -128,7 +146,7 @@ private:
 [[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
 
 /// The volume's mask with the guess taken back: every voxel that holds exactly 0 is data again, because a guess takes
-/// no other. It is empty where all voxels are data then.
+/// no other. What a scalpel cut stays cut. It is empty where all voxels are data then.
 [[nodiscard]] std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume);
 
 }  // namespace echolucent

@@ -31,11 +31,14 @@ TEST(Look, EveryRowReadsWhatItWrote) {
     }
     EXPECT_TRUE(problemIn(lookParameters(), changed).empty());
     // No member is without a row: a new one does not compile here until it stands in these names and in a line below.
-    [[maybe_unused]] const auto& [mode, reduction, lighting, light, softness, reaching, depthColoured, map, projection,
-                                  interpolation, step] = changed;
+    [[maybe_unused]] const auto& [mode, mixing, mixedMode, reduction, lighting, light, softness, reaching,
+                                  depthColoured, map, brightness, projection, interpolation, step] = changed;
     [[maybe_unused]] const auto& [azimuth, elevation] = light;
     [[maybe_unused]] const auto& [shadow, occlusion, translucency] = reaching;
     EXPECT_NE(changed.mode, Look{}.mode);
+    EXPECT_NE(changed.mixing, Look{}.mixing);
+    EXPECT_NE(changed.mixedMode, Look{}.mixedMode);
+    EXPECT_NE(changed.brightness, Look{}.brightness);
     EXPECT_NE(changed.reduction, Look{}.reduction);
     EXPECT_NE(changed.lighting, Look{}.lighting);
     EXPECT_NE(changed.light.azimuthDegrees, Look{}.light.azimuthDegrees);

@@ -253,8 +253,10 @@ std::string_view nameOf(CompositingPrecision precision) {
     return "";
 }
 
-std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                                       const PlainCasting& casting, const Progress& progress) {
+namespace {
+
+std::optional<Picture> castOne(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                               const PlainCasting& casting, const Progress& progress) {
     const PlainCaster caster(volume, curve, settings, casting);
     Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
     ProgressCount rows(progress, static_cast<std::size_t>(settings.height));
@@ -264,6 +266,19 @@ std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve&
         rows.oneDone();
     });
     if (progress.cancelled()) return std::nullopt;
+    brighten(picture, settings.brightness);
+    return picture;
+}
+
+}  // namespace
+
+std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+                                       const PlainCasting& casting, const Progress& progress) {
+    auto picture = castOne(volume, curve, settings, casting, progress);
+    if (!picture || settings.mode != RenderMode::direct || settings.mixing.share == 0.0) return picture;
+    const auto other = castOne(volume, curve, mixedIn(settings), casting, progress);
+    if (!other) return std::nullopt;
+    mixIn(*picture, *other, settings.mixing.share);
     return picture;
 }
 
