@@ -64,9 +64,15 @@ public:
     void setCut(std::shared_ptr<const Volume> given) {
         kept.forget();
         const auto presence = presenceIn(*given);
-        m_ranges.setPresence(presence);
-        m_borders = BorderSpace(given->geometry(), presence);
-        std::visit([&](auto& packed) { packed.setPresence(presence); }, m_packed);
+        // Side by side: a part of the borders' work is one thread's.
+        parallelFor(0, 2, [&](int which) {
+            if (which == 0) {
+                m_borders = BorderSpace(given->geometry(), presence);
+            } else {
+                m_ranges.setPresence(presence);
+                std::visit([&](auto& packed) { packed.setPresence(presence); }, m_packed);
+            }
+        });
         m_reaching.setVolume(given);
         volume = std::move(given);
     }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/document_render.h"
 #include "app/cli/look_options.h"
 #include "app/cli/picture_words.h"
 #include "io/output/picture_file.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct RenderOptions {
     VolumeOptions volume;
+    DocumentOptions document;
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
@@ -28,10 +30,14 @@ struct RenderOptions {
 
 constexpr int largestPictureEdge = 16384;
 
+Result<std::array<int, 2>> sizeFrom(const std::string& text) {
+    return parseWholePair(text, 1, largestPictureEdge, "--size", "512x512");
+}
+
 /// Size and look; the camera follows once the volume is there.
 Result<RayCastSettings> settingsFrom(const RenderOptions& options, const Look& look) {
     RayCastSettings settings = rayCastSettings(look);
-    const auto size = parseWholePair(options.size, 1, largestPictureEdge, "--size", "512x512");
+    const auto size = sizeFrom(options.size);
     if (!size) return tl::unexpected<Failure>(size.error());
     settings.width = (*size)[0];
     settings.height = (*size)[1];
@@ -68,7 +74,25 @@ void explainEmptiness(const Picture& picture, const OpacityCurve& curve, const V
     if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
 }
 
+/// What a view of a document shows, without labels.
+Result<void> renderDocument(const RenderOptions& options, const CLI::App& command) {
+    if (auto checked = options.document.checkAlone(command); !checked) return checked;
+    if (auto checked = checkOutputs({options.output}); !checked) return checked;
+    const auto size = sizeFrom(options.size);
+    if (!size) return tl::unexpected<Failure>(size.error());
+    const auto background = backgroundFrom(options.background);
+    if (!background) return tl::unexpected<Failure>(background.error());
+    const auto shown = cli::renderDocument(options.document, options.volume, *size, options.output);
+    if (!shown) return tl::unexpected<Failure>(shown.error());
+    if (!shown->message.empty()) std::fprintf(stderr, "%s\n", shown->message.c_str());
+    if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->curve, *shown->voxels);
+    return writePng(options.output, shown->picture.width, shown->picture.height,
+                    overBackground(shown->picture, *background));
+}
+
 Result<void> render(const RenderOptions& options) {
+    if (options.volume.path.empty())
+        return wrongUsage("VOLUME", "is required", "Name a volume, or a document with --document.");
     if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked) return checked;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
@@ -110,6 +134,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App& command = *program.add_subcommand("render", "Renders a picture of a volume");
     options->volume.addTo(command);
+    command.get_option("VOLUME")->required(false);
+    options->document.addTo(command);
     command
         .add_option("--otf", options->otf,
                     "linear, parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
@@ -124,7 +150,11 @@ void addRenderCommand(CLI::App& program, Action& action) {
         ->capture_default_str();
     command.add_option("-o,--output", options->output, "Where the picture goes")->type_name("OUT.png")->required();
     command.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive -o chest.png");
-    command.callback([options, &action] { action = [options] { return render(*options); }; });
+    command.callback([options, &command, &action] {
+        action = [options, &command] {
+            return options->document.path.empty() ? render(*options) : renderDocument(*options, command);
+        };
+    });
 }
 
 }  // namespace echolucent::cli

@@ -9,6 +9,7 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
     connect(&m_model, &DocumentModel::posesChanged, this, &DocumentView::showPose);
     connect(&m_model, &DocumentModel::beamChanged, this, &DocumentView::showPose);
     connect(&m_model, &DocumentModel::cutsChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::boxesChanged, this, &DocumentView::showPose);
     connect(&m_model, &DocumentModel::looksChanged, this, &DocumentView::showLook);
     connect(&m_model, &DocumentModel::viewsChanged, this, [this] {
         showPose();
@@ -42,6 +43,7 @@ void DocumentView::showPose() {
     m_widget.setPose(shownPose(document, m_view), document.beam.axis);
     m_widget.setNearCut(cutOf(document, m_view).nearCutMm);
     m_widget.setCutSurface(cutOf(document, m_view).surface);
+    m_widget.setBox(viewpointOf(document, m_view).box);
 }
 
 void DocumentView::showCurve() {

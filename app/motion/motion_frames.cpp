@@ -154,11 +154,12 @@ void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     Viewpoint start =
         viewpointOf(document.beam.axis, poseOf(document, view).direction, cutOf(document, view).nearCutMm);
     start.cutSurface = cutOf(document, view).surface;
+    start.box = viewpointOf(document, view).box;
     const CourseFrame frame = courseFrame();
     const MotionScenario scenario = document.motion.scenario;
     const auto rows = movesProbe(scenario) ? OtfCourse::Rows::angles : OtfCourse::Rows::phases;
     const int fixed = scenario == MotionScenario::both ? 0 : movesProbe(scenario) ? frame.phase : frame.angle;
-    const CourseKey key{start, document.motion.axis, config, rows, fixed};
+    const CourseKey key{start, strokesOf(document, view), document.motion.axis, config, rows, fixed};
     if (m_courseKey == key) return;
     m_courseKey = key;
     m_parts.session.forgetKeptOtfs();

@@ -72,6 +72,7 @@ private:
     /// What the course's rows have in common within a study; another one begins a new course.
     struct CourseKey {
         Viewpoint start;
+        std::vector<ScalpelStroke> strokes;
         MotionAxis axis = MotionAxis::y;
         AdaptiveOtfConfig config;
         OtfCourse::Rows rows = OtfCourse::Rows::angles;

@@ -23,10 +23,12 @@ void OtfComputing::follow() {
     Viewpoint onlyCut = m_ofDocument;
     onlyCut.nearCutMm = ofDocument.nearCutMm;
     onlyCut.cutSurface = ofDocument.cutSurface;
-    // A cut alone leaves the direction of a frame of the motion as it is.
+    onlyCut.box = ofDocument.box;
+    // A cut or a box alone leaves the direction of a frame of the motion as it is.
     if (ofDocument == onlyCut) {
         m_asked.nearCutMm = ofDocument.nearCutMm;
         m_asked.cutSurface = ofDocument.cutSurface;
+        m_asked.box = ofDocument.box;
     } else {
         m_asked = ofDocument;
     }

@@ -33,6 +33,9 @@ Session::Session(QObject* parent)
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
     connect(&m_loader, &NewestWinsThread::progressed, this, &Session::loadingProgressed);
     connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &Session::computingOtfChanged);
+    connect(&m_cut, &CutPhases::made, this, &Session::takeCut);
+    connect(&m_cut, &CutPhases::busyChanged, this, [this] { emit computingOtfChanged(computingOtf()); });
+    connect(&m_cut, &CutPhases::failed, this, &Session::otfFailed);
     connect(&m_quiet, &QuietPhases::made, this, &Session::takeQuietVoxels);
     connect(&m_quiet, &QuietPhases::busyChanged, this, &Session::quieteningChanged);
     connect(&m_quiet, &QuietPhases::progressed, this, &Session::quieteningProgressed);
@@ -93,6 +96,7 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
             m_finds = finds;
             m_kept.clear();
             m_quiet.begin(m_study->phases);
+            m_cut.begin(m_study->phases);
             m_opening = true;
             show(0);
             emit studyOpened();
@@ -108,11 +112,12 @@ void Session::setPhase(int phase) {
 
 void Session::show(int phase) {
     m_phase = phase;
-    m_volume = m_study->phases[static_cast<std::size_t>(phase)];
+    m_volume = m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]);
     m_otf.reset();
     m_voxelsOfOtf.reset();
     cancelComputing();
     m_quiet.want(m_phase, m_reduction);
+    m_cut.want(m_phase, std::vector(m_cut.strokes()));
     emit volumeChanged();
 }
 
@@ -127,14 +132,30 @@ void Session::cancelQuietening() {
     requestWaitingOtf();
 }
 
-std::shared_ptr<const Volume> Session::newestVoxels() const {
+std::shared_ptr<const Volume> Session::newestVoxels() {
     const std::shared_ptr<const Volume> quiet = m_quiet.of(m_phase);
-    return quiet ? quiet : m_volume;
+    return quiet ? m_cut.of(m_phase, quiet) : m_volume;
+}
+
+void Session::setStrokes(const std::vector<ScalpelStroke>& strokes) {
+    if (m_volume && strokes != m_cut.strokes()) m_cut.want(m_phase, strokes);
+}
+
+/// What was asked of the volume is asked of the one that is cut.
+void Session::takeCut(int phase) {
+    if (phase != m_phase) return;
+    const auto pending = m_asked ? m_asked : m_waiting;
+    const bool searching = lookingForNearCut();
+    m_volume = m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]);
+    if (searching) requestNearCut(m_searchedAlong);
+    if (pending) requestOtf(pending->view, pending->config);
+    emit volumeCut();
 }
 
 const IntensityHistogram& Session::histogramOfOtf() const {
     const auto quiet = m_quiet.histogramOf(m_phase);
-    return quiet && m_voxelsOfOtf == m_quiet.of(m_phase) ? *quiet : histogram();
+    const auto voxels = m_quiet.of(m_phase);
+    return quiet && m_voxelsOfOtf && &m_voxelsOfOtf->voxels() == &voxels->voxels() ? *quiet : histogram();
 }
 
 void Session::takeQuietVoxels(int phase) {
@@ -213,6 +234,7 @@ void Session::requestNearCut(const Viewpoint& view) {
     m_waiting.reset();  // whoever asks for the near cut asks for the OTF afterwards
     m_opening = false;
     m_searching = true;
+    m_searchedAlong = view;
     m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume,
                         view](const Progress& progress) -> NewestWinsThread::Deliver {
         std::optional<NearCutFinding> result;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/study/cut_phases.h"
 #include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
 #include "io/study.h"
@@ -40,9 +41,15 @@ public:
     [[nodiscard]] bool isSimulatedScan() const { return std::holds_alternative<SimulatedScan>(m_reference); }
     /// What a document names the study by.
     [[nodiscard]] const StudyReference& reference() const { return m_reference; }
+    /// The raw voxels of the phase shown, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
-    /// The phase's quiet voxels where they are made, else its raw ones: what its next picture is to be made of.
-    [[nodiscard]] std::shared_ptr<const Volume> newestVoxels() const;
+    /// The phase's quiet voxels where they are made, else its raw ones, with what the scalpel cut of them: what its
+    /// next picture is to be made of.
+    [[nodiscard]] std::shared_ptr<const Volume> newestVoxels();
+    /// Cuts all phases by strokes, in the background; the newest list wins. What is being computed of the volume goes
+    /// on with the volume that is cut.
+    void setStrokes(const std::vector<ScalpelStroke>& strokes);
+    [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_cut.strokes(); }
     /// What was found of the study when it was opened; nothing of simulated scans, whose beam is known.
     [[nodiscard]] const std::optional<OpeningFinds>& finds() const { return m_finds; }
     /// The voxels that otf() is meant for; null where there is no OTF.
@@ -58,7 +65,8 @@ public:
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
-    /// Of the voxels that otf() is meant for; of the raw ones where these are, or where there is no OTF.
+    /// Of the voxels that otf() is meant for, whatever is cut of them; of the raw ones where these are, or where there
+    /// is no OTF.
     [[nodiscard]] const IntensityHistogram& histogramOfOtf() const;
     [[nodiscard]] int phase() const { return m_phase; }
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
@@ -69,8 +77,9 @@ public:
     /// read the raw voxels; the curve is meant for newestVoxels(). The first OTF of a study of up to quietFirstVoxels
     /// voxels waits for its quiet voxels, so that one picture and not two follow its opening.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
+    /// True also while the scalpel's strokes are being cut, which the OTF follows.
     [[nodiscard]] bool computingOtf() const {
-        return m_otfThread.busy() || m_asked.has_value() || m_waiting.has_value();
+        return m_otfThread.busy() || m_cut.busy() || m_asked.has_value() || m_waiting.has_value();
     }
     /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
     /// many.
@@ -108,6 +117,9 @@ signals:
     void openFailed(const QString& path, const echolucent::Failure& failure);
     /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed().
     void volumeChanged();
+    /// The scalpel cut other voxels of the volume shown: volume() and newestVoxels() are others, and otf() is still
+    /// that of the volume before.
+    void volumeCut();
     void computingOtfChanged(bool computing);
     void otfComputed();
     /// The quiet voxels of the phase shown are there.
@@ -124,6 +136,7 @@ private:
     void load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read);
     void show(int phase);
     void takeQuietVoxels(int phase);
+    void takeCut(int phase);
     void requestWaitingOtf();
     void takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf);
 
@@ -131,7 +144,7 @@ private:
     NearCutSearch m_nearCutSearch;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
-    std::shared_ptr<const Volume> m_volume;
+    std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes
     std::optional<OpeningFinds> m_finds;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
@@ -141,9 +154,11 @@ private:
     std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
     bool m_opening = false;               ///< no OTF of the study was computed yet
     bool m_searching = false;             ///< the newest request is one for the near cut
+    Viewpoint m_searchedAlong;            ///< of the newest search for the near cut
     KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;
+    CutPhases m_cut;
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
     NewestWinsThread m_otfThread;

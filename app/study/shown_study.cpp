@@ -18,6 +18,8 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
     connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
     connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
+    connect(&m_parts.session, &Session::volumeCut, this, &ShownStudy::takeCut);
+    connect(&m_parts.model, &DocumentModel::strokesChanged, this, &ShownStudy::takeStrokes);
     connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.editor.setPlaying(playing);
@@ -135,7 +137,7 @@ void ShownStudy::showNumbers() {
 /// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
 /// with the phase's next turn.
 void ShownStudy::takeQuietVoxels() {
-    const Session& session = m_parts.session;
+    Session& session = m_parts.session;
     if (m_parts.player.isPlaying() || !session.volume()) return;
     // A search for the near cut asks for the OTF itself once it has ended.
     if (session.lookingForNearCut() || (session.otf() && session.voxelsOfOtf() == session.newestVoxels())) return;
@@ -143,6 +145,16 @@ void ShownStudy::takeQuietVoxels() {
         m_parts.computing.computeAgain();
     else if (m_parts.motion.otf())  // one OTF for all phases
         m_parts.view.showVolume(session.newestVoxels(), session.volume());
+}
+
+void ShownStudy::takeStrokes() { m_parts.session.setStrokes(strokesOf(m_parts.model.document(), m_parts.view.view())); }
+
+/// The picture shows the stroke at once, with the curve that it had; the OTF of what is left follows.
+void ShownStudy::takeCut() {
+    const Session& session = m_parts.session;
+    if (m_parts.player.isPlaying() || m_parts.view.held() || m_parts.motion.otf() == nullptr) return;
+    m_parts.view.showVolume(m_parts.session.newestVoxels(), session.volume());
+    if (session.otf()) m_parts.computing.computeAgain();
 }
 
 /// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.

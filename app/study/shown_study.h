@@ -50,6 +50,8 @@ private:
     void takeOtf();
     void showNumbers();
     void takeQuietVoxels();
+    void takeStrokes();
+    void takeCut();
     void doWithoutOtf(const QString& sentence);
     void showRemark();
     void showRemarkAtRest();

@@ -67,6 +67,10 @@ void addRow(const std::uint8_t* row, std::size_t count, std::size_t voxels, cons
         case 2: addWholePlaces<2>(row, whole, opacities, sums); break;
         case 3: addWholePlaces<3>(row, whole, opacities, sums); break;
         case 4: addWholePlaces<4>(row, whole, opacities, sums); break;
+        case 5: addWholePlaces<5>(row, whole, opacities, sums); break;
+        case 6: addWholePlaces<6>(row, whole, opacities, sums); break;
+        case 7: addWholePlaces<7>(row, whole, opacities, sums); break;
+        case 8: addWholePlaces<8>(row, whole, opacities, sums); break;
         default: done = 0;
     }
     for (std::size_t x = done; x < count; ++x) sums[x / voxels] += opacities[row[x]];

@@ -151,8 +151,14 @@ void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGr
 /// [1 4 6 4 1] / 16 of five rows of bytes.
 void smoothRows(const std::array<const std::uint8_t*, 5>& from, std::int64_t count, std::uint8_t* to) {
     const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
-    for (std::int64_t i = 0; i < count; ++i)
-        to[i] = static_cast<std::uint8_t>((a[i] + e[i] + 4 * (b[i] + d[i]) + 6 * c[i] + 8) >> 4);
+    // In 16 bits, which hold the sums and make vectors twice as long as ints would.
+    const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
+        const auto inner = static_cast<std::uint16_t>(wide(b[i]) + wide(d[i]) + wide(c[i]));
+        const auto sum = static_cast<std::uint16_t>(outer + 4 * inner + 2 * wide(c[i]) + 8);
+        to[i] = static_cast<std::uint8_t>(sum >> 4);
+    }
 }
 
 Bytes smoothedAcross(const VolumeGeometry& geometry, const Bytes& from, bool alongZ) {
@@ -202,7 +208,15 @@ Bytes smoothPresence(const VolumeGeometry& geometry, const Bytes& data) {
         const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
         std::uint8_t* smooth = presence.data() + first;
         const std::uint8_t* marks = data.data() + first;
-        for (std::int64_t x = 0; x < columns; ++x) smooth[x] = kept[marks[x]][smooth[x]];
+        // Most places lie deep in data or far from it, where all is as the mask says.
+        constexpr std::int64_t block = 64;
+        for (std::int64_t x = 0; x < columns; x += block) {
+            const std::int64_t end = std::min(x + block, columns);
+            std::uint8_t apart = 0;
+            for (std::int64_t i = x; i < end; ++i)
+                apart |= static_cast<std::uint8_t>(smooth[i] ^ static_cast<std::uint8_t>(-marks[i]));
+            for (std::int64_t i = x; i < end && apart != 0; ++i) smooth[i] = kept[marks[i]][smooth[i]];
+        }
     });
     return presence;
 }

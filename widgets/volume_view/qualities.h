@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "processing/picture/converged.h"
 #include "processing/picture/ray_cast_settings.h"
 
 namespace echolucent {
@@ -27,7 +28,7 @@ struct Quality {
 /// step 1, 2.1 and 24 at 1.5. Rays are spared before steps: from steps of 2 units on, the steep curve of quiet voxels
 /// shows rings. Why these settings: docs/rendering.md.
 inline constexpr std::array<Quality, 11> qualities{{
-    {"converged", 1.0, 0.25, true, 1.0 / 2048},
+    {"converged", 1.0, convergedStep, true, convergedTransmittance},
     {"high quality", 1.0, 0.75, true},
     {"preview", 1.0, 1.0},
     {"preview", 1.0, 1.5},

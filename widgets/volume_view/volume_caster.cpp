@@ -12,7 +12,9 @@ namespace {
 class VolumeCaster {
 public:
     CastResult cast(const PictureRequest& request, const Progress& progress) {
-        if (!m_caster || m_caster->volume() != request.volume) {
+        if (m_caster && request.volume && request.volume->isSameScanAs(*m_caster->volume())) {
+            m_caster->setCut(request.volume);
+        } else {
             m_caster.reset();
             if (!request.volume) return {};
             m_caster.emplace(request.volume);

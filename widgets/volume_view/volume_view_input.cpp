@@ -157,6 +157,14 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shar
     Parts& parts = *m_parts;
     parts.measured = measured ? std::move(measured) : volume;
     if (volume == parts.volume) return;
+    if (volume && parts.volume && volume->isSameScanAs(*parts.volume)) {
+        // Only what a scalpel cut of it is another: the caster goes on with what it knows, and the picture stays until
+        // the next one is there.
+        parts.volume = std::move(volume);
+        parts.scene.setCut(parts.volume);
+        schedule();
+        return;
+    }
     const bool keepsCamera = volume && parts.volume && sameGrid(volume->geometry(), parts.volume->geometry());
     const std::shared_ptr<const Volume> before = std::exchange(parts.volume, std::move(volume));
     parts.caster.clear();
@@ -203,6 +211,12 @@ void VolumeViewWidget::setCutSurface(const std::optional<CutSurface>& surface) {
     schedule();
 }
 
+void VolumeViewWidget::setBox(const std::optional<OrientedBox>& box) {
+    if (box == m_parts->box) return;
+    m_parts->box = box;
+    schedule();
+}
+
 void VolumeViewWidget::setPose(const Pose& pose, BeamAxis beam) {
     if (pose == m_parts->pose && beam == m_parts->beam) return;
     m_parts->pose = pose;
@@ -243,7 +257,9 @@ void VolumeViewWidget::resetView(const Viewpoint& view) {
 
 Pose VolumeViewWidget::wholeVolume(const Viewpoint& view) const {
     if (!m_parts->volume) return {directionOf(view), {0, 0, 0}, 1.0};
-    return wholeVolume(view, m_parts->volume->dataBox());
+    Viewpoint limited = view;
+    limited.box = m_parts->box;
+    return wholeVolume(limited, m_parts->volume->dataBox());
 }
 
 Pose VolumeViewWidget::wholeVolume(const Viewpoint& view, const DataBox& box) const {

@@ -29,6 +29,7 @@ struct VolumeViewWidget::Parts {
     BeamAxis beam = BeamAxis::plusZ;
     double nearCutMm = 0.0;
     std::optional<CutSurface> cutSurface;
+    std::optional<OrientedBox> box;
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws

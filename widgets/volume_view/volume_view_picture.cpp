@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
 #include "widgets/volume_view/qualities.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
@@ -34,8 +35,10 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
     PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(camera());
-    if (parts.volume) request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view(), parts.volume->geometry());
-    request.settings.cutSurface = parts.cutSurface;
+    Viewpoint limits = view();
+    limits.cutSurface = parts.cutSurface;
+    limits.box = parts.box;
+    if (parts.volume) request.settings = limitedTo(limits, parts.volume->geometry(), request.settings);
     request.settings = m_parts->scene.withSceneLimits(request.settings);
     return request;
 }

@@ -73,11 +73,13 @@ public:
     void setNearCut(double mm);
     /// Cuts off what lies before a surface too; it stays where it is in the volume.
     void setCutSurface(const std::optional<CutSurface>& surface);
+    /// Shows only what lies in a box; it stays where it is in the volume.
+    void setBox(const std::optional<OrientedBox>& box);
     /// Sets the camera by a pose relative to the beam; the near cut stays.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
-    /// The pose of the default camera of a view: the whole volume fills this widget's picture. Also of a volume of
-    /// another geometry, which is to be shown next.
+    /// The pose of the default camera of a view: the widget's box, or the whole volume where it has none, fills the
+    /// picture. The second also of a volume of another geometry, which is to be shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
     /// Whether a motion plays: its frames are cast in high quality and kept, and come from memory in its next turn.

@@ -43,6 +43,8 @@ public:
     /// Shows a volume; null makes an empty scene, in which nothing is drawn. The picture of the volume before is
     /// dropped.
     void setVolume(std::shared_ptr<const Volume> volume);
+    /// Takes the same scan, of which a scalpel cut other voxels (Volume::isSameScanAs()). The picture stays.
+    void setCut(std::shared_ptr<const Volume> volume) { m_volume = std::move(volume); }
     void setTransfer(const OpacityCurve& curve, ColourMap colourMap);
     /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);

@@ -73,6 +73,9 @@ std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
     }
     if (look.shading && look.shading->asksWhatReaches())
         return "Light that tells depth is what only the software ray caster has.";
+    if (look.mode == RenderMode::direct && look.mixing.share > 0.0)
+        return "Mixed modes are what only the software ray caster has.";
+    if (look.brightness != 1.0) return "A picture of another brightness is what only the software ray caster has.";
     if (look.cutSurface) return "A curved cut is what only the software ray caster has.";
     return {};
 }

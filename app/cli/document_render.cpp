@@ -1,0 +1,109 @@
+#include "app/cli/document_render.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "io/document/document_file.h"
+#include "io/output/overwriting.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+constexpr std::array besideDocument{"VOLUME",           "--document",
+                                    "--view",           "--size",
+                                    "--background",     "--output",
+                                    "--raw-size",       "--raw-type",
+                                    "--raw-byte-order", "--raw-header-bytes",
+                                    "--raw-spacing",    "--frames-as-slices",
+                                    "--all-voxels",     "--help"};
+
+/// The path that a document names, where it is a relative one from the document's folder.
+std::string besideFile(const std::string& document, const std::string& path) {
+    const std::filesystem::path beside = std::filesystem::path(document).parent_path() / path;
+    std::error_code error;
+    return std::filesystem::exists(beside, error) ? beside.string() : path;
+}
+
+Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
+    const std::string path = besideFile(document, file.path);
+    if (auto kept = refuseToOverwrite({path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    auto study = readStudy(path, file.options);
+    if (!study) return study;
+    if (auto kept = refuseToOverwrite(study->files, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    return study;
+}
+
+Study simulated(const SimulatedScan& scan) {
+    PhantomConfig config = defaultPhantom(scan.scene);
+    config.size = scan.size;
+    config.seed = scan.seed;
+    Study study;
+    study.phases.push_back(std::make_shared<const Volume>(*makePhantom(config)));
+    return study;
+}
+
+Result<Study> studyOf(const Document& document, const DocumentOptions& options, const VolumeOptions& volume,
+                      const std::string& output) {
+    if (!volume.path.empty()) return volume.readAll({output});
+    if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, options.path, output);
+    if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulated(*scan);
+    return fail(FailureKind::wrongUsage, options.path, "study", "is null: the document names no study",
+                "Give the volume on the command line.");
+}
+
+/// The view of --view, or the first one.
+Result<int> viewIn(const Document& document, const DocumentOptions& options) {
+    if (!options.view) return document.views.front().id;
+    const bool found = std::ranges::any_of(document.views, [&](const View& view) { return view.id == *options.view; });
+    if (found) return *options.view;
+    return wrongUsage("--view", fmt::format("is {}, but the document has no view of this id", *options.view),
+                      fmt::format("The first is {}.", document.views.front().id));
+}
+
+}  // namespace
+
+void DocumentOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--document", path,
+                    "A document of the workstation: renders what its view shows at rest; the study is the document's "
+                    "where no VOLUME is given")
+        ->type_name("FILE.json");
+    command.add_option("--view", view, "Id of the document's view; the first where not given")
+        ->type_name("ID")
+        ->needs("--document");
+}
+
+Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        const bool allowed = std::ranges::any_of(
+            besideDocument, [&](const char* name) { return option->check_name(name) || option->get_name() == name; });
+        if (!allowed)
+            return wrongUsage(option->get_name(), "plays no part beside --document",
+                              "Leave it out, or change the document.");
+    }
+    return {};
+}
+
+Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
+                                   const std::array<int, 2>& size, const std::string& output) {
+    if (auto kept = refuseToOverwrite({options.path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    const auto document = readDocument(options.path);
+    if (!document) return tl::unexpected<Failure>(document.error());
+    const auto view = viewIn(*document, options);
+    if (!view) return tl::unexpected<Failure>(view.error());
+    const auto study = studyOf(*document, options, volume, output);
+    if (!study) return tl::unexpected<Failure>(study.error());
+    const int phase = phaseOf(*document, *view);
+    if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
+        return fail(FailureKind::wrongUsage, options.path, "phases",
+                    fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study->phases.size()));
+    return *viewPicture(*document, *view, *study->phases[static_cast<std::size_t>(phase)], size[0], size[1]);
+}
+
+}  // namespace echolucent::cli

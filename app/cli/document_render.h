@@ -1,0 +1,28 @@
+// The picture of a view of a document on the command line.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/cli/command.h"
+#include "processing/document/view_picture.h"
+
+namespace echolucent::cli {
+
+/// --document and --view.
+struct DocumentOptions {
+    std::string path;         ///< empty where no document was given
+    std::optional<int> view;  ///< an id; the first view where it is not given
+    void addTo(CLI::App& command);
+    /// Fails (wrong usage) where an option was given whose value stands in the document.
+    [[nodiscard]] Result<void> checkAlone(const CLI::App& command) const;
+};
+
+/// The converged picture of the view, of the study that the document names, or of `volume` where that has a path. A
+/// relative path of the study is one from the document's folder, or else from the working folder. Fails where document
+/// or study cannot be read, where there is no such view or phase, and where `output` is one of the files that are read.
+[[nodiscard]] Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
+                                                 const std::array<int, 2>& size, const std::string& output);
+
+}  // namespace echolucent::cli

@@ -1,0 +1,174 @@
+// Strokes of the scalpel and the render box of the document in the real window, and the same picture without a window.
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QUndoStack>
+
+#include "processing/document/view_picture.h"
+#include "processing/ray_caster.h"
+#include "processing/scalpel/scalpel_cuts.h"
+#include "tests/app/picture_measures.h"
+#include "tests/app/window_fixture.h"
+
+using namespace echolucent;
+
+class TestMainWindowScalpel : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        m_file = file("fetus.mha", {smallPhantom(PhantomScene::fetus, 3)});
+        m_moving =
+            file("moving.mha", {smallPhantom(PhantomScene::fetus, 3), smallPhantom(PhantomScene::fetus, 4, 0.5)});
+    }
+    void init() { show(); }
+    void cleanup() { close(); }
+
+    void aStrokeCutsPictureAndTubeCoresAndIsTakenBack() {
+        open(m_file);
+        const Picture before = cast();
+        const SampledCurve curveBefore = session().otf()->curve;
+        const DataBox box = session().volume()->dataBox();
+        QVERIFY(!session().volume()->isCut());
+        QSignalSpy cut(&session(), &Session::volumeCut);
+        QSignalSpy computed(&session(), &Session::otfComputed);
+        draw(stroke(0.0, 0.25));
+        QVERIFY2(!window().idle(), "the stroke is being cut");
+        waitUntilIdle();
+        QCOMPARE(cut.count(), 1);
+        QVERIFY2(computed.count() == 1, "the OTF follows");
+        // Raw and quiet voxels lack the same, and the quiet ones are what they were.
+        QVERIFY(session().volume()->isCut());
+        QCOMPARE(session().newestVoxels()->dataMask(), session().volume()->dataMask());
+        QCOMPARE(session().volume()->dataBox(), box);
+        QVERIFY(session().newestVoxels()->voxels() == session().quietPhases().of(0)->voxels());
+        QVERIFY(window().volumeView().volume() == session().newestVoxels());
+        QVERIFY(session().otf()->curve != curveBefore);
+        QVERIFY2(cast().rgba != before.rgba, "it shows");
+        QVERIFY2(difference(cast(), *window().volumeView().picture()) < 0.1, "and the view shows it");
+        window().document().steps().undo();
+        QVERIFY(!window().idle());
+        waitUntilIdle();
+        QVERIFY(!session().volume()->isCut());
+        QVERIFY(session().otf()->curve == curveBefore);
+        QVERIFY(cast().rgba == before.rgba);
+        window().document().steps().redo();
+        waitUntilIdle();
+        QVERIFY(session().volume()->isCut());
+    }
+
+    void theNewestOfManyStrokesWins() {
+        open(m_file);
+        for (int i = 0; i < 8; ++i) draw(stroke(0.05 * (i - 4), 0.1));
+        waitUntilIdle();
+        const auto strokes = strokesOf(window().document().document(), 1);
+        QCOMPARE(strokes.size(), std::size_t(8));
+        QCOMPARE(session().strokes(), strokes);
+        const auto expected = ScalpelCuts(scan(0).geometry()).cut(scan(0), strokes);
+        QCOMPARE(session().volume()->dataMask(), expected->dataMask());
+    }
+
+    void everyPhaseIsCut() {
+        open(m_moving);
+        draw(stroke(0.1, 0.2));
+        waitUntilIdle();
+        const auto strokes = strokesOf(window().document().document(), 1);
+        for (const int phase : {1, 0}) {
+            window().document().showPhase(1, phase);
+            waitUntilIdle();
+            QCOMPARE(session().phase(), phase);
+            QCOMPARE(session().volume()->dataMask(),
+                     ScalpelCuts(scan(phase).geometry()).cut(scan(phase), strokes)->dataMask());
+            QCOMPARE(session().newestVoxels()->dataMask(), session().volume()->dataMask());
+        }
+        // Another study has no strokes.
+        open(m_file);
+        QVERIFY(!session().volume()->isCut());
+    }
+
+    void thePictureWithoutAWindowIsThatOfTheWindow_data() {
+        QTest::addColumn<bool>("perspective");
+        QTest::addColumn<bool>("reduced");
+        QTest::addRow("parallel, quiet voxels") << false << true;
+        QTest::addRow("perspective, raw voxels") << true << false;
+    }
+    void thePictureWithoutAWindowIsThatOfTheWindow() {
+        QFETCH(bool, perspective);
+        QFETCH(bool, reduced);
+        open(m_moving);
+        Document next = window().document().document();
+        poseOf(next, 1).direction = {.azimuth = 24, .elevation = -11, .roll = 5};
+        poseOf(next, 1).magnification = 1.2;
+        Box& box = boxOf(next, 1);
+        box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, session().volume()->dataBox());
+        box.sizeMm = box.sizeMm * 0.7;
+        cutOf(next, 1) = {.nearCutMm = 9};
+        Look& look = lookOf(next, 1);
+        look.projection = perspective ? Projection::perspective : Projection::parallel;
+        look.reduction = reduced ? SpeckleReduction::medium : SpeckleReduction::off;
+        look.mixing = 0.25;
+        look.brightness = 1.3;
+        strokesOf(next, 1).push_back(stroke(0.1, 0.15));
+        window().document().edit(next, "everything");
+        window().document().showPhase(1, 1);
+        waitUntilIdle();
+        const Picture ofWindow = cast();
+        const auto alone = viewPicture(window().document().document(), 1, scan(1), ofWindow.width, ofWindow.height);
+        QVERIFY(alone->cast == window().volumeView().settings());
+        QCOMPARE(difference(alone->picture, ofWindow), 0.0);
+        QVERIFY(alone->picture.rgba == ofWindow.rgba);
+        QVERIFY(difference(alone->picture, *window().volumeView().picture()) < 0.1);
+        QVERIFY2(brightest(alone->picture) > 0.2F, "there is something to compare");
+    }
+
+    void theEventLoopGoesOnWhileStrokesAreCut() {
+        open(m_file);
+        qint64 longest = 0;
+        QElapsedTimer since;
+        QTimer beat;
+        connect(&beat, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
+        since.start();
+        beat.start(1);
+        for (int i = 0; i < 4; ++i) {
+            draw(stroke(0.1 * (i - 2), 0.1));
+            waitUntilIdle();
+        }
+        qInfo("longest stall while four strokes were cut: %lld ms", static_cast<long long>(longest));
+    }
+
+private:
+    Session& session() { return window().session(); }
+    const Volume& scan(int phase) { return *session().study()->phases[static_cast<std::size_t>(phase)]; }
+    /// What the ray caster makes of what is shown.
+    Picture cast() {
+        return *castRays(*session().newestVoxels(), curveOf(window().document().document(), 1, session().otf()->curve),
+                         window().volumeView().settings());
+    }
+    /// A square about a place right of the picture's centre, down to the middle.
+    ScalpelStroke stroke(double right, double half) {
+        const Camera camera = window().volumeView().settings().camera;
+        return {.tool = ScalpelTool::polygon,
+                .camera = camera,
+                .places = {{right - half, -half}, {right + half, -half}, {right + half, half}, {right - half, half}},
+                .depthMm = camera.frame.forward.dot(camera.focalPoint)};
+    }
+    void draw(const ScalpelStroke& stroke) {
+        Document next = window().document().document();
+        strokesOf(next, 1).push_back(stroke);
+        window().document().edit(next, "cut");
+    }
+    static float brightest(const Picture& picture) {
+        return *std::max_element(picture.rgba.begin(), picture.rgba.end());
+    }
+
+    QString m_file, m_moving;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindowScalpel test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_scalpel.moc"

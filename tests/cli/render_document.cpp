@@ -1,0 +1,107 @@
+// render --document: the converged picture of a view, as processing makes it.
+#include <opencv2/imgcodecs.hpp>
+
+#include "io/document/document_file.h"
+#include "io/study.h"
+#include "processing/document/view_picture.h"
+#include "program.h"
+
+namespace echolucent {
+namespace {
+
+/// A document of the shapes with a pose, a cut, a box and a stroke, and a second view from behind.
+Document everything(const std::string& study) {
+    Document document;
+    document.study = StudyFile{.path = study, .series = {}, .options = {}, .checksum = {}};
+    document.poses.front().value.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
+    cutOf(document, 1).nearCutMm = 4;
+    boxOf(document, 1) = {.on = true, .direction = {.azimuth = 12}, .centreMm = {27, 25, 30}, .sizeMm = {36, 34, 44}};
+    ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
+    stroke.camera = {{27, 25, 30}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
+    strokesOf(document, 1).push_back(stroke);
+    document.views.push_back(View{.id = 2, .pose = 2, .curve = CurveKind::parabolic});
+    document.poses.push_back({2, Pose{.direction = {.azimuth = 180}}});
+    return document;
+}
+
+cv::Mat pictureOf(const std::string& options, const Folder& folder) {
+    const std::string path = folder / "picture.png";
+    const Outcome outcome = runProgram("render " + options + " --size 70x52 -o \"" + path + "\"");
+    EXPECT_EQ(outcome.status, 0) << options << ": " << outcome.errors;
+    return cv::imread(path, cv::IMREAD_COLOR);
+}
+
+/// The number of bytes that differ from the view's picture over black.
+int apart(const cv::Mat& picture, const Document& document, int view) {
+    const auto study = readStudy(shapesFile());
+    const auto expected = viewPicture(document, view, *study->phases.front(), 70, 52);
+    const std::vector<std::uint8_t> rgb = overBackground(expected->picture, {0, 0, 0});
+    if (picture.cols != 70 || picture.rows != 52) return -1;
+    int differing = 0;
+    for (int pixel = 0; pixel < 70 * 52; ++pixel)
+        for (int channel = 0; channel < 3; ++channel)
+            differing += picture.data[pixel * 3 + 2 - channel] != rgb[static_cast<std::size_t>(pixel * 3 + channel)];
+    return differing;
+}
+
+TEST(RenderDocument, IsTheConvergedPictureOfTheView) {
+    const Folder folder;
+    const Document document = everything(shapesFile());
+    ASSERT_TRUE(writeDocument(folder / "document.json", document));
+    const std::string given = "--document \"" + folder / "document.json" + "\"";
+    const cv::Mat first = pictureOf(given, folder), second = pictureOf(given + " --view 2", folder);
+    EXPECT_EQ(apart(first, document, 1), 0);
+    EXPECT_EQ(apart(second, document, 2), 0);
+    EXPECT_NE(apart(second, document, 1), 0);
+    EXPECT_GT(cv::mean(first)[1], 3.0) << "there is something to compare";
+    Document unlimited = document;
+    boxOf(unlimited, 1).on = false;
+    EXPECT_NE(apart(first, unlimited, 1), 0);
+    unlimited = document;
+    strokesOf(unlimited, 1).clear();
+    EXPECT_NE(apart(first, unlimited, 1), 0);
+}
+
+TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
+    const Folder folder;
+    std::filesystem::copy_file(shapesFile(), folder / "scan.mha");
+    const Document document = everything("scan.mha");
+    ASSERT_TRUE(writeDocument(folder / "document.json", document));
+    EXPECT_EQ(apart(pictureOf("--document \"" + folder / "document.json" + "\"", folder), document, 1), 0);
+    Document elsewhere = everything("/nowhere/scan.mha");
+    ASSERT_TRUE(writeDocument(folder / "elsewhere.json", elsewhere));
+    const std::string given = "--document \"" + folder / "elsewhere.json" + "\"";
+    EXPECT_EQ(apart(pictureOf("\"" + shapesFile() + "\" " + given, folder), document, 1), 0);
+    EXPECT_EQ(runProgram("render " + given + " -o \"" + folder / "p.png" + "\"").status, 3);
+}
+
+TEST(RenderDocument, SaysWhatItCannotDo) {
+    const Folder folder;
+    Document document = everything(shapesFile());
+    ASSERT_TRUE(writeDocument(folder / "document.json", document));
+    const std::string given = "--document \"" + folder / "document.json" + "\" -o \"" + folder / "p.png" + "\" ";
+    const auto refused = [&](const std::string& options, const std::string& word) {
+        const Outcome outcome = runProgram("render " + options);
+        EXPECT_EQ(outcome.status, 2) << options << ": " << outcome.errors;
+        EXPECT_NE(outcome.errors.find(word), std::string::npos) << outcome.errors;
+    };
+    refused("-o \"" + folder / "p.png" + "\"", "VOLUME");
+    refused("--view 1 -o \"" + folder / "p.png" + "\"", "--document");
+    refused(given + "--view 7", "--view");
+    refused(given + "--mode maximum", "--mode");
+    refused(given + "--near 3", "--near");
+    refused("--document \"" + folder / "document.json" + "\" -o \"" + folder / "document.json" + "\"", "document.json");
+    document.phases.front().value = 3;
+    ASSERT_TRUE(writeDocument(folder / "late.json", document));
+    refused("--document \"" + folder / "late.json" + "\" -o \"" + folder / "p.png" + "\"", "phase 3");
+    document = everything({});
+    document.study = {};
+    ASSERT_TRUE(writeDocument(folder / "nothing.json", document));
+    refused("--document \"" + folder / "nothing.json" + "\" -o \"" + folder / "p.png" + "\"", "no study");
+    write(folder / "broken.json", "{");
+    EXPECT_EQ(runProgram("render --document \"" + folder / "broken.json" + "\" -o \"" + folder / "p.png" + "\"").status,
+              3);
+}
+
+}  // namespace
+}  // namespace echolucent
