@@ -1,10 +1,13 @@
 #include "processing/ray_caster/border_space.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
+#include <utility>
 
 #include "processing/parallel.h"
 #include "processing/ray_caster/packed_voxels.h"
+#include "processing/volume/bit_grid.h"
 
 namespace echolucent::ray_casting {
 
@@ -49,36 +52,66 @@ void BorderSpace::findBorders(const Volume& presence) {
     });
 }
 
-/// Distances over faces, edges and corners are exact after two sweeps, there and back. A frame of far bricks around the
-/// grid spares both the question where it ends.
+namespace {
+
+/// Adds what lies beside the bits of a row on it.
+void widenAlongRow(std::uint64_t* row, std::int64_t words) {
+    std::uint64_t before = 0;
+    for (std::int64_t i = 0; i < words; ++i) {
+        const std::uint64_t here = row[i], after = i + 1 < words ? row[i + 1] : 0;
+        row[i] = here | here << 1 | here >> 1 | before >> 63 | after << 63;
+        before = here;
+    }
+}
+
+/// Adds the rows beside each row along y or z; rows beyond the grid hold nothing.
+BitGrid widenedAcross(const BitGrid& grid, std::int64_t downwards, std::int64_t behind) {
+    BitGrid wider = grid;
+    const auto& size = grid.size();
+    for (std::int64_t z = 0; z < size[2]; ++z)
+        for (std::int64_t y = 0; y < size[1]; ++y)
+            for (const std::int64_t side : {-1, 1}) {
+                const std::int64_t otherY = y + side * downwards, otherZ = z + side * behind;
+                if (otherY < 0 || otherY >= size[1] || otherZ < 0 || otherZ >= size[2]) continue;
+                const std::uint64_t* other = grid.row(otherY, otherZ);
+                std::uint64_t* row = wider.row(y, z);
+                for (std::int64_t i = 0; i < grid.words(); ++i) row[i] |= other[i];
+            }
+    return wider;
+}
+
+}  // namespace
+
+/// The borders grow by one brick on every axis, again and again; the round that reaches a brick is its distance.
 void BorderSpace::findDistances() {
-    const std::int64_t row = m_size[0] + 2, slice = row * (m_size[1] + 2);
-    std::vector<std::uint8_t> framed(static_cast<std::size_t>(slice * (m_size[2] + 2)), farthest);
-    const auto rowAt = [&](std::int64_t y, std::int64_t z) {
-        return framed.data() + 1 + row * (y + 1) + slice * (z + 1);
-    };
-    const auto forEachRow = [&](const auto& visit) {
-        for (std::int64_t z = 0; z < m_size[2]; ++z)
-            for (std::int64_t y = 0; y < m_size[1]; ++y)
-                visit(rowAt(y, z), m_distances.data() + m_size[0] * (y + m_size[1] * z));
-    };
-    forEachRow([&](std::uint8_t* to, const std::uint8_t* from) { std::copy_n(from, m_size[0], to); });
-    // The thirteen neighbours that a sweep has passed; on the way back they lie on the other side.
-    std::array<std::int64_t, 13> passed{};
-    for (std::int64_t i = 0; i < 13; ++i)
-        passed[static_cast<std::size_t>(i)] = i % 3 - 1 + row * (i / 3 % 3 - 1) + slice * (i / 9 - 1);
-    const auto relax = [&](std::uint8_t* brick, std::int64_t side) {
-        int nearest = *brick;
-        for (const std::int64_t offset : passed) nearest = std::min(nearest, brick[side * offset] + 1);
-        *brick = static_cast<std::uint8_t>(nearest);
+    BitGrid reached(m_size);
+    const auto distance = [&](std::int64_t x, std::int64_t y, std::int64_t z) -> std::uint8_t& {
+        return m_distances[static_cast<std::size_t>(x + m_size[0] * (y + m_size[1] * z))];
     };
     for (std::int64_t z = 0; z < m_size[2]; ++z)
         for (std::int64_t y = 0; y < m_size[1]; ++y)
-            for (std::int64_t x = 0; x < m_size[0]; ++x) relax(rowAt(y, z) + x, 1);
-    for (std::int64_t z = m_size[2] - 1; z >= 0; --z)
-        for (std::int64_t y = m_size[1] - 1; y >= 0; --y)
-            for (std::int64_t x = m_size[0] - 1; x >= 0; --x) relax(rowAt(y, z) + x, -1);
-    forEachRow([&](const std::uint8_t* from, std::uint8_t* to) { std::copy_n(from, m_size[0], to); });
+            for (std::int64_t x = 0; x < m_size[0]; ++x)
+                if (distance(x, y, z) == 0) reached.set(x, y, z);
+    for (std::uint8_t round = 1; round < farthest; ++round) {
+        BitGrid wider = reached;
+        for (std::int64_t z = 0; z < m_size[2]; ++z)
+            for (std::int64_t y = 0; y < m_size[1]; ++y) widenAlongRow(wider.row(y, z), wider.words());
+        wider = widenedAcross(widenedAcross(wider, 1, 0), 0, 1);
+        bool any = false;
+        for (std::int64_t z = 0; z < m_size[2]; ++z)
+            for (std::int64_t y = 0; y < m_size[1]; ++y)
+                for (std::int64_t i = 0; i < wider.words(); ++i) {
+                    std::uint64_t added = wider.row(y, z)[i] & ~reached.row(y, z)[i];
+                    for (; added != 0; added &= added - 1) {
+                        const std::int64_t x = i * 64 + std::countr_zero(added);
+                        if (x >= m_size[0]) break;  // beyond the row's end
+                        distance(x, y, z) = round;
+                        any = true;
+                    }
+                }
+        if (!any) return;
+        reached = std::move(wider);
+    }
 }
 
 }  // namespace echolucent::ray_casting
