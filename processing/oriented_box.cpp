@@ -40,13 +40,13 @@ double OrientedBox::extentAlong(const Vec3& direction) const {
 
 OrientedBox orientedBoxOf(const DataBox& box) { return {.centreMm = box.centreMm(), .sizeMm = box.sizeMm()}; }
 
-std::vector<BoxFace> facesThatCut(const OrientedBox& box, const VolumeGeometry& geometry) {
+std::vector<CuttingFace> facesThatCut(const OrientedBox& box, const VolumeGeometry& geometry) {
     constexpr double touching = 1e-9;  // of the grid's extent
-    std::vector<BoxFace> faces;
+    std::vector<CuttingFace> faces;
     const Vec3 axes[] = {box.axes.right, box.axes.down, box.axes.forward};
     for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& inwards : {axes[axis], -axes[axis]}) {
-            const BoxFace face{inwards, inwards.dot(box.centreMm) - 0.5 * box.sizeMm[axis]};
+            const CuttingFace face{inwards, inwards.dot(box.centreMm) - 0.5 * box.sizeMm[axis]};
             const auto grid = geometry.depthsAlong(inwards);
             if (face.depthMm > grid.nearest + touching * (grid.farthest - grid.nearest)) faces.push_back(face);
         }

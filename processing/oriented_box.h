@@ -38,14 +38,14 @@ struct OrientedBox {
 [[nodiscard]] OrientedBox orientedBoxOf(const DataBox& box);
 
 /// A face of a box: what lies in the box is at `depthMm` or more along `inwards`, counted from the grid origin.
-struct BoxFace {
+struct CuttingFace {
     Vec3 inwards{0, 0, 1};  ///< unit, grid mm
     double depthMm = 0.0;
 };
 
 /// The faces of a box that cut something off a volume's grid. One that only touches the grid's box, to a billionth of
 /// its extent, is none of them, so that a box around the whole volume changes no bit of a result.
-[[nodiscard]] std::vector<BoxFace> facesThatCut(const OrientedBox& box, const VolumeGeometry& geometry);
+[[nodiscard]] std::vector<CuttingFace> facesThatCut(const OrientedBox& box, const VolumeGeometry& geometry);
 
 /// The data mask of a volume without the voxels whose centres lie outside a box: one byte a voxel.
 [[nodiscard]] std::vector<std::uint8_t> dataMaskWithin(const OrientedBox& box, const Volume& volume);

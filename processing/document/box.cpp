@@ -27,11 +27,8 @@ Box wholeBox(const Box& box, BeamAxis beam, const DataBox& data) {
     whole.on = true;
     whole.centreMm = data.centreMm();
     const ViewFrame axes = frameOf(viewpointOf(beam, box.direction, 0.0));
-    const Vec3 size = data.sizeMm();
-    const auto extent = [&](const Vec3& axis) {
-        return std::abs(axis[0]) * size[0] + std::abs(axis[1]) * size[1] + std::abs(axis[2]) * size[2];
-    };
-    whole.sizeMm = {extent(axes.right), extent(axes.down), extent(axes.forward)};
+    const OrientedBox around = orientedBoxOf(data);
+    whole.sizeMm = {around.extentAlong(axes.right), around.extentAlong(axes.down), around.extentAlong(axes.forward)};
     return whole;
 }
 

@@ -83,22 +83,17 @@ CutSurface startSurface(const Document& document, int view, const Volume& volume
     const Viewpoint looksIn = otfViewpointOf(document, view);
     // What the surface is to reach over.
     const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
-    const auto extent = [&](const Vec3& axis) {
-        return std::abs(axis.dot(place.axes.right)) * place.sizeMm[0] +
-               std::abs(axis.dot(place.axes.down)) * place.sizeMm[1] +
-               std::abs(axis.dot(place.axes.forward)) * place.sizeMm[2];
-    };
     CutSurface surface;
     surface.frame = frameOf(looksIn);
     constexpr int nodes = 33;
-    const double across = extent(surface.frame.right), down = extent(surface.frame.down);
+    const double across = place.extentAlong(surface.frame.right), down = place.extentAlong(surface.frame.down);
     surface.spacingMm = std::max(across, down) / (nodes - 1);
     const auto count = [&](double mm) { return std::max(2, static_cast<int>(std::ceil(mm / surface.spacingMm)) + 1); };
     surface.columns = count(across);
     surface.rows = count(down);
     surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
-    double front = surface.frame.forward.dot(place.centreMm) - extent(surface.frame.forward) / 2.0;
+    double front = surface.frame.forward.dot(place.centreMm) - place.extentAlong(surface.frame.forward) / 2.0;
     if (cut.nearCutMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
     surface.depthMm.assign(static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows),
                            static_cast<float>(front));

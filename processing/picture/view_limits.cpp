@@ -24,10 +24,10 @@ bool liesAlongGrid(const ViewFrame& axes) {
 }
 
 /// Faces along the grid's axes as a box; where there is no face it reaches beyond the volume.
-RenderBox boxOf(const std::vector<BoxFace>& faces, const VolumeGeometry& geometry) {
+RenderBox boxOf(const std::vector<CuttingFace>& faces, const VolumeGeometry& geometry) {
     const Vec3 beyond = geometry.boxMaxMm() - geometry.boxMinMm();
     RenderBox box{geometry.boxMinMm() - beyond, geometry.boxMaxMm() + beyond};
-    for (const BoxFace& face : faces) {
+    for (const CuttingFace& face : faces) {
         const int axis = gridAxisOf(face.inwards);
         (face.inwards[axis] > 0.0 ? box.low : box.high)[axis] = face.depthMm * face.inwards[axis];
     }
@@ -42,12 +42,12 @@ RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry,
     settings.box.reset();
     settings.clippingPlanes.clear();
     if (!view.box) return settings;
-    const std::vector<BoxFace> faces = facesThatCut(*view.box, geometry);
+    const std::vector<CuttingFace> faces = facesThatCut(*view.box, geometry);
     if (faces.empty()) return settings;
     if (liesAlongGrid(view.box->axes))
         settings.box = boxOf(faces, geometry);
     else
-        std::ranges::transform(faces, std::back_inserter(settings.clippingPlanes), [](const BoxFace& face) {
+        std::ranges::transform(faces, std::back_inserter(settings.clippingPlanes), [](const CuttingFace& face) {
             return ClippingPlane{face.inwards * face.depthMm, face.inwards};
         });
     return settings;

@@ -33,9 +33,9 @@ OrientedBox coveredBox(const VolumeGeometry& geometry, const Viewpoint& view) {
 }
 
 /// What is left of a chord behind the faces of a box.
-std::optional<Chord> chordWithin(const std::vector<BoxFace>& faces, const Vec3& point, const Vec3& direction,
+std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Vec3& point, const Vec3& direction,
                                  Chord chord) {
-    for (const BoxFace& face : faces) {
+    for (const CuttingFace& face : faces) {
         const double behind = face.inwards.dot(point) - face.depthMm, slope = face.inwards.dot(direction);
         if (std::abs(slope) < rounding) {
             if (behind < 0.0) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& poin
 }
 
 /// The same, within the faces of the view's box and behind the cut surface.
-std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<BoxFace>& faces, const Vec3& point,
+std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<CuttingFace>& faces, const Vec3& point,
                              const Viewpoint& view, double nearDepth) {
     const Vec3 direction = frameOf(view).forward;
     auto chord = chordInBox(geometry, point, direction, nearDepth);
@@ -125,7 +125,7 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
     const double nearDepth = nearPlaneDepthMm(view, geometry);
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
     const Vec3 centre = view.box ? view.box->centreMm : geometry.centreMm();
-    const auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<BoxFace>{};
+    const auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<CuttingFace>{};
 
     std::vector<TubeAxis> axes;
     axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
