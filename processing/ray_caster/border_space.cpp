@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
 #include <utility>
 
 #include "processing/parallel.h"
@@ -38,8 +37,8 @@ void BorderSpace::findBorders(const Volume& presence) {
             for (std::int64_t z = first(brickZ, geometry.size[2]); z <= last(brickZ, geometry.size[2]); ++z)
                 for (std::int64_t y = first(brickY, geometry.size[1]); y <= last(brickY, geometry.size[1]); ++y) {
                     const std::uint8_t* row = bytes.data() + geometry.offset(0, y, z);
-                    std::ranges::transform(least, std::span(row, least.size()), least.begin(),
-                                           [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+                    std::uint8_t* to = least.data();
+                    for (std::int64_t x = 0; x < geometry.size[0]; ++x) to[x] = std::min(to[x], row[x]);
                 }
             for (std::int64_t brickX = 0; brickX < m_size[0]; ++brickX) {
                 const bool borders = std::any_of(least.begin() + first(brickX, geometry.size[0]),

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "processing/parallel.h"
 #include "processing/ray_caster/packed_voxels.h"
@@ -117,9 +116,11 @@ void BrickRanges::setPresence(const std::optional<Volume>& presence) {
             const auto [y, endY] = voxelsOf(row % rows, geometry.size[1]);
             const auto [z, endZ] = voxelsOf(row / rows, geometry.size[2]);
             for (std::int64_t slice = z; slice < endZ; ++slice)
-                for (std::int64_t line = y; line < endY; ++line)
-                    std::ranges::transform(most, std::span(bytes.data() + geometry.offset(0, line, slice), most.size()),
-                                           most.begin(), [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+                for (std::int64_t line = y; line < endY; ++line) {
+                    const std::uint8_t* from = bytes.data() + geometry.offset(0, line, slice);
+                    std::uint8_t* to = most.data();
+                    for (std::int64_t i = 0; i < geometry.size[0]; ++i) to[i] = std::max(to[i], from[i]);
+                }
             for (std::int64_t x = 0; x < columns; ++x) {
                 const auto [first, end] = voxelsOf(x, geometry.size[0]);
                 // Samples in a brick show nothing of its voxels where none of them is covered.

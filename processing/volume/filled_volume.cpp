@@ -161,31 +161,34 @@ void smoothRows(const std::array<const std::uint8_t*, 5>& from, std::int64_t cou
     }
 }
 
-Bytes smoothedAcross(const VolumeGeometry& geometry, const Bytes& from, bool alongZ) {
-    Bytes to(from.size());
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
-        const RowsAround rows{geometry, y, z};
-        std::array<const std::uint8_t*, 5> five{};
-        for (std::int64_t i = -2; i <= 2; ++i)
-            five[static_cast<std::size_t>(i + 2)] = from.data() + (alongZ ? rows.offset(0, i) : rows.offset(i, 0));
-        smoothRows(five, geometry.size[0], to.data() + rows.offset(0, 0));
-    });
-    return to;
+/// 255 times the marks of a row, smoothed along it; what lies beyond its ends is as its ends. `room` holds the row with
+/// two bytes more on both sides.
+void smoothMarks(const std::uint8_t* marks, std::int64_t columns, std::uint8_t* room, std::uint8_t* to) {
+    for (std::int64_t x = 0; x < columns; ++x) room[x + 2] = marks[x] != 0 ? 255 : 0;
+    std::fill_n(room, 2, room[2]);
+    std::fill_n(room + columns + 2, 2, room[columns + 1]);
+    smoothRows({room, room + 1, room + 2, room + 3, room + 4}, columns, to);
 }
 
-Bytes smoothedAlongX(const VolumeGeometry& geometry, const Bytes& from) {
-    const std::int64_t columns = geometry.size[0];
-    Bytes to(from.size());
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
-        const std::int64_t first = geometry.offset(0, y, z);
-        Bytes row(static_cast<std::size_t>(columns + 4));
-        std::copy_n(from.data() + first, columns, row.data() + 2);
-        std::fill_n(row.data(), 2, row[2]);
-        std::fill_n(row.data() + columns + 2, 2, row[static_cast<std::size_t>(columns + 1)]);
-        const std::uint8_t* r = row.data();
-        smoothRows({r, r + 1, r + 2, r + 3, r + 4}, columns, to.data() + first);
+/// 255 times the marks, smoothed along x and y, slice by slice while a slice is at hand.
+Bytes smoothInSlices(const VolumeGeometry& geometry, const Bytes& data) {
+    Bytes smooth(data.size());
+    const std::int64_t columns = geometry.size[0], rows = geometry.size[1];
+    parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[2]), [&](const auto& slices) {
+        Bytes slice(static_cast<std::size_t>(columns * rows)), room(static_cast<std::size_t>(columns + 4));
+        for (std::int64_t z = slices.begin(); z < slices.end(); ++z) {
+            for (std::int64_t y = 0; y < rows; ++y)
+                smoothMarks(data.data() + geometry.offset(0, y, z), columns, room.data(), slice.data() + columns * y);
+            for (std::int64_t y = 0; y < rows; ++y) {
+                std::array<const std::uint8_t*, 5> five{};
+                for (std::int64_t i = 0; i < 5; ++i)
+                    five[static_cast<std::size_t>(i)] =
+                        slice.data() + columns * std::clamp<std::int64_t>(y + i - 2, 0, rows - 1);
+                smoothRows(five, columns, smooth.data() + geometry.offset(0, y, z));
+            }
+        }
     });
-    return to;
+    return smooth;
 }
 
 /// What the mask says, the less smooth the less of the surroundings agree.
@@ -197,9 +200,8 @@ std::uint8_t keptThin(std::uint8_t smooth, bool data) {
 }
 
 Bytes smoothPresence(const VolumeGeometry& geometry, const Bytes& data) {
+    const Bytes slices = smoothInSlices(geometry, data);
     Bytes presence(data.size());
-    std::transform(data.begin(), data.end(), presence.begin(), [](std::uint8_t one) { return one != 0 ? 255 : 0; });
-    presence = smoothedAcross(geometry, smoothedAcross(geometry, smoothedAlongX(geometry, presence), false), true);
     std::array<std::array<std::uint8_t, 256>, 2> kept{};
     for (std::size_t smooth = 0; smooth < 256; ++smooth)
         for (const bool isData : {false, true})
@@ -208,6 +210,10 @@ Bytes smoothPresence(const VolumeGeometry& geometry, const Bytes& data) {
         const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
         std::uint8_t* smooth = presence.data() + first;
         const std::uint8_t* marks = data.data() + first;
+        const RowsAround rows{geometry, y, z};
+        std::array<const std::uint8_t*, 5> five{};
+        for (std::int64_t i = 0; i < 5; ++i) five[static_cast<std::size_t>(i)] = slices.data() + rows.offset(0, i - 2);
+        smoothRows(five, columns, smooth);
         // Most places lie deep in data or far from it, where all is as the mask says.
         constexpr std::int64_t block = 64;
         for (std::int64_t x = 0; x < columns; x += block) {

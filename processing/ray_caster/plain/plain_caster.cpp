@@ -266,7 +266,7 @@ std::optional<Picture> castOne(const Volume& volume, const OpacityCurve& curve, 
         rows.oneDone();
     });
     if (progress.cancelled()) return std::nullopt;
-    brighten(picture, settings.brightness);
+    if (settings.brightness != 1.0) brighten(picture, settings.brightness);
     return picture;
 }
 
