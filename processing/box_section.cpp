@@ -43,11 +43,6 @@ BoxSection clipped(const BoxSection& polygon, const OrientedBox& box, const BoxF
     return left;
 }
 
-Vec3 turnedBy(const Vec3& axis, double radians, const Vec3& vector) {
-    return vector * std::cos(radians) + axis.cross(vector) * std::sin(radians) +
-           axis * (axis.dot(vector) * (1.0 - std::cos(radians)));
-}
-
 }  // namespace
 
 Vec3 outwardNormal(const OrientedBox& box, const BoxFace& face) { return axisOf(box, face.axis) * face.sign; }
@@ -76,12 +71,17 @@ OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm
     return next;
 }
 
-OrientedBox turnedAbout(const OrientedBox& box, const Vec3& axis, double degrees) {
+Vec3 rotatedAbout(const Vec3& axis, double degrees, const Vec3& vector) {
     const double radians = degrees * std::numbers::pi / 180.0;
+    return vector * std::cos(radians) + axis.cross(vector) * std::sin(radians) +
+           axis * (axis.dot(vector) * (1.0 - std::cos(radians)));
+}
+
+OrientedBox turnedAbout(const OrientedBox& box, const Vec3& axis, double degrees) {
     OrientedBox next = box;
-    next.axes.right = turnedBy(axis, radians, box.axes.right);
-    next.axes.down = turnedBy(axis, radians, box.axes.down);
-    next.axes.forward = turnedBy(axis, radians, box.axes.forward);
+    next.axes.right = rotatedAbout(axis, degrees, box.axes.right);
+    next.axes.down = rotatedAbout(axis, degrees, box.axes.down);
+    next.axes.forward = rotatedAbout(axis, degrees, box.axes.forward);
     return next;
 }
 

@@ -31,6 +31,8 @@ struct BoxSection {
 /// The box with a face moved outwards by so many mm (inwards where below 0), the opposite one in place; it stays at
 /// least leastMm (above 0) thick.
 [[nodiscard]] OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm);
+/// A vector rotated about an axis of length 1, right-handed (Rodrigues' formula).
+[[nodiscard]] Vec3 rotatedAbout(const Vec3& axis, double degrees, const Vec3& vector);
 /// The box turned about its centre and an axis of length 1, right-handed.
 [[nodiscard]] OrientedBox turnedAbout(const OrientedBox& box, const Vec3& axis, double degrees);
 

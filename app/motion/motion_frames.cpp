@@ -138,7 +138,9 @@ void MotionFrames::showWaitingFrame() {
 }
 
 void MotionFrames::announceShownFrame() {
-    if (m_frameWaits || m_parts.session.computingOtf() || !m_parts.picture.pictureIsCurrent()) return;
+    if (m_frameWaits || m_parts.session.computingOtf()) return;
+    // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
+    if (m_parts.picture.isVisible() && !m_parts.picture.pictureIsCurrent()) return;
     m_parts.player.frameShown();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/picture/picture_status.h"
+#include "processing/document/box_editing.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/run_status.h"
@@ -91,7 +92,7 @@ void PictureControls::nextLighting() {
 void PictureControls::setBeamAxis(BeamAxis axis) {
     if (!hasStudy()) return showDocument();
     edit(tr("beam axis"), [this, axis](Document& next) {
-        next.beam = {axis, BeamSource::person};
+        next = withBeam(std::move(next), {axis, BeamSource::person});
         cutOf(next, view()) = Cut{};
         poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = axis});
         next.method.direction = ViewDirection{};
@@ -114,7 +115,13 @@ void PictureControls::resetAll(const Document& opened) {
         viewOf(next, view()).curve = viewOf(opened, view()).curve;
         cutOf(next, view()) = cutOf(opened, view());
         lookOf(next, view()) = lookOf(opened, view());
-        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = next.beam.axis});
+        boxOf(next, view()) = boxOf(opened, view());
+        planesOf(next, view()) = planesOf(opened, view());
+        strokesOf(next, view()) = strokesOf(opened, view());
+        const Viewpoint alongBeam{.beamAxis = next.beam.axis};
+        const VolumeViewWidget& picture = m_parts.picture;
+        poseOf(next, view()) = picture.volume() ? picture.wholeVolume(alongBeam, picture.volume()->dataBox())
+                                                : picture.wholeVolume(alongBeam);
     });
     keep();
 }

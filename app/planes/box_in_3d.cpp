@@ -53,6 +53,7 @@ BoxIn3d::BoxIn3d(DocumentModel& model, int view, Session& session, VolumeViewWid
     connect(&grips, &GripPointer::dragStarted, this, [this](std::size_t grip) {
         m_held = m_grips.at(grip);
         m_before = m_model.document();
+        m_picture.setFocus(Qt::MouseFocusReason);
     });
     connect(&grips, &GripPointer::dragged, this, [this](std::size_t, const Vec3& mm) { drag(mm); });
     connect(&grips, &GripPointer::dragEnded, this, [this] {
@@ -83,7 +84,7 @@ void BoxIn3d::show() {
 void BoxIn3d::addPlanes(Overlay& overlay) const {
     const Document& document = m_model.document();
     const DataBox data = m_session.volume()->dataBox();
-    const OrientedBox whole{data.centreMm(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, data.sizeMm()};
+    const OrientedBox whole = orientedBoxOf(data);
     const Planes& planes = planesOf(document, m_view);
     for (const PlaneName plane : allPlaneNames) {
         const BoxSection section =
@@ -149,7 +150,8 @@ void BoxIn3d::drag(const Vec3& mm) {
         if (squared < leastSeen) continue;
         box = withFaceMoved(box, face, mm.dot(seen) / squared, m_session.volume()->geometry().unit());
     }
-    const Document next = withBox(before, m_view, movedBox(boxOf(before, m_view), box, before.beam.axis));
+    // Only the box is the drag's: what else has changed since it began stays.
+    const Document next = withBox(m_model.document(), m_view, movedBox(boxOf(before, m_view), box, before.beam.axis));
     m_model.preview(next, m_held.empty() ? tr("move box") : tr("size of the box"));
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/planes/edge_letters.h"
 #include "processing/document/box_editing.h"
+#include "processing/volume/sampler.h"
 
 namespace echolucent {
 
@@ -27,11 +28,23 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand
         connect(pane, &PlanePane::clickTakenBack, this,
                 [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
         connect(pane, &PlanePane::wantsOther, this, &DocumentPlanes::resample);
-        connect(pane, &PlanePane::pointed, this, &DocumentPlanes::pointed);
+        connect(pane, &PlanePane::pointed, this, [this](const std::optional<Vec3>& gridMm) {
+            const std::shared_ptr<const Volume> read = m_session.volume();
+            if (!gridMm || !read) return emit pointed(std::nullopt);
+            const Vec3 voxel = read->geometry().voxelFromGridMm(*gridMm);
+            emit pointed(inBox(read->geometry(), voxel) ? VolumeSampler(*read).intensityAt(voxel) : std::nullopt);
+        });
     }
     connect(&m_model, &DocumentModel::changed, this, &DocumentPlanes::show);
     connect(&m_session, &Session::volumeChanged, this, &DocumentPlanes::show);
     connect(&m_session, &Session::quietVoxelsMade, this, &DocumentPlanes::show);
+    connect(&m_session, &Session::volumeCut, this, &DocumentPlanes::show);
+    connect(&m_session, &Session::studyOpened, this, [this] {
+        cancelDrag();
+        // Nobody is to see one study's voxels under another one's lines.
+        for (PlanePane* pane : m_panes) pane->clear();
+        show();
+    });
     connect(&m_resampler, &PlaneResampler::busyChanged, this, &DocumentPlanes::busyChanged);
     connect(&m_resampler, &PlaneResampler::resampled, this,
             [this](PlaneName plane, const std::shared_ptr<const PlaneSamples>& samples) {
@@ -54,6 +67,7 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
     scene.data = volume.dataBox();
     scene.unitMm = volume.geometry().unit();
     scene.lengthsKnown = volume.geometry().spacingKnown;
+    scene.brightness = lookOf(document, m_view).brightness;
     scene.box = boxScene(volume);
     scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam);
     return scene;
@@ -88,21 +102,24 @@ void DocumentPlanes::take(const Planes& next, const QString& what, DocumentModel
 }
 
 void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what) {
-    // All of a drag is counted from the document in which it began.
+    // A drag is counted from the document in which it began; what else has changed since then stays.
     if (!m_beforeBoxDrag) m_beforeBoxDrag = m_model.document();
-    Document next = *m_beforeBoxDrag;
+    const Document& before = *m_beforeBoxDrag;
+    Document next = m_model.document();
     Cut& cut = cutOf(next, m_view);
+    const Cut& cutBefore = cutOf(before, m_view);
     switch (grip.kind) {
         case BoxGrip::Kind::bow: cut = {.surface = dragged.start}; break;
         case BoxGrip::Kind::start:
-            if (cut.surface)
+            if (cutBefore.surface) {
                 cut = {.surface = dragged.start};
-            else
-                cut = {.nearCutMm = std::max(0.0, cut.nearCutMm + dragged.startMm)};
+            } else {
+                const double deepest = depthAlongViewMm(otfViewpointOf(before, m_view), m_session.volume()->geometry());
+                cut = {.nearCutMm = std::clamp(cutBefore.nearCutMm + dragged.startMm, 0.0, deepest)};
+            }
             break;
         default:
-            next = withBox(std::move(next), m_view,
-                           movedBox(boxOf(*m_beforeBoxDrag, m_view), dragged.box, next.beam.axis));
+            next = withBox(std::move(next), m_view, movedBox(boxOf(before, m_view), dragged.box, before.beam.axis));
     }
     m_model.preview(next, what);
 }

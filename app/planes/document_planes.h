@@ -33,7 +33,8 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    /// Normalised intensity under the cursor; nothing where there is none.
+    /// Normalised intensity that was read under the cursor, whatever voxels the plane shows; nothing where there is
+    /// none.
     void pointed(std::optional<double> intensity);
 
 private:

@@ -48,9 +48,9 @@ void RoomControls::chooseFront(BoxSide front) {
     edit(withFront(m_model.document(), m_view, front, m_session.volume()->dataBox()), tr("front of the box"));
 }
 
-void RoomControls::resizeBox(const Vec3& sizeMm) {
+void RoomControls::resizeBox(int axis, double mm) {
     Box box = boxOf(m_model.document(), m_view);
-    box.sizeMm = sizeMm;
+    box.sizeMm[axis] = mm;
     edit(withBox(m_model.document(), m_view, box), tr("size of the box"));
 }
 

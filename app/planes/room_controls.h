@@ -24,7 +24,7 @@ public:
 private:
     void show();
     void edit(const Document& next, const QString& what);
-    void resizeBox(const Vec3& sizeMm);
+    void resizeBox(int axis, double mm);
     void makeWhole();
     void makeSlab(PlaneName plane, double thicknessMm);
 

@@ -28,6 +28,11 @@ ScalpelHand::ScalpelHand(const Parts& parts, QObject* parent) : QObject(parent),
     connect(&m_parts.panel, &RoomPanel::toolChosen, this, &ScalpelHand::setTool);
     connect(&m_parts.panel, &RoomPanel::strokeTakenBack, this, &ScalpelHand::takeBack);
     connect(&m_parts.panel, &RoomPanel::allStrokesTakenBack, this, &ScalpelHand::takeAllBack);
+    // A stroke is of one camera: where that moves, what was drawn under another one is dropped.
+    const auto drop = [&lasso] { lasso.cancelDrawing(); };
+    connect(&m_parts.model, &DocumentModel::posesChanged, this, drop);
+    connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, drop);
+    connect(&m_parts.model, &DocumentModel::studyChanged, this, drop);
     const auto show = [this] { m_parts.panel.setStrokes(strokesOf(m_parts.model.document(), m_parts.view)); };
     connect(&m_parts.model, &DocumentModel::strokesChanged, this, show);
     show();
@@ -49,6 +54,7 @@ void ScalpelHand::toggle() { setTool(tool() ? std::nullopt : std::optional(m_las
 
 void ScalpelHand::showDrawing(const std::vector<PicturePlace>& places) {
     if (places.empty()) return m_parts.overlay.setDrawing(std::nullopt);
+    m_parts.picture.setFocus(Qt::MouseFocusReason);  // which Enter and Escape go to
     PictureLine line{places, drawingColour, 2.0};
     if (tool() == ScalpelTool::eraser) {
         // As wide as it cuts, in pixels of a plain screen.
@@ -77,6 +83,7 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
         if (!nearest) return;  // nothing shows there: there is nothing to cut
         stroke.depthMm = *nearest + *settings.depthMm;
     }
+    if (!problemOf(stroke).empty()) return;  // nothing was drawn
     std::vector<ScalpelStroke> strokes = strokesOf(m_parts.model.document(), m_parts.view);
     strokes.push_back(std::move(stroke));
     edit(strokes, tr("cut with the scalpel"));
@@ -84,7 +91,7 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
 
 /// The least depth of what shows where the stroke cuts, mm along the view from the grid origin.
 std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) const {
-    constexpr int across = 24;
+    constexpr int across = 12;
     const double aspect = static_cast<double>(m_parts.picture.width()) / std::max(1, m_parts.picture.height());
     const Vec3& forward = stroke.camera.frame.forward;
     const double anyDepth = forward.dot(stroke.camera.focalPoint);
@@ -99,8 +106,10 @@ std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) c
                 nearest = std::min(nearest.value_or(forward.dot(*shown)), forward.dot(*shown));
         }
     // A stroke between the places asked is asked along itself.
-    for (const PicturePlace& place : stroke.places)
-        if (const auto shown = m_parts.picture.shownAt(place))
+    constexpr std::size_t mostAlong = 48;
+    const std::size_t stride = stroke.places.size() / mostAlong + 1;
+    for (std::size_t i = 0; i < stroke.places.size(); i += stride)
+        if (const auto shown = m_parts.picture.shownAt(stroke.places[i]))
             nearest = std::min(nearest.value_or(forward.dot(*shown)), forward.dot(*shown));
     return nearest;
 }

@@ -123,6 +123,10 @@ void MainWindow::connectProgress() {
     connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
+        m_widgets.status->setPointed(intensity, std::nullopt);
+        m_widgets.editor->setCursorIntensity(intensity);
+    });
     connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
         const bool pictureShown = m_widgets.picture->isVisibleTo(m_widgets.panes);
         m_widgets.messages->lieOver(pictureShown ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);

@@ -21,6 +21,7 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
       m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
+    connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
                 [&panes = m_parts.panes, i] { panes.toggleMaximised(i); });
@@ -53,6 +54,9 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     addBox(*menu);
     menu->addSeparator();
     addScalpel(*menu);
+    // The keys work also while the menu bar is hidden.
+    for (QAction* action : menu->findChildren<QAction*>())
+        if (!action->shortcut().isEmpty()) window.addAction(action);
 }
 
 void ReviewRoom::addLayouts(QMenu& menu) {

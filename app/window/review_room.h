@@ -49,6 +49,8 @@ public:
 
 signals:
     void busyChanged(bool busy);
+    /// As DocumentPlanes::pointed.
+    void pointed(std::optional<double> intensity);
 
 private:
     void addLayouts(QMenu& menu);

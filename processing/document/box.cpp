@@ -51,9 +51,11 @@ ViewDirection directionFrom(BoxSide side, const Box& box, BeamAxis beam) {
 }
 
 std::string problemOf(const Box& box) {
+    const bool neverSet = !box.on && box.sizeMm == Vec3(0, 0, 0);
     for (int axis = 0; axis < 3; ++axis) {
         if (!std::isfinite(box.centreMm[axis])) return "has a centre that is not finite";
-        if (!std::isfinite(box.sizeMm[axis]) || !(box.sizeMm[axis] > 0.0)) return "has a size that is not above 0";
+        if (!std::isfinite(box.sizeMm[axis]) || !(box.sizeMm[axis] > 0.0 || neverSet))
+            return "has a size that is not above 0";
     }
     return {};
 }

@@ -29,7 +29,8 @@ struct Box {
     bool on = false;               ///< where false, all of the volume is shown
     ViewDirection direction{};     ///< the way from top to bottom, and the turn about it, relative to the beam
     Vec3 centreMm{0, 0, 0};        ///< grid mm
-    Vec3 sizeMm{1, 1, 1};          ///< from left to right, from far to near, from top to bottom; each above 0
+    Vec3 sizeMm{0, 0, 0};          ///< from left to right, from far to near, from top to bottom; each above 0, or all 0
+                                   ///< where nobody has set the box yet, which then is off
     BoxSide front = BoxSide::top;  ///< the side through which the adaptive OTF looks in
     friend bool operator==(const Box&, const Box&) = default;
 };

@@ -7,7 +7,7 @@ namespace echolucent {
 
 namespace {
 
-/// A box that nobody has set yet: it has the size of the default.
+/// A box that nobody has set yet.
 bool neverSet(const Box& box) { return box.sizeMm == Box{}.sizeMm; }
 
 }  // namespace
@@ -34,8 +34,28 @@ Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
 }
 
 Document withBox(Document document, int view, const Box& box) {
+    const Box before = boxOf(document, view);
+    const BeamAxis beam = document.beam.axis;
     boxOf(document, view) = box;
-    if (box.on) document.method.direction = directionFrom(box.front, box, document.beam.axis);
+    const bool looksInAnew = box.front != before.front || box.direction != before.direction;
+    if (box.on && (!before.on || looksInAnew)) document.method.direction = directionFrom(box.front, box, beam);
+    // Without a box the tube cores look along the beam again, unless a person has chosen another way since.
+    if (!box.on && before.on && document.method.direction == directionFrom(before.front, before, beam))
+        document.method.direction = ViewDirection{};
+    return document;
+}
+
+Document withBeam(Document document, const Beam& beam) {
+    for (Shared<Box>& box : document.boxes) {
+        if (neverSet(box.value)) continue;
+        const ViewFrame axes = orientedBoxOf(box.value, document.beam.axis).axes;
+        box.value.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis, 0.0));
+    }
+    for (Shared<Planes>& planes : document.planes) {
+        planes.value.direction = ViewDirection{};
+        planes.value.crops = {};
+    }
+    document.beam = beam;
     return document;
 }
 

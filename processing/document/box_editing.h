@@ -12,11 +12,14 @@ namespace echolucent {
 /// A person's box with another place, size or turn. Axes that the hand did not turn keep their bits.
 [[nodiscard]] Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam);
 
-/// The document with a view's box; where it is on, the adaptive OTF looks in through its front from now on.
+/// The document with a view's box. Where it is switched on or turned, or has another front, the adaptive OTF looks in
+/// through its front from now on; where it is switched off, along the beam, unless it looked another way before.
 [[nodiscard]] Document withBox(Document document, int view, const Box& box);
 /// The same, with a front that the view is turned to; the box is switched on. It is one around all data where it was
 /// never set.
 [[nodiscard]] Document withFront(Document document, int view, BoxSide front, const DataBox& data);
+/// The document with another beam: boxes keep their place in the volume, planes are as on opening along it.
+[[nodiscard]] Document withBeam(Document document, const Beam& beam);
 /// Switches the box on, around all data where it was never set, or off.
 [[nodiscard]] Document withBoxSwitched(Document document, int view, bool on, const DataBox& data);
 /// A box of a thickness (mm, above 0) around plane A, B or C as it lies now, as wide as all data, seen as the plane is.

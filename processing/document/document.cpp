@@ -140,6 +140,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     }
     for (auto& strokes : opened.strokes) strokes.value.list.clear();
     for (Shared<int>& phase : opened.phases) phase.value = 0;
+    opened.curves.adjustment = CurveAdjustment{};  // a first picture is right without it
     opened.method.direction = ViewDirection{};
     opened.motionAngle = 0.0;
     return opened;

@@ -130,7 +130,7 @@ struct Document {
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 
 /// A document of another study: the look, curves, method parameters and motion choices of `before`, seen along the
-/// assumed beam, whole, uncut, without a box, from its first phase on.
+/// assumed beam, whole, uncut, without a box and strokes, from its first phase on.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); an empty text where

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "processing/box_section.h"
 #include "processing/choice_names.h"
+#include "processing/oriented_box.h"
 
 namespace echolucent {
 
@@ -26,24 +27,14 @@ ViewFrame frameOf(PlaneName plane, const ViewFrame& axes) {
     return axes;
 }
 
-/// A vector turned by an angle about an axis of length 1, right-handed (Rodrigues' formula).
-Vec3 turnedAbout(const Vec3& axis, double radians, const Vec3& vector) {
-    return vector * std::cos(radians) + axis.cross(vector) * std::sin(radians) +
-           axis * (axis.dot(vector) * (1.0 - std::cos(radians)));
-}
-
-double extentAlong(const Vec3& axis, const Vec3& size) {
-    return std::abs(axis[0]) * size[0] + std::abs(axis[1]) * size[1] + std::abs(axis[2]) * size[2];
-}
-
 /// Height of a picture in which the data box fits whichever of the three unturned planes it shows.
 double fittedHeightMm(BeamAxis beam, const DataBox& data, double aspect) {
     const ViewFrame axes = frameOf(Viewpoint{.beamAxis = beam});
+    const OrientedBox whole = orientedBoxOf(data);
     double height = 0.0;
     for (const PlaneName plane : allPlaneNames) {
         const ViewFrame frame = frameOf(plane, axes);
-        height = std::max(
-            {height, extentAlong(frame.down, data.sizeMm()), extentAlong(frame.right, data.sizeMm()) / aspect});
+        height = std::max({height, whole.extentAlong(frame.down), whole.extentAlong(frame.right) / aspect});
     }
     return height / filledShare;
 }
@@ -59,32 +50,29 @@ ViewFrame frameOf(PlaneName plane, const Planes& planes, BeamAxis beam) { return
 Vec3 referencePointOf(const Planes& planes, const DataBox& data) { return data.centreMm() + planes.offsetMm; }
 
 Planes withReferencePoint(Planes planes, const Vec3& gridMm, const DataBox& data) {
-    for (int axis = 0; axis < 3; ++axis)
-        planes.offsetMm[axis] = std::clamp(gridMm[axis], data.lowMm[axis], data.highMm[axis]) - data.centreMm()[axis];
+    const Vec3 from = referencePointOf(planes, data), way = gridMm - from;
+    double share = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double room = (way[axis] > 0.0 ? data.highMm[axis] : data.lowMm[axis]) - from[axis];
+        if (std::abs(way[axis]) > std::abs(room)) share = std::min(share, room / way[axis]);
+    }
+    if (!(share > 0.0)) return planes;
+    planes.offsetMm = from + way * share - data.centreMm();
     return planes;
 }
 
 Planes stepped(const Planes& planes, PlaneName plane, double mm, BeamAxis beam, const DataBox& data) {
-    const Vec3 forward = frameOf(plane, planes, beam).forward, from = referencePointOf(planes, data);
-    // A step that would leave the data ends at their border, on the way: it does not slide along it.
-    double within = mm;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (forward[axis] == 0.0) continue;
-        const double toLow = (data.lowMm[axis] - from[axis]) / forward[axis];
-        const double toHigh = (data.highMm[axis] - from[axis]) / forward[axis];
-        within = std::clamp(within, std::min({toLow, toHigh, 0.0}), std::max({toLow, toHigh, 0.0}));
-    }
-    return withReferencePoint(planes, from + forward * within, data);
+    return withReferencePoint(planes, referencePointOf(planes, data) + frameOf(plane, planes, beam).forward * mm, data);
 }
 
 Planes turned(const Planes& planes, PlaneName plane, double degrees, BeamAxis beam) {
     const Vec3 axis = frameOf(plane, planes, beam).forward;
     // Where the picture turns clockwise, its axes turn the other way within the volume.
-    const double radians = -degrees * std::numbers::pi / 180.0;
+    const double turn = -degrees;
     const ViewFrame before = axesOf(planes, beam);
     Planes next = planes;
     next.direction = directionOf(
-        viewAlong(turnedAbout(axis, radians, before.forward), turnedAbout(axis, radians, before.down), beam, 0.0));
+        viewAlong(rotatedAbout(axis, turn, before.forward), rotatedAbout(axis, turn, before.down), beam, 0.0));
     for (const PlaneName each : allPlaneNames) {
         const ViewFrame from = frameOf(each, planes, beam), to = frameOf(each, next, beam);
         PlaneCrop& crop = next.crops[indexOf(each)];

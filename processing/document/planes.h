@@ -56,7 +56,8 @@ inline constexpr double leastPlaneLevel = -1.0, largestPlaneLevel = 2.0;
 
 /// Where the planes meet, grid mm. `data` is Volume::dataBox().
 [[nodiscard]] Vec3 referencePointOf(const Planes& planes, const DataBox& data);
-/// The planes with another reference point, which is kept within the data box.
+/// The planes with another reference point. Where that lies beyond the data box, it ends at the box's border on the
+/// straight way from the present one.
 [[nodiscard]] Planes withReferencePoint(Planes planes, const Vec3& gridMm, const DataBox& data);
 /// The planes stepped along the way that one of them is looked at, mm; within the data box.
 [[nodiscard]] Planes stepped(const Planes& planes, PlaneName plane, double mm, BeamAxis beam, const DataBox& data);

@@ -177,10 +177,12 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
         throw std::invalid_argument("ScalpelCuts: a stroke " + problem);
     if (m_firstCut.empty()) m_firstCut.resize(static_cast<std::size_t>(m_geometry.voxelCount()));
     const std::uint8_t number = numberOf(m_strokes.size());
+    // What needs memory comes before the stroke counts as cut.
+    m_strokes.reserve(m_strokes.size() + 1);
+    const StrokeRaster raster(stroke);
+    const RowCutter cutter(m_geometry, stroke, raster);
     m_strokes.push_back(stroke);
     ++m_passes;
-    const StrokeRaster raster(m_strokes.back());
-    const RowCutter cutter(m_geometry, m_strokes.back(), raster);
     ProgressCount count(progress, static_cast<std::size_t>(m_geometry.size[2]));
     parallelFor(std::int64_t{0}, m_geometry.size[2], [&](std::int64_t z) {
         if (progress.cancelled()) return;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "processing/picture/converged.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/progressive_caster.h"
 
@@ -17,8 +18,6 @@ using testing::geometryOf;
 using testing::volumeOf;
 
 inline constexpr int patience = 20000;  // ms, a bound for broken programs
-
-inline constexpr double convergedStep = qualities[convergedQuality].step;
 
 /// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
 class CommandedCaster {

@@ -82,7 +82,7 @@ RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
 QGroupBox* RoomPanel::createPlanes() {
     auto* group = new QGroupBox(tr("Planes A, B, C"));
     auto* column = new QVBoxLayout(group);
-    m_quiet = named(new QCheckBox(tr("Speckle reduced as in 3D")), "room.quiet", tr("Speckle reduced as in 3D"),
+    m_quiet = named(new QCheckBox(tr("Planes show quiet voxels")), "room.quiet", tr("Planes show quiet voxels"),
                     tr("Off: the planes show the voxels that were read"));
     m_lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
                     tr("Draws where the planes lie over the 3D picture"));
@@ -96,10 +96,10 @@ QGroupBox* RoomPanel::createPlanes() {
         changed(tr("planes in 3D"));
     });
     m_window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
-    m_window->setRange(0.05, largestPlaneWindow / 2);
+    m_window->setRange(leastPlaneWindow, largestPlaneWindow);
     m_window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
     m_level = new ValueSlider("room.level", tr("Level"), 0.01, 2);
-    m_level->setRange(0.0, 1.0);
+    m_level->setRange(leastPlaneLevel, largestPlaneLevel);
     m_level->setToolTip(tr("The intensity shown half bright; right drag down in a plane"));
     connect(m_window, &ValueSlider::valueChanged, this, [this, changed](double value) {
         m_planes.window = value;
@@ -110,7 +110,7 @@ QGroupBox* RoomPanel::createPlanes() {
         changed(tr("window and level"));
     });
     auto* reset = named(new QPushButton(tr("Reset planes")), "room.resetPlanes", tr("Reset planes"),
-                        tr("Place, turn, pictures and greys as on opening"));
+                        tr("The planes through the middle, unturned, whole, with their own greys"));
     connect(reset, &QPushButton::clicked, this, &RoomPanel::planesResetRequested);
     auto* grid = new QGridLayout;
     grid->addWidget(labelFor(m_window, tr("Window")), 0, 0);
@@ -159,9 +159,8 @@ void RoomPanel::addSizes(QVBoxLayout& column) {
     auto* grid = new QGridLayout;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         m_sizes[i] = createLength(names[i], texts[i], tr("Size of the box; its centre stays"), 0.1);
-        connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this, [this] {
-            emit boxSizeChanged({m_sizes[0]->value(), m_sizes[1]->value(), m_sizes[2]->value()});
-        });
+        connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this,
+                [this, i](double mm) { emit boxSizeChanged(static_cast<int>(i), mm); });
         grid->addWidget(labelFor(m_sizes[i], texts[i]), static_cast<int>(i), 0);
         grid->addWidget(m_sizes[i], static_cast<int>(i), 1);
     }

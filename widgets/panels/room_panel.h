@@ -53,8 +53,8 @@ signals:
     void planesResetRequested();
     void boxSwitched(bool on);
     void frontChosen(echolucent::BoxSide front);
-    /// From left to right, from far to near, from top to bottom; mm.
-    void boxSizeChanged(const echolucent::Vec3& sizeMm);
+    /// Along axis 0 from left to right, 1 from far to near, 2 from top to bottom; mm.
+    void boxSizeChanged(int axis, double mm);
     void wholeBoxRequested();
     void slabRequested(echolucent::PlaneName plane, double thicknessMm);
     void toolChosen(std::optional<echolucent::ScalpelTool> tool);

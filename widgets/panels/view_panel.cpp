@@ -172,8 +172,8 @@ void ViewPanel::addLookGroups(QGridLayout& grid) {
          tr("Light"),
          {"lighting", "light_azimuth", "light_elevation", "light_softness", "shadow", "occlusion", "translucency"}},
         {"speckle", tr("Speckle"), {"reduction"}},
-        {"colours", tr("Colours"), {"colour_map", "depth_colouring"}},
-        {"rendering", tr("Rendering"), {"mode", "interpolation", "projection"}}};
+        {"colours", tr("Colours"), {"brightness", "colour_map", "depth_colouring"}},
+        {"rendering", tr("Rendering"), {"mode", "mixing", "mixed_mode", "interpolation", "projection"}}};
     const auto placed = [&groups](std::string_view name) {
         return std::ranges::any_of(
             groups, [name](const Group& group) { return std::ranges::find(group.rows, name) != group.rows.end(); });

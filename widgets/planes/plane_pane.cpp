@@ -59,6 +59,7 @@ void PlanePane::setScene(const PlaneScene& scene) {
 }
 
 void PlanePane::clear() {
+    cancelDrag();
     m_scene.reset();
     m_samples.reset();
     m_image = {};
@@ -151,10 +152,11 @@ void PlanePane::mousePressEvent(QMouseEvent* event) {
     m_before = m_scene->planes;
     m_beforeClick = m_before;
     m_boxBefore = m_scene->box;
+    m_mappingBefore = mapping();
     m_from = event->position();
     m_what = m_drag == Drag::grip    ? stepName(m_grip)
              : m_drag == Drag::greys ? tr("window and level")
-             : m_drag == Drag::pan   ? tr("move plane %1").arg(accessibleName().back())
+             : m_drag == Drag::pan   ? tr("move plane %1").arg(QLatin1Char(nameOf(m_plane).front()))
              : m_drag == Drag::turn  ? tr("turn planes")
                                      : tr("move reference point");
     if (m_drag == Drag::reference) dragTo(event->position());
@@ -164,7 +166,7 @@ void PlanePane::mouseMoveEvent(QMouseEvent* event) {
     if (!m_scene) return;
     if (m_drag != Drag::none) return dragTo(event->position());
     showCursor(event->position());
-    tellPointed(event->position());
+    emit pointed(mapping().gridAt(event->position()));
 }
 
 void PlanePane::mouseReleaseEvent(QMouseEvent* event) {
@@ -176,7 +178,7 @@ void PlanePane::mouseReleaseEvent(QMouseEvent* event) {
 
 void PlanePane::mouseDoubleClickEvent(QMouseEvent* event) {
     if (!m_scene || event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
-    m_drag = Drag::none;
+    if (cancelDrag()) return;
     // The first click has moved the reference point, which nobody who asks for the whole room wants.
     if (m_scene->planes != m_beforeClick) emit clickTakenBack(m_beforeClick, m_what);
     emit maximiseRequested();
@@ -195,9 +197,9 @@ void PlanePane::dragTo(const QPointF& pixel) {
     switch (m_drag) {
         case Drag::none: return;
         case Drag::grip:
-            emit boxDragged(m_grip, dragged(m_boxBefore, mapping(), m_grip, m_from, pixel), m_what);
+            emit boxDragged(m_grip, dragged(m_boxBefore, m_mappingBefore, m_grip, m_from, pixel), m_what);
             return;
-        case Drag::reference: next = withReferencePoint(m_before, mapping().gridAt(pixel), m_scene->data); break;
+        case Drag::reference: next = withReferencePoint(m_before, m_mappingBefore.gridAt(pixel), m_scene->data); break;
         case Drag::turn: {
             // All is counted from where the drag began, so that roundings do not add up.
             const QPointF centre = referencePixel(), from = m_from - centre, to = pixel - centre;
@@ -223,13 +225,14 @@ void PlanePane::dragTo(const QPointF& pixel) {
 
 void PlanePane::wheelEvent(QWheelEvent* event) {
     if (!m_scene) return;
+    event->accept();
     const double notches = event->angleDelta().y() / degreesOfNotch;
+    if (notches == 0.0) return;
     if (event->modifiers().testFlag(Qt::ControlModifier))
         zoom(std::pow(zoomPerNotch, notches), event->position());
     else
         ask(stepped(m_scene->planes, m_plane, -notches * m_scene->unitMm, m_scene->beam, m_scene->data),
             tr("step through planes"));
-    event->accept();
 }
 
 void PlanePane::zoom(double factor, const QPointF& about) {
@@ -241,7 +244,7 @@ void PlanePane::zoom(double factor, const QPointF& about) {
     crop.panRightMm += (about.x() - width() / 2.0) * mapping().mmPerPixel() * kept;
     crop.panDownMm += (about.y() - height() / 2.0) * mapping().mmPerPixel() * kept;
     crop.magnification = magnification;
-    ask(next, tr("zoom plane %1").arg(accessibleName().back()));
+    ask(next, tr("zoom plane %1").arg(QLatin1Char(nameOf(m_plane).front())));
 }
 
 void PlanePane::turn(double degrees) {
@@ -250,15 +253,17 @@ void PlanePane::turn(double degrees) {
 
 void PlanePane::reset() {
     if (!m_scene) return;
-    // The reference point, the turn and the greys belong to all planes: they go back too.
+    // The reference point, the turn and the greys belong to all planes: they go back too, and with the turn what it
+    // moved the other pictures by.
     Planes next = m_scene->planes;
     const Planes start;
+    for (PlaneCrop& crop : next.crops) crop = {.magnification = crop.magnification};
     next.crops[indexOf(m_plane)] = start.crops[indexOf(m_plane)];
     next.direction = start.direction;
     next.offsetMm = start.offsetMm;
     next.window = start.window;
     next.level = start.level;
-    ask(next, tr("reset plane %1").arg(accessibleName().back()));
+    ask(next, tr("reset plane %1").arg(QLatin1Char(nameOf(m_plane).front())));
 }
 
 namespace {
@@ -322,17 +327,6 @@ void PlanePane::showCursor(const QPointF& pixel) {
     if (rimmed == m_pointerAtRim) return;
     m_pointerAtRim = rimmed;
     update();
-}
-
-void PlanePane::tellPointed(const QPointF& pixel) {
-    if (!m_samples || m_samples->intensity.empty() || size().isEmpty()) return;
-    const int column =
-                  std::clamp(static_cast<int>(pixel.x() * m_samples->columns / width()), 0, m_samples->columns - 1),
-              row = std::clamp(static_cast<int>(pixel.y() * m_samples->rows / height()), 0, m_samples->rows - 1);
-    const float intensity =
-        m_samples->intensity[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_samples->columns) +
-                             static_cast<std::size_t>(column)];
-    emit pointed(std::isnan(intensity) ? std::nullopt : std::optional(static_cast<double>(intensity)));
 }
 
 void PlanePane::leaveEvent(QEvent* event) {

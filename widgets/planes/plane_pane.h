@@ -29,7 +29,7 @@ struct PlaneScene {
     bool lengthsKnown = true;  ///< where false, no length is said in mm
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
-    std::array<QString, 4> letters{};  ///< of the patient: left, right, top, bottom; empty where they are not known
+    std::array<QString, 4> letters{};  ///< what stands at the edges: left, right, top, bottom
     friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
 };
 
@@ -85,8 +85,8 @@ signals:
     void clickTakenBack(const echolucent::Planes& before, const QString& what);
     /// The pane has another size, was shown or hidden: it wants another picture.
     void wantsOther();
-    /// Normalised intensity under the cursor as it is shown; nothing where there is none.
-    void pointed(std::optional<double> intensity);
+    /// The place under the cursor, grid mm; nothing where the cursor is elsewhere.
+    void pointed(const std::optional<echolucent::Vec3>& gridMm);
 
 protected:
     /// Keys of the pane are no shortcuts of the window while the pane has the focus.
@@ -114,7 +114,6 @@ private:
     void dragTo(const QPointF& pixel);
     void ask(const Planes& next, const QString& what);
     void showCursor(const QPointF& pixel);
-    void tellPointed(const QPointF& pixel);
     void turn(double degrees);
     void zoom(double factor, const QPointF& about);
     void reset();
@@ -133,12 +132,13 @@ private:
     QToolButton* m_maximise = nullptr;
 
     Drag m_drag = Drag::none;
-    QString m_what;        ///< name of the step that the drag makes
-    Planes m_before;       ///< when the drag began
-    Planes m_beforeClick;  ///< when the first press of what may become a double click came
-    QPointF m_from;        ///< where the drag began
-    BoxGrip m_grip;        ///< what of the box is dragged
-    BoxScene m_boxBefore;  ///< when the drag began
+    QString m_what;                ///< name of the step that the drag makes
+    Planes m_before;               ///< when the drag began
+    Planes m_beforeClick;          ///< when the first press of what may become a double click came
+    QPointF m_from;                ///< where the drag began
+    BoxGrip m_grip;                ///< what of the box is dragged
+    BoxScene m_boxBefore;          ///< when the drag began
+    PlaneMapping m_mappingBefore;  ///< when the drag began
     bool m_pointerAtRim = false;
 };
 

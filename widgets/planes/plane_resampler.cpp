@@ -1,5 +1,6 @@
 #include "widgets/planes/plane_resampler.h"
 
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -37,19 +38,24 @@ void PlaneResampler::start() {
     m_thread.submit(
         [this, open, requests = m_wanted](const Progress&) -> NewestWinsThread::Deliver {
             std::vector<Made> made;
-            made.reserve(open.size());
-            for (const PlaneName plane : open) {
-                const PlaneRequest& request = *requests[indexOf(plane)];
-                made.emplace_back(plane,
-                                  std::make_shared<const PlaneSamples>(sampledPlane(*request.volume, gridOf(request))));
+            try {
+                for (const PlaneName plane : open) {
+                    const PlaneRequest& request = *requests[indexOf(plane)];
+                    made.emplace_back(
+                        plane, std::make_shared<const PlaneSamples>(sampledPlane(*request.volume, gridOf(request))));
+                }
+            } catch (const std::bad_alloc&) {
+                return {};  // the planes stay as they are, and every change tries again
             }
             return [this, made = std::move(made), requests] {
                 for (const auto& [plane, samples] : made) {
                     const auto &request = requests[indexOf(plane)], &wanted = m_wanted[indexOf(plane)];
+                    // A plane that is hidden now, or of a volume that is no longer shown, comes too late.
+                    if (!wanted || wanted->volume != request->volume) continue;
                     m_made[indexOf(plane)] = request;
-                    // A plane of a volume that is no longer shown comes too late.
-                    if (wanted && wanted->volume == request->volume) emit resampled(plane, samples, *request);
+                    emit resampled(plane, samples, *request);
                 }
+                start();  // another one may have been wanted since
             };
         },
         NewestWinsThread::WhenSuperseded::finish);

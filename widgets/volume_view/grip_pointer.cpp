@@ -15,6 +15,13 @@ GripPointer::GripPointer(QWindow* window, std::function<Camera()> camera, QObjec
     window->installEventFilter(this);
 }
 
+void GripPointer::setGrips(std::vector<Vec3> gripsMm) {
+    m_gripsMm = std::move(gripsMm);
+    if (!m_gripsMm.empty()) return;
+    cancelDrag();
+    if (std::exchange(m_hovering, false)) m_window->unsetCursor();
+}
+
 bool GripPointer::cancelDrag() {
     if (!std::exchange(m_held, std::nullopt)) return false;
     emit dragCancelled();
@@ -42,12 +49,15 @@ Vec3 GripPointer::placeAt(const QPointF& pixel, double depthMm) const {
 }
 
 bool GripPointer::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != m_window || m_gripsMm.empty()) return false;
+    if (watched != m_window || (m_gripsMm.empty() && !m_held)) return false;
+    // While a grip is held, nothing else moves the camera.
+    if (m_held && event->type() == QEvent::Wheel) return true;
     const auto* mouse = dynamic_cast<QMouseEvent*>(event);
     if (mouse == nullptr) return false;
     switch (event->type()) {
         case QEvent::MouseButtonPress: {
-            if (m_held || mouse->button() != Qt::LeftButton || mouse->modifiers() != Qt::NoModifier) return false;
+            if (m_held) return true;
+            if (mouse->button() != Qt::LeftButton || mouse->modifiers() != Qt::NoModifier) return false;
             m_held = gripAt(mouse->position());
             if (!m_held) return false;
             m_from = mouse->position();
@@ -66,7 +76,8 @@ bool GripPointer::eventFilter(QObject* watched, QEvent* event) {
             }
             return false;
         case QEvent::MouseButtonRelease:
-            if (!m_held || mouse->button() != Qt::LeftButton) return false;
+            if (!m_held) return false;
+            if (mouse->button() != Qt::LeftButton) return true;
             m_held.reset();
             emit dragEnded();
             return true;

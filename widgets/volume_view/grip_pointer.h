@@ -23,7 +23,8 @@ public:
     GripPointer(QWindow* window, std::function<Camera()> camera, QObject* parent = nullptr);
 
     /// Places of the grid, mm; those that lie before others come first.
-    void setGrips(std::vector<Vec3> gripsMm) { m_gripsMm = std::move(gripsMm); }
+    /// Where there are none any more, a drag ends without change.
+    void setGrips(std::vector<Vec3> gripsMm);
     [[nodiscard]] bool dragging() const { return m_held.has_value(); }
     /// False where there is no drag.
     bool cancelDrag();

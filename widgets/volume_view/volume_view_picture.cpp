@@ -4,6 +4,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QElapsedTimer>
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -246,7 +247,8 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
 std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place) const {
     const Parts& parts = *m_parts;
     if (!parts.shown) return std::nullopt;
-    const RayCastSettings& settings = parts.shown->settings;
+    RayCastSettings settings = parts.shown->settings;
+    settings.step = std::max(settings.step, 1.0);  // a place need not be known as finely as a picture shows it
     const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, settings};
     const auto sample = samplePointedAt(shown, settings.width / 2.0 + place[0] * settings.height,
                                         settings.height / 2.0 + place[1] * settings.height);

@@ -112,6 +112,28 @@ private slots:
         waitForPlanes();
     }
 
+    void beyondTheDataTheReferencePointStaysInThePlane() {
+        PlanePane& a = pane("planes.a");
+        a.setFocus();
+        QTest::keyClick(&pane("planes.c"), Qt::Key_Right, Qt::ShiftModifier);  // A lies obliquely in the grid
+        const Vec3 forward = frameOf(PlaneName::a, planes(), document().beam.axis).forward, before = reference();
+        const QPoint centre = a.mapping().seenAt(before).toPoint();
+        QTest::mousePress(&a, Qt::LeftButton, {}, centre);
+        for (int i = 1; i <= 8; ++i) moveTo(a, Qt::LeftButton, {}, centre + QPoint(i * 60, i * 9));
+        QTest::mouseRelease(&a, Qt::LeftButton, {}, centre + QPoint(480, 72));
+        QVERIFY(std::abs(forward.dot(reference() - before)) < 1e-6);
+        QVERIFY(length(reference() - before) > 5.0);
+    }
+
+    void homeBringsAllPicturesBackAfterATurn() {
+        PlanePane& a = pane("planes.a");
+        QTest::mouseClick(&a, Qt::LeftButton, {}, a.rect().center() + QPoint(40, 30));
+        QTest::keyClick(&a, Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(planes().crops[1].panRightMm != 0.0 || planes().crops[2].panRightMm != 0.0);
+        QTest::keyClick(&a, Qt::Key_Home);
+        QVERIFY(planes() == Planes{});
+    }
+
     void escapeEndsADragWithoutChange() {
         PlanePane& b = pane("planes.b");
         const Planes before = planes();

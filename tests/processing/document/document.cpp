@@ -127,6 +127,7 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
     expected.planes[0].value = {.window = 0.5, .linesIn3d = true};
     expected.study = SimulatedScan{};
     expected.curves = before.curves;
+    before.curves.adjustment = {.threshold = 0.2, .transparency = 0.3};
     expected.method.config = before.method.config;
     expected.motion = before.motion;
     EXPECT_TRUE(openedDocument(before, SimulatedScan{}) == expected);

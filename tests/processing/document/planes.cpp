@@ -86,7 +86,9 @@ TEST(Planes, AStepMovesAlongTheWayOfLookingAndEndsAtTheData) {
 
 TEST(Planes, TheReferencePointStaysInTheData) {
     EXPECT_LT(apart(referencePointOf(withReferencePoint({}, {1, 6, 11}, data), data), {1, 6, 11}), 1e-12);
-    EXPECT_LT(apart(referencePointOf(withReferencePoint({}, {-99, 20, 1e9}, data), data), {-3, 20, 90}), 1e-12);
+    // From (17, 20, 50) towards (-23, 20, 130) the way leaves the box half way, at a face and an edge of it.
+    EXPECT_LT(apart(referencePointOf(withReferencePoint({}, {-23, 20, 130}, data), data), {-3, 20, 90}), 1e-12);
+    EXPECT_LT(apart(referencePointOf(withReferencePoint({}, {17, 20, 1e9}, data), data), {17, 20, 90}), 1e-6);
 }
 
 TEST(Planes, AtMagnification1AllOfTheDataFitsIntoEachAtOneScale) {

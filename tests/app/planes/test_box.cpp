@@ -1,0 +1,464 @@
+// The render box and the scalpel in the real main window: mouse and keys on planes, picture and panel.
+#include <QAction>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <QWindow>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "app/window/review_room.h"
+#include "io/document/document_file.h"
+#include "processing/document/box_editing.h"
+#include "processing/picture/picture_place.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/room_panel.h"
+#include "widgets/planes/pane_grid.h"
+#include "widgets/planes/plane_pane.h"
+#include "widgets/volume_view/lasso_pointer.h"
+
+using namespace echolucent;
+
+class TestBox : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        m_file = file("shapes.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        window().resize(1280, 720);
+        open(m_file);
+        key(Qt::Key_F3);
+        QTRY_VERIFY(!window().reviewRoom().busy());
+    }
+    void cleanup() { close(); }
+
+    void theKeySwitchesABoxAroundAllData() {
+        key(Qt::Key_B);
+        QVERIFY(box().on);
+        QVERIFY(length(box().centreMm - dataBox().centreMm()) < 1e-9);
+        QVERIFY(child<QCheckBox>("room.box")->isChecked());
+        QVERIFY(window().volumeView().settings().clippingPlanes.empty());  // it cuts nothing off
+        key(Qt::Key_B);
+        QVERIFY(!box().on);
+    }
+
+    void facesCornersAndTheCentreAreDraggedInAPlane() {
+        key(Qt::Key_B);
+        PlanePane& a = pane("planes.a");
+        const OrientedBox before = placed();
+        // The right face, 30 pixels to the left.
+        const BoxGrip right = grip(a, BoxGrip::Kind::face, {0, 1});
+        drag(a, right.at, right.at + QPointF(-30, 0));
+        const double mm = 30 * a.mapping().mmPerPixel();
+        QVERIFY(std::abs(before.sizeMm[0] - placed().sizeMm[0] - mm) < 1e-6);
+        QVERIFY(length(middleOf(placed(), {0, -1}) - middleOf(before, {0, -1})) < 1e-6);
+        QCOMPARE(window().document().steps().undoText(), "size of the box");
+        // The corner of top and left, 20 to the right and 10 down.
+        const OrientedBox narrower = placed();
+        const BoxGrip corner = grip(a, BoxGrip::Kind::corner, {0, -1}, {2, -1});
+        drag(a, corner.at, corner.at + QPointF(20, 10));
+        QVERIFY(std::abs(narrower.sizeMm[0] - placed().sizeMm[0] - 20 * a.mapping().mmPerPixel()) < 1e-6);
+        QVERIFY(std::abs(narrower.sizeMm[2] - placed().sizeMm[2] - 10 * a.mapping().mmPerPixel()) < 1e-6);
+        const OrientedBox smaller = placed();
+        const BoxGrip centre = grip(a, BoxGrip::Kind::centre);
+        drag(a, centre.at, centre.at + QPointF(15, -5));
+        QVERIFY(length(placed().sizeMm - smaller.sizeMm) < 1e-9);
+        QVERIFY(std::abs(length(placed().centreMm - smaller.centreMm) - std::hypot(15, 5) * a.mapping().mmPerPixel()) <
+                1e-6);
+        for (int i = 0; i < 3; ++i) window().document().steps().undo();
+        QVERIFY(placed() == before);
+        QVERIFY(!window().volumeView().dragging());
+    }
+
+    void aPlaneTurnsTheBoxAndTheTubeCoresWithIt() {
+        key(Qt::Key_B);
+        PlanePane& a = pane("planes.a");
+        const OrientedBox before = placed();
+        const BoxGrip turn = grip(a, BoxGrip::Kind::turn);
+        const QPointF centre = a.mapping().seenAt(before.centreMm), arm = turn.at - centre;
+        const double radians = 20 * M_PI / 180;
+        drag(a, turn.at,
+             centre + QPointF(arm.x() * std::cos(radians) - arm.y() * std::sin(radians),
+                              arm.x() * std::sin(radians) + arm.y() * std::cos(radians)));
+        QVERIFY(std::abs(placed().axes.forward.dot(before.axes.forward) - std::cos(radians)) < 0.01);
+        QVERIFY(length(placed().axes.down - before.axes.down) < 1e-6);  // A is seen along it
+        const Vec3 looksIn = frameOf(otfViewpointOf(document(), 1)).forward;
+        QVERIFY(length(looksIn - placed().axes.forward) < 1e-6);
+        QVERIFY(window().volumeView().settings().clippingPlanes.size() > 1);
+    }
+
+    void theFrontIsBowedAndEscapeTakesADragBack() {
+        key(Qt::Key_B);
+        PlanePane& b = pane("planes.b");
+        const int steps = window().document().steps().count();
+        const BoxGrip bow = grip(b, BoxGrip::Kind::bow);
+        QTest::mousePress(&b, Qt::LeftButton, {}, bow.at.toPoint());
+        moveTo(b, bow.at.toPoint() + QPoint(0, 40));
+        QVERIFY(cutOf(document(), 1).surface.has_value());
+        QTest::keyClick(&b, Qt::Key_Escape);
+        QVERIFY(!cutOf(document(), 1).surface);
+        QTest::mouseRelease(&b, Qt::LeftButton, {}, bow.at.toPoint());
+        QCOMPARE(window().document().steps().count(), steps);
+        drag(b, bow.at, bow.at + QPointF(0, 40));
+        QVERIFY(cutOf(document(), 1).surface.has_value());
+        QCOMPARE(window().document().steps().undoText(), "bow the front");
+        // What is held follows the hand.
+        QVERIFY((grip(b, BoxGrip::Kind::bow).at - bow.at - QPointF(0, 40)).manhattanLength() < 6);
+    }
+
+    void theNearCutIsMovedInAPlane() {
+        Document next = document();
+        cutOf(next, 1) = {.nearCutMm = 20};
+        window().document().edit(next, "near cut");
+        PlanePane& a = pane("planes.a");
+        const QPolygonF line = a.drawing().startLine;
+        QVERIFY(!line.isEmpty());
+        // Beside the diamond in the middle and inside the pane's rim.
+        const auto* place = std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
+        const QPointF from = *place;
+        drag(a, from, from + QPointF(0, 25));
+        QVERIFY(std::abs(cutOf(document(), 1).nearCutMm - 20 - 25 * a.mapping().mmPerPixel()) < 1e-6);
+        QCOMPARE(window().document().steps().undoText(), "near cut");
+    }
+
+    void aDragEndsWhereItsGripsVanishAndKeepsWhatElseChanges() {
+        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
+        QTRY_VERIFY(window().volumeView().pictureIsCurrent());
+        const QPoint from = seenIn3d(middleOf(placed(), {0, 1}));
+        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, from);
+        moveIn3d(from + QPoint(-20, 0));
+        const double dragged = placed().sizeMm[0];
+        // What changes while the hand drags stays when it goes on.
+        Document next = document();
+        cutOf(next, 1) = {.nearCutMm = 7};
+        window().document().edit(next, "near cut");
+        moveIn3d(from + QPoint(-30, 0));
+        QVERIFY(placed().sizeMm[0] < dragged);
+        QCOMPARE(cutOf(document(), 1).nearCutMm, 7.0);
+        key(Qt::Key_B);
+        QVERIFY(!box().on);
+        moveIn3d(from + QPoint(-60, 0));
+        QVERIFY(!box().on);
+        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, from);
+        key(Qt::Key_B);
+        const OrientedBox again = placed();
+        moveIn3d(from + QPoint(-10, 0));
+        QVERIFY(placed() == again);
+    }
+
+    void anotherBeamLeavesTheBoxWhereItIs() {
+        key(Qt::Key_B);
+        Document next = document();
+        boxOf(next, 1).sizeMm = {20, 30, 40};
+        window().document().edit(next, "size of the box");
+        const auto corners = placed().corners();
+        window().document().edit(withBeam(document(), {BeamAxis::plusX, BeamSource::person}), "beam axis");
+        const OrientedBox after = placed();
+        for (const Vec3& corner : corners) {
+            const Vec3 place = after.inBox(corner);
+            for (int axis = 0; axis < 3; ++axis)
+                QVERIFY(std::abs(std::abs(place[axis]) - after.sizeMm[axis] / 2) < 1e-6);
+        }
+    }
+
+    void aStrokeIsSeenInThePlanesToo() {
+        PlanePane& c = pane("planes.c");
+        QTRY_VERIFY(!window().reviewRoom().busy());
+        const QPoint middle = c.image().rect().center();
+        const auto darkPixels = [&] {
+            int dark = 0;
+            for (int y = -20; y <= 20; ++y)
+                for (int x = -20; x <= 20; ++x) dark += qGray(c.image().pixel(middle + QPoint(x, y))) == 0;
+            return dark;
+        };
+        const int before = darkPixels();
+        raise("dock.room");
+        click("room.scalpel.box");
+        const QSize size = window().volumeView().size();
+        dragIn3d(QPoint(size.width() / 4, size.height() / 4), QPoint(size.width() * 3 / 4, size.height() * 3 / 4));
+        QTRY_VERIFY(window().idle());
+        QTRY_VERIFY(darkPixels() > before + 1000);
+        window().document().steps().undo();
+        QTRY_COMPARE(darkPixels(), before);
+    }
+
+    void theBrightnessOfTheLookIsThatOfThePlanes() {
+        PlanePane& a = pane("planes.a");
+        const int before = qGray(a.image().pixel(a.image().rect().center()));
+        Document next = document();
+        lookOf(next, 1).brightness = 0.5;
+        window().document().edit(next, "brightness");
+        QVERIFY(std::abs(qGray(a.image().pixel(a.image().rect().center())) - before / 2) <= 1);
+    }
+
+    void frontsComeByKeyAndButtonAndTurnTheView() {
+        QTest::keyClick(&window(), Qt::Key_4, Qt::ControlModifier);
+        QVERIFY(box().on);
+        QCOMPARE(box().front, BoxSide::right);
+        QVERIFY(length(frameOf(viewpointOf(document(), 1)).forward + placed().axes.right) < 1e-9);
+        QVERIFY(child<QToolButton>("room.front.right")->isChecked());
+        raise("dock.room");
+        click("room.front.near");
+        QCOMPARE(box().front, BoxSide::near);
+        QVERIFY(!child<QToolButton>("room.front.right")->isChecked());
+        window().document().steps().undo();
+        window().document().steps().undo();
+        QVERIFY(!box().on);
+    }
+
+    void thePanelSetsSizesSlabsAndTheWholeBox() {
+        key(Qt::Key_B);
+        raise("dock.room");
+        const Box whole = box();
+        auto* width = child<QDoubleSpinBox>("room.width");
+        width->setFocus();
+        width->selectAll();
+        QTest::keyClicks(width, "30");
+        QTest::keyClick(width, Qt::Key_Return);
+        QCOMPARE(box().sizeMm[0], 30.0);
+        click("room.wholeBox");
+        QVERIFY(length(box().sizeMm - whole.sizeMm) < 1e-9);
+        click("room.slab.b");
+        QVERIFY(std::abs(box().sizeMm[2] - child<QDoubleSpinBox>("room.slab.thickness")->value()) < 1e-9);
+        QVERIFY(length(frameOf(viewpointOf(document(), 1)).forward -
+                       frameOf(PlaneName::b, planesOf(document(), 1), document().beam.axis).forward) < 1e-9);
+    }
+
+    void aFaceIsDraggedInThePicture() {
+        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
+        QTRY_VERIFY(window().volumeView().pictureIsCurrent());
+        const OrientedBox before = placed();
+        const QPoint from = seenIn3d(middleOf(before, {0, 1}));
+        const Pose pose = poseOf(document(), 1);
+        dragIn3d(from, from + QPoint(-25, 0));
+        const double mm = before.sizeMm[0] - placed().sizeMm[0];
+        const Camera camera = window().volumeView().shownCamera();
+        QVERIFY(std::abs(mm - 25 * camera.heightMm / window().volumeView().height()) < 0.2);
+        QVERIFY(poseOf(document(), 1) == pose);  // the picture did not turn
+        window().document().steps().undo();
+        QVERIFY(placed() == before);
+        // Beside the marks the left button orbits as ever.
+        dragIn3d(from + QPoint(-60, 31), from + QPoint(-40, 31));
+        QVERIFY(poseOf(document(), 1) != pose);
+    }
+
+    void strokesOfEveryToolAreDrawnAndTakenBack() {
+        key(Qt::Key_F2);
+        waitUntilIdle();
+        const QSize size = window().volumeView().size();
+        const QPoint centre(size.width() / 2, size.height() / 2);
+        const Pose pose = poseOf(document(), 1);
+        key(Qt::Key_S);
+        QVERIFY(child<QToolButton>("room.scalpel.freehand")->isChecked());
+        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
+        for (const QPoint& way : {QPoint(40, 0), QPoint(40, 40), QPoint(0, 40)}) moveIn3d(centre + way);
+        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre + QPoint(0, 40));
+        QCOMPARE(strokes().size(), 1u);
+        QCOMPARE(strokes()[0].places.size(), 4u);
+        QVERIFY(!strokes()[0].depthMm);
+        QVERIFY(poseOf(document(), 1) == pose);
+        raise("dock.room");
+        click("room.scalpel.box");
+        click("room.scalpel.outside");
+        dragIn3d(centre - QPoint(90, 80), centre + QPoint(90, 80));
+        QCOMPARE(strokes().size(), 2u);
+        QCOMPARE(strokes()[1].side, ScalpelSide::outside);
+        click("room.scalpel.eraser");
+        dragIn3d(centre - QPoint(60, 60), centre - QPoint(20, 60));
+        QCOMPARE(strokes()[2].side, ScalpelSide::inside);
+        const double heightMm = strokes()[2].camera.heightMm;
+        QVERIFY(std::abs(strokes()[2].radius * heightMm * 2 - child<QDoubleSpinBox>("room.scalpel.size")->value()) <
+                1e-9);
+        click("room.scalpel.polygon");
+        for (const QPoint& corner : {QPoint(-30, -30), QPoint(30, -30), QPoint(0, 30)})
+            QTest::mouseClick(pictureWindow(), Qt::LeftButton, {}, centre + corner);
+        QTest::keyClick(&window().volumeView(), Qt::Key_Return);
+        QCOMPARE(strokes().size(), 4u);
+        QCOMPARE(strokes()[3].places.size(), 3u);
+        QCOMPARE(child<QListWidget>("room.scalpel.strokes")->count(), 4);
+        child<QListWidget>("room.scalpel.strokes")->setCurrentRow(1);
+        click("room.scalpel.takeBack");
+        QCOMPARE(strokes().size(), 3u);
+        QTest::keyClick(&window(), Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(strokes().empty());
+        window().document().steps().undo();
+        QCOMPARE(strokes().size(), 3u);
+        waitUntilIdle();
+    }
+
+    void aStrokeDownToADepthCountsFromWhatShows() {
+        key(Qt::Key_F2);
+        raise("dock.room");
+        click("room.scalpel.limited");
+        click("room.scalpel.box");
+        waitUntilIdle();
+        const QSize size = window().volumeView().size();
+        const QPoint centre(size.width() / 2, size.height() / 2);
+        dragIn3d(centre - QPoint(60, 60), centre + QPoint(60, 60));
+        QCOMPARE(strokes().size(), 1u);
+        const auto shown = window().volumeView().shownAt({0, 0});
+        QVERIFY(shown.has_value());
+        const double behind = *strokes()[0].depthMm - strokes()[0].camera.frame.forward.dot(*shown);
+        const double limit = child<QDoubleSpinBox>("room.scalpel.limit")->value();
+        // What shows in the middle may lie behind the nearest that shows, by no more than the volume is deep.
+        QVERIFY(behind <= limit + 2.0);
+        QVERIFY(behind > limit - length(dataBox().sizeMm()));
+    }
+
+    void escapeDropsAStrokeThenTheScalpelThenTheRoom() {
+        doubleClick(pane("planes.a"));
+        QVERIFY(!window().volumeView().isVisible());
+        key(Qt::Key_Escape);
+        QVERIFY(window().volumeView().isVisible());
+        QTest::mouseDClick(pictureWindow(), Qt::LeftButton);
+        key(Qt::Key_S);
+        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, QPoint(200, 200));
+        moveIn3d(QPoint(260, 200));
+        moveIn3d(QPoint(260, 260));
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QVERIFY(!window().volumeView().lasso().drawing());
+        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, QPoint(260, 260));
+        QVERIFY(strokes().empty());
+        QVERIFY(window().volumeView().lasso().tool().has_value());
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QVERIFY(!window().volumeView().lasso().tool());
+        QVERIFY(!pane("planes.a").isVisible());
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QVERIFY(pane("planes.a").isVisible());
+    }
+
+    void twoHundredActionsAreUndoneAndRedoneByteForByte() {
+        key(Qt::Key_B);
+        std::mt19937 random(12);
+        const auto near = [&random](const QWidget& widget) {
+            return QPointF(widget.width() * (0.2 + 0.6 * static_cast<double>(random() % 1000) / 1000.0),
+                           widget.height() * (0.2 + 0.6 * static_cast<double>(random() % 1000) / 1000.0));
+        };
+        const std::vector<std::function<void()>> actions{
+            [&] {
+                PlanePane& any = anyPane(random());
+                drag(any, near(any), near(any));
+            },
+            [&] {
+                PlanePane& any = anyPane(random());
+                const QPointF at = near(any);
+                QWheelEvent wheel(at, any.mapToGlobal(at), {}, {0, random() % 2 ? 120 : -120}, Qt::NoButton,
+                                  random() % 2 ? Qt::ControlModifier : Qt::NoModifier, Qt::NoScrollPhase, false);
+                QCoreApplication::sendEvent(&any, &wheel);
+            },
+            [&] { QTest::keyClick(&anyPane(random()), random() % 2 ? Qt::Key_Left : Qt::Key_PageDown); },
+            [&] {
+                PlanePane& any = anyPane(random());
+                const BoxDrawing drawing = any.drawing();
+                if (drawing.grips.empty()) return;
+                const BoxGrip held = drawing.grips[random() % drawing.grips.size()];
+                if (any.rect().contains(held.at.toPoint())) drag(any, held.at, held.at + QPointF(9, 7));
+            },
+            [&] { QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_1 + random() % 6), Qt::ControlModifier); },
+            [&] { QTest::keyClick(&window(), Qt::Key_B); },
+            [&] { QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_1 + random() % 5)); },
+            [&] { QTest::keyClick(&window(), Qt::Key_L); },
+            [&] {
+                QTest::keyClick(&window(), Qt::Key_S);
+                const QPoint from(120, 90);
+                dragIn3d(from, from + QPoint(30 + static_cast<int>(random() % 30), 25));
+                QTest::keyClick(&window(), Qt::Key_S);
+            },
+            [&] { QTest::keyClick(&window().volumeView(), Qt::Key_Right, Qt::ControlModifier); },
+        };
+        window().document().steps().clear();
+        const std::string first = jsonOf(document());
+        for (int i = 0; i < 200; ++i) actions[random() % actions.size()]();
+        const std::string last = jsonOf(document());
+        QUndoStack& steps = window().document().steps();
+        QVERIFY2(steps.count() > 120, qPrintable(QString::number(steps.count())));
+        while (steps.canUndo()) steps.undo();
+        QCOMPARE(QByteArray::fromStdString(jsonOf(document())), QByteArray::fromStdString(first));
+        while (steps.canRedo()) steps.redo();
+        QCOMPARE(QByteArray::fromStdString(jsonOf(document())), QByteArray::fromStdString(last));
+    }
+
+    void everyControlSaysItsName() {
+        for (const QWidget* control : child("room")->findChildren<QWidget*>())
+            if (control->objectName().startsWith("room."))
+                QVERIFY2(!control->accessibleName().isEmpty(), qPrintable(control->objectName()));
+    }
+
+private:
+    void key(Qt::Key key) { QTest::keyClick(&window(), key); }
+    void raise(const char* dock) {
+        child(dock)->show();
+        child(dock)->raise();
+        QTRY_VERIFY(child("room")->isVisible());
+    }
+    static void moveTo(PlanePane& pane, const QPoint& to) {
+        QMouseEvent move(QEvent::MouseMove, to, pane.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&pane, &move);
+    }
+    /// The mouse goes to whole pixels, as mice do; what is asked for is where it ends.
+    static void drag(PlanePane& pane, const QPointF& from, const QPointF& to) {
+        QMouseEvent press(QEvent::MouseButtonPress, from, pane.mapToGlobal(from), Qt::LeftButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QMouseEvent move(QEvent::MouseMove, to, pane.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QMouseEvent release(QEvent::MouseButtonRelease, to, pane.mapToGlobal(to), Qt::LeftButton, Qt::NoButton,
+                            Qt::NoModifier);
+        for (QMouseEvent* event : {&press, &move, &release}) QCoreApplication::sendEvent(&pane, event);
+    }
+    static void doubleClick(PlanePane& pane) {
+        const QPoint at = pane.rect().center() + QPoint(40, 31);
+        QTest::mouseClick(&pane, Qt::LeftButton, {}, at);
+        QTest::mouseDClick(&pane, Qt::LeftButton, {}, at);
+    }
+    void moveIn3d(const QPoint& to) {
+        QMouseEvent move(QEvent::MouseMove, to, pictureWindow()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QCoreApplication::sendEvent(pictureWindow(), &move);
+    }
+    void dragIn3d(const QPoint& from, const QPoint& to) {
+        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, from);
+        moveIn3d((from + to) / 2);
+        moveIn3d(to);
+        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, to);
+    }
+    QPoint seenIn3d(const Vec3& gridMm) {
+        const PicturePlace place = *placeInPicture(window().volumeView().shownCamera(), gridMm);
+        const QSize size = window().volumeView().size();
+        return QPointF(size.width() / 2.0 + place[0] * size.height(), size.height() / 2.0 + place[1] * size.height())
+            .toPoint();
+    }
+    static BoxGrip grip(PlanePane& pane, BoxGrip::Kind kind, BoxFace first = {}, BoxFace second = {}) {
+        const bool corner = kind == BoxGrip::Kind::corner;
+        for (const BoxGrip& grip : pane.drawing().grips) {
+            if (grip.kind != kind) continue;
+            const bool same = grip.first == first && grip.second == second;
+            const bool other = corner && grip.first == second && grip.second == first;
+            if (kind == BoxGrip::Kind::face ? grip.first == first : !corner || same || other) return grip;
+        }
+        qFatal("no such grip");
+        return {};
+    }
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    [[nodiscard]] const Box& box() { return boxOf(document(), 1); }
+    [[nodiscard]] OrientedBox placed() { return orientedBoxOf(box(), document().beam.axis); }
+    [[nodiscard]] const std::vector<ScalpelStroke>& strokes() { return strokesOf(document(), 1); }
+    [[nodiscard]] DataBox dataBox() { return window().session().volume()->dataBox(); }
+    PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
+    PlanePane& anyPane(std::uint32_t number) {
+        static constexpr const char* names[] = {"planes.a", "planes.b", "planes.c"};
+        return pane(names[number % 3]);
+    }
+
+    QString m_file;
+};
+
+QTEST_MAIN(TestBox)
+#include "test_box.moc"

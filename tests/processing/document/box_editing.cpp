@@ -1,0 +1,149 @@
+// What a person's hand makes of the render box, of slabs and of the surface that the picture begins at.
+#include "processing/document/box_editing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace echolucent {
+namespace {
+
+double apart(const Vec3& a, const Vec3& b) { return length(a - b); }
+
+const DataBox data{{-3, 5, 10}, {37, 35, 90}};
+
+Volume even() {
+    VolumeGeometry geometry;
+    geometry.size = {40, 30, 80};
+    return {geometry, Voxels(std::vector<std::uint8_t>(40 * 30 * 80, 90)), 255.0};
+}
+
+OrientedBox oblique() {
+    return orientedBoxOf({.on = true, .direction = {25, -35, 15}, .centreMm = {1, 2, 3}, .sizeMm = {40, 50, 60}},
+                         BeamAxis::plusX);
+}
+
+TEST(BoxSection, EveryCornerLiesInThePlaneAndOnTwoFaces) {
+    const OrientedBox box = oblique();
+    for (const Vec3& normal : {normalized({1, 2, 3}), normalized({-3, 1, 0.2}), box.axes.down}) {
+        const BoxSection section = sectionOf(box, {4, 5, 6}, normal);
+        const std::size_t count = section.corners.size();
+        ASSERT_GE(count, 3u);
+        ASSERT_EQ(section.faces.size(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_NEAR(normal.dot(section.corners[i] - Vec3(4, 5, 6)), 0.0, 1e-9);
+            for (const std::size_t corner : {i, (i + 1) % count}) {
+                const BoxFace& face = section.faces[i];
+                EXPECT_NEAR(outwardNormal(box, face).dot(section.corners[corner] - middleOf(box, face)), 0.0, 1e-9);
+            }
+        }
+    }
+    EXPECT_TRUE(sectionOf(box, {500, 0, 0}, {1, 0, 0}).corners.empty());
+    EXPECT_EQ(sectionOf(box, box.centreMm, box.axes.forward).corners.size(), 4u);
+}
+
+TEST(BoxSection, AMovedFaceLeavesTheOppositeOneInPlaceAndTheBoxThickEnough) {
+    const OrientedBox box = oblique();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            const BoxFace face{axis, sign}, opposite{axis, -sign};
+            const OrientedBox larger = withFaceMoved(box, face, 7, 1);
+            EXPECT_LT(apart(middleOf(larger, opposite), middleOf(box, opposite)), 1e-12);
+            EXPECT_LT(apart(middleOf(larger, face), middleOf(box, face) + outwardNormal(box, face) * 7), 1e-12);
+            const OrientedBox least = withFaceMoved(box, face, -1000, 1);
+            EXPECT_NEAR(least.sizeMm[axis], 1.0, 1e-12);
+            EXPECT_LT(apart(middleOf(least, opposite), middleOf(box, opposite)), 1e-12);
+        }
+}
+
+TEST(BoxEditing, ATurnKeepsTheCentreAndAMoveKeepsTheBitsOfTheTurn) {
+    const Box box{.on = true, .direction = {25, -35, 15}, .centreMm = {1, 2, 3}, .sizeMm = {40, 50, 60}};
+    OrientedBox shifted = orientedBoxOf(box, BeamAxis::minusY);
+    shifted.centreMm += Vec3(1, 0, 0);
+    EXPECT_TRUE(movedBox(box, shifted, BeamAxis::minusY).direction == box.direction);
+    const OrientedBox turned = turnedAbout(oblique(), oblique().axes.right, 30);
+    EXPECT_EQ(problemOf(turned.axes), "");
+    EXPECT_LT(apart(turned.centreMm, oblique().centreMm), 1e-12);
+    EXPECT_LT(apart(turned.axes.right, oblique().axes.right), 1e-12);
+    EXPECT_NEAR(turned.axes.down.dot(oblique().axes.down), std::cos(30 * M_PI / 180), 1e-12);
+    EXPECT_NEAR(turned.axes.down.dot(oblique().axes.forward), 0.5, 1e-12) << "from down towards forward";
+    const Box told = movedBox(Box{.on = true}, turned, BeamAxis::plusX);
+    EXPECT_LT(apart(orientedBoxOf(told, BeamAxis::plusX).axes.down, turned.axes.down), 1e-9);
+}
+
+TEST(BoxEditing, AFrontTurnsTheViewAndTheTubeCoresAndSwitchesTheBoxOn) {
+    for (const BeamAxis beam : {BeamAxis::plusZ, BeamAxis::minusY}) {
+        Document document;
+        document.beam.axis = beam;
+        for (const BoxSide side : allBoxSides) {
+            const Document next = withFront(document, 1, side, data);
+            const OrientedBox box = orientedBoxOf(boxOf(next, 1), beam);
+            EXPECT_TRUE(boxOf(next, 1).on);
+            const Vec3 inwards = -outwardNormal(box, faceOf(side));
+            EXPECT_LT(apart(frameOf(otfViewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
+            EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
+            EXPECT_LT(apart(box.centreMm, data.centreMm()), 1e-12);
+        }
+    }
+}
+
+TEST(BoxEditing, ASwitchedOffBoxKeepsItsPlace) {
+    Document document;
+    boxOf(document, 1) = {.on = true, .centreMm = {9, 8, 7}, .sizeMm = {3, 4, 5}};
+    const Document off = withBoxSwitched(document, 1, false, data);
+    EXPECT_FALSE(otfViewpointOf(off, 1).box);
+    EXPECT_TRUE(withBoxSwitched(off, 1, true, data) == withBoxSwitched(document, 1, true, data));
+}
+
+TEST(BoxEditing, ASlabLiesAroundItsPlaneAndIsSeenAsThePlaneIs) {
+    Document document;
+    document.beam.axis = BeamAxis::plusX;
+    planesOf(document, 1) = {.direction = {10, 20, 30}, .offsetMm = {1, 2, 3}};
+    cutOf(document, 1).nearCutMm = 9;
+    for (const PlaneName plane : allPlaneNames) {
+        const Document next = withSlab(document, 1, plane, 4, data);
+        const OrientedBox box = orientedBoxOf(boxOf(next, 1), BeamAxis::plusX);
+        const ViewFrame seen = frameOf(plane, planesOf(document, 1), BeamAxis::plusX);
+        EXPECT_EQ(box.sizeMm[2], 4.0);
+        EXPECT_NEAR(seen.forward.dot(box.centreMm - referencePointOf(planesOf(document, 1), data)), 0.0, 1e-9);
+        EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, seen.forward), 1e-9);
+        EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).down, seen.down), 1e-9);
+        EXPECT_EQ(cutOf(next, 1).nearCutMm, 0.0) << "a slab behind a cut would be cut away";
+    }
+}
+
+TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
+    Document document;
+    const Volume volume = even();
+    const auto depthAtCentre = [&](const Document& of) {
+        const CutSurface surface = startSurface(of, 1, volume);
+        EXPECT_EQ(problemOf(surface), "");
+        return surface.depthAt(volume.geometry().centreMm());
+    };
+    EXPECT_NEAR(depthAtCentre(document), -0.5, 1e-6) << "the data's front";
+    cutOf(document, 1).nearCutMm = 12;
+    EXPECT_NEAR(depthAtCentre(document), 11.5, 1e-6) << "the near cut";
+    Document boxed = withBoxSwitched(document, 1, true, volume.dataBox());
+    EXPECT_NEAR(depthAtCentre(boxed), 11.5, 1e-6) << "the near cut is deeper than the box's front";
+    Box box = boxOf(boxed, 1);
+    box.sizeMm[2] = 20;
+    EXPECT_NEAR(depthAtCentre(withBox(boxed, 1, box)), 29.5, 1e-6) << "the box's front is deeper";
+    const CutSurface own = bowed(startSurface(document, 1, volume), 3);
+    cutOf(document, 1) = {.surface = own};
+    EXPECT_TRUE(startSurface(document, 1, volume) == own);
+}
+
+TEST(BoxEditing, ABowIsDeepestInTheMiddleAndLeavesTheBorder) {
+    Document document;
+    const Volume volume = even();
+    const CutSurface flat = startSurface(document, 1, volume), surface = bowed(flat, 5);
+    const Vec3 centre = volume.geometry().centreMm();
+    EXPECT_NEAR(surface.depthAt(centre) - flat.depthAt(centre), 5 * bowAt(flat, centre), 0.05);
+    EXPECT_GT(bowAt(flat, centre), 0.99);
+    const Vec3 border = centre + surface.frame.right * (surface.spacingMm * (surface.columns - 1) / 2.0);
+    EXPECT_NEAR(surface.depthAt(border), flat.depthAt(border), 1e-6);
+    EXPECT_TRUE(bowed(surface, -5).frame == flat.frame);
+}
+
+}  // namespace
+}  // namespace echolucent
