@@ -123,7 +123,7 @@ private slots:
         const QPolygonF line = a.drawing().startLine;
         QVERIFY(!line.isEmpty());
         // Beside the diamond in the middle and inside the pane's rim.
-        const auto* place = std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
+        const auto place = std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
         const QPointF from = *place;
         drag(a, from, from + QPointF(0, 25));
         QVERIFY(std::abs(cutOf(document(), 1).nearCutMm - 20 - 25 * a.mapping().mmPerPixel()) < 1e-6);
