@@ -64,7 +64,7 @@ private slots:
         const QTabBar* tabs = tabBar();
         QVERIFY(tabs != nullptr);
         for (int i = 0; i < tabs->count(); ++i) titles << tabs->tabText(i);
-        QCOMPARE(titles, (QStringList{"Picture", "Curve", "Method", "Study", "Motion", "Explain"}));
+        QCOMPARE(titles, (QStringList{"Picture", "Curve", "Planes", "Method", "Study", "Motion", "Explain"}));
         // No title is cut.
         for (int i = 0; i < tabs->count(); ++i)
             QVERIFY2(tabs->tabRect(i).width() >= tabs->fontMetrics().horizontalAdvance(titles[i]) + 8 &&

@@ -63,7 +63,11 @@ LookControls::Control LookControls::createNumber(const Parameter<Look>& row) {
                 : new ValueSlider(objectNameOf(row), label(row), (row.range.largest - row.range.least) / 100.0, 2);
     slider->setToolTip(toolTipOf(row));
     slider->setRange(row.range.least, row.range.largest);
-    slider->setSuffix(degrees ? QStringLiteral("°") : row.unit.empty() ? QString() : " " + textOf(row.unit));
+    // The column of panels is narrow: units are signs.
+    slider->setSuffix(degrees               ? QStringLiteral("°")
+                      : row.unit == "times" ? QStringLiteral("×")
+                      : row.unit.empty()    ? QString()
+                                            : " " + textOf(row.unit));
     slider->setStandard(numberOf(*row.get(lookAtStart())).value());
     connect(slider, &ValueSlider::valueChanged, this, [this, &row](double value) { take(row, value); });
     return {slider, [slider](const ParameterValue& value) { slider->setValue(*numberOf(value)); }};

@@ -33,7 +33,8 @@ QToolButton* createSwitch(const QString& text, const QString& name, const QStrin
     auto* button = named(new QToolButton, name, accessibleName, toolTip);
     button->setText(text);
     button->setCheckable(true);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // The column of panels is narrow: a switch takes its share of the row, which is enough for its one word.
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return button;
 }
 
@@ -82,6 +83,7 @@ RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
 QGroupBox* RoomPanel::createPlanes() {
     auto* group = new QGroupBox(tr("Planes A, B, C"));
     auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(6, 6, 6, 6);
     m_quiet = named(new QCheckBox(tr("Planes show quiet voxels")), "room.quiet", tr("Planes show quiet voxels"),
                     tr("Off: the planes show the voxels that were read"));
     m_lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
@@ -127,6 +129,7 @@ QGroupBox* RoomPanel::createPlanes() {
 QGroupBox* RoomPanel::createBox() {
     auto* group = new QGroupBox(tr("Render box"));
     auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(6, 6, 6, 6);
     m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
                   tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
     connect(m_box, &QCheckBox::toggled, this, &RoomPanel::boxSwitched);
@@ -194,6 +197,7 @@ void RoomPanel::addSlab(QVBoxLayout& column) {
 QGroupBox* RoomPanel::createScalpel() {
     auto* group = new QGroupBox(tr("Scalpel"));
     auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(6, 6, 6, 6);
     addTools(*column);
     addStrokes(*column);
     return group;
