@@ -98,7 +98,7 @@ void PlanePane::paintLines(QPainter& painter) const {
 
 /// The box with its front in the accent, the line that the picture begins at, and what can be held.
 void PlanePane::paintBox(QPainter& painter) const {
-    const BoxDrawing shown = drawing();
+    const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
     const auto paintLine = [&](const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
         painter.setPen(QPen(QColor(0, 0, 0, 150), width + 2.0));

@@ -54,6 +54,7 @@ void PlanePane::placeButtons() {
 void PlanePane::setScene(const PlaneScene& scene) {
     if (m_scene == scene) return;
     m_scene = scene;
+    m_drawing.reset();
     makeImage();
     update();
 }
@@ -61,6 +62,7 @@ void PlanePane::setScene(const PlaneScene& scene) {
 void PlanePane::clear() {
     cancelDrag();
     m_scene.reset();
+    m_drawing.reset();
     m_samples.reset();
     m_image = {};
     m_drag = Drag::none;
@@ -93,6 +95,12 @@ PlaneMapping PlanePane::mapping() const {
     return {planeViewOf(m_scene->planes, m_plane, m_scene->beam, m_scene->data, aspect), size()};
 }
 
+const BoxDrawing& PlanePane::drawing() const {
+    // Its line takes hundreds of rays through the start surface, and every move of the cursor asks for it.
+    if (!m_drawing) m_drawing = boxDrawing(m_scene->box, mapping());
+    return *m_drawing;
+}
+
 QPointF PlanePane::referencePixel() const { return mapping().seenAt(referencePointOf(m_scene->planes, m_scene->data)); }
 
 bool PlanePane::atRim(const QPointF& pixel) const {
@@ -102,6 +110,7 @@ bool PlanePane::atRim(const QPointF& pixel) const {
 void PlanePane::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     placeButtons();
+    m_drawing.reset();
     emit wantsOther();
 }
 

@@ -62,7 +62,7 @@ public:
     /// Where places of the grid are seen now; needs a scene.
     [[nodiscard]] PlaneMapping mapping() const;
     /// What is drawn of the box, and where it can be held.
-    [[nodiscard]] BoxDrawing drawing() const { return boxDrawing(m_scene->box, mapping()); }
+    [[nodiscard]] const BoxDrawing& drawing() const;
 
     /// What lies nearer to the pane's border, in logical pixels, is its rim.
     static constexpr double rim = 24.0;
@@ -127,7 +127,8 @@ private:
     std::optional<PlaneScene> m_scene;
     std::shared_ptr<const PlaneSamples> m_samples;
     QImage m_image;
-    GreyScale m_greys;  ///< of the image
+    mutable std::optional<BoxDrawing> m_drawing;  ///< of the present scene and size, once it was asked for
+    GreyScale m_greys;                            ///< of the image
     QToolButton* m_reset = nullptr;
     QToolButton* m_maximise = nullptr;
 

@@ -1,8 +1,6 @@
-// The render box and the scalpel in the real main window: mouse and keys on planes, picture and panel.
-#include <QAction>
+// The render box in the real main window: mouse and keys on planes, picture and panel.
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QListWidget>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -15,16 +13,13 @@
 #include "app/window/review_room.h"
 #include "io/document/document_file.h"
 #include "processing/document/box_editing.h"
-#include "processing/picture/picture_place.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/planes/room_fixture.h"
 #include "widgets/panels/room_panel.h"
-#include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
-#include "widgets/volume_view/lasso_pointer.h"
 
 using namespace echolucent;
 
-class TestBox : public QObject, private WindowFixture {
+class TestBox : public QObject, private RoomFixture {
     Q_OBJECT
 
 private slots:
@@ -171,27 +166,6 @@ private slots:
         }
     }
 
-    void aStrokeIsSeenInThePlanesToo() {
-        PlanePane& c = pane("planes.c");
-        QTRY_VERIFY(!window().reviewRoom().busy());
-        const QPoint middle = c.image().rect().center();
-        const auto darkPixels = [&] {
-            int dark = 0;
-            for (int y = -20; y <= 20; ++y)
-                for (int x = -20; x <= 20; ++x) dark += qGray(c.image().pixel(middle + QPoint(x, y))) == 0;
-            return dark;
-        };
-        const int before = darkPixels();
-        raise("dock.room");
-        click("room.scalpel.box");
-        const QSize size = window().volumeView().size();
-        dragIn3d(QPoint(size.width() / 4, size.height() / 4), QPoint(size.width() * 3 / 4, size.height() * 3 / 4));
-        QTRY_VERIFY(window().idle());
-        QTRY_VERIFY(darkPixels() > before + 1000);
-        window().document().steps().undo();
-        QTRY_COMPARE(darkPixels(), before);
-    }
-
     void theBrightnessOfTheLookIsThatOfThePlanes() {
         PlanePane& a = pane("planes.a");
         const int before = qGray(a.image().pixel(a.image().rect().center()));
@@ -252,91 +226,6 @@ private slots:
         QVERIFY(poseOf(document(), 1) != pose);
     }
 
-    void strokesOfEveryToolAreDrawnAndTakenBack() {
-        key(Qt::Key_F2);
-        waitUntilIdle();
-        const QSize size = window().volumeView().size();
-        const QPoint centre(size.width() / 2, size.height() / 2);
-        const Pose pose = poseOf(document(), 1);
-        key(Qt::Key_S);
-        QVERIFY(child<QToolButton>("room.scalpel.freehand")->isChecked());
-        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
-        for (const QPoint& way : {QPoint(40, 0), QPoint(40, 40), QPoint(0, 40)}) moveIn3d(centre + way);
-        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, centre + QPoint(0, 40));
-        QCOMPARE(strokes().size(), 1u);
-        QCOMPARE(strokes()[0].places.size(), 4u);
-        QVERIFY(!strokes()[0].depthMm);
-        QVERIFY(poseOf(document(), 1) == pose);
-        raise("dock.room");
-        click("room.scalpel.box");
-        click("room.scalpel.outside");
-        dragIn3d(centre - QPoint(90, 80), centre + QPoint(90, 80));
-        QCOMPARE(strokes().size(), 2u);
-        QCOMPARE(strokes()[1].side, ScalpelSide::outside);
-        click("room.scalpel.eraser");
-        dragIn3d(centre - QPoint(60, 60), centre - QPoint(20, 60));
-        QCOMPARE(strokes()[2].side, ScalpelSide::inside);
-        const double heightMm = strokes()[2].camera.heightMm;
-        QVERIFY(std::abs(strokes()[2].radius * heightMm * 2 - child<QDoubleSpinBox>("room.scalpel.size")->value()) <
-                1e-9);
-        click("room.scalpel.polygon");
-        for (const QPoint& corner : {QPoint(-30, -30), QPoint(30, -30), QPoint(0, 30)})
-            QTest::mouseClick(pictureWindow(), Qt::LeftButton, {}, centre + corner);
-        QTest::keyClick(&window().volumeView(), Qt::Key_Return);
-        QCOMPARE(strokes().size(), 4u);
-        QCOMPARE(strokes()[3].places.size(), 3u);
-        QCOMPARE(child<QListWidget>("room.scalpel.strokes")->count(), 4);
-        child<QListWidget>("room.scalpel.strokes")->setCurrentRow(1);
-        click("room.scalpel.takeBack");
-        QCOMPARE(strokes().size(), 3u);
-        QTest::keyClick(&window(), Qt::Key_S, Qt::ShiftModifier);
-        QVERIFY(strokes().empty());
-        window().document().steps().undo();
-        QCOMPARE(strokes().size(), 3u);
-        waitUntilIdle();
-    }
-
-    void aStrokeDownToADepthCountsFromWhatShows() {
-        key(Qt::Key_F2);
-        raise("dock.room");
-        click("room.scalpel.limited");
-        click("room.scalpel.box");
-        waitUntilIdle();
-        const QSize size = window().volumeView().size();
-        const QPoint centre(size.width() / 2, size.height() / 2);
-        dragIn3d(centre - QPoint(60, 60), centre + QPoint(60, 60));
-        QCOMPARE(strokes().size(), 1u);
-        const auto shown = window().volumeView().shownAt({0, 0});
-        QVERIFY(shown.has_value());
-        const double behind = *strokes()[0].depthMm - strokes()[0].camera.frame.forward.dot(*shown);
-        const double limit = child<QDoubleSpinBox>("room.scalpel.limit")->value();
-        // What shows in the middle may lie behind the nearest that shows, by no more than the volume is deep.
-        QVERIFY(behind <= limit + 2.0);
-        QVERIFY(behind > limit - length(dataBox().sizeMm()));
-    }
-
-    void escapeDropsAStrokeThenTheScalpelThenTheRoom() {
-        doubleClick(pane("planes.a"));
-        QVERIFY(!window().volumeView().isVisible());
-        key(Qt::Key_Escape);
-        QVERIFY(window().volumeView().isVisible());
-        QTest::mouseDClick(pictureWindow(), Qt::LeftButton);
-        key(Qt::Key_S);
-        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, QPoint(200, 200));
-        moveIn3d(QPoint(260, 200));
-        moveIn3d(QPoint(260, 260));
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QVERIFY(!window().volumeView().lasso().drawing());
-        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, QPoint(260, 260));
-        QVERIFY(strokes().empty());
-        QVERIFY(window().volumeView().lasso().tool().has_value());
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QVERIFY(!window().volumeView().lasso().tool());
-        QVERIFY(!pane("planes.a").isVisible());
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QVERIFY(pane("planes.a").isVisible());
-    }
-
     void twoHundredActionsAreUndoneAndRedoneByteForByte() {
         key(Qt::Key_B);
         std::mt19937 random(12);
@@ -395,47 +284,6 @@ private slots:
     }
 
 private:
-    void key(Qt::Key key) { QTest::keyClick(&window(), key); }
-    void raise(const char* dock) {
-        child(dock)->show();
-        child(dock)->raise();
-        QTRY_VERIFY(child("room")->isVisible());
-    }
-    static void moveTo(PlanePane& pane, const QPoint& to) {
-        QMouseEvent move(QEvent::MouseMove, to, pane.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&pane, &move);
-    }
-    /// The mouse goes to whole pixels, as mice do; what is asked for is where it ends.
-    static void drag(PlanePane& pane, const QPointF& from, const QPointF& to) {
-        QMouseEvent press(QEvent::MouseButtonPress, from, pane.mapToGlobal(from), Qt::LeftButton, Qt::LeftButton,
-                          Qt::NoModifier);
-        QMouseEvent move(QEvent::MouseMove, to, pane.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-        QMouseEvent release(QEvent::MouseButtonRelease, to, pane.mapToGlobal(to), Qt::LeftButton, Qt::NoButton,
-                            Qt::NoModifier);
-        for (QMouseEvent* event : {&press, &move, &release}) QCoreApplication::sendEvent(&pane, event);
-    }
-    static void doubleClick(PlanePane& pane) {
-        const QPoint at = pane.rect().center() + QPoint(40, 31);
-        QTest::mouseClick(&pane, Qt::LeftButton, {}, at);
-        QTest::mouseDClick(&pane, Qt::LeftButton, {}, at);
-    }
-    void moveIn3d(const QPoint& to) {
-        QMouseEvent move(QEvent::MouseMove, to, pictureWindow()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                         Qt::NoModifier);
-        QCoreApplication::sendEvent(pictureWindow(), &move);
-    }
-    void dragIn3d(const QPoint& from, const QPoint& to) {
-        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, from);
-        moveIn3d((from + to) / 2);
-        moveIn3d(to);
-        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, to);
-    }
-    QPoint seenIn3d(const Vec3& gridMm) {
-        const PicturePlace place = *placeInPicture(window().volumeView().shownCamera(), gridMm);
-        const QSize size = window().volumeView().size();
-        return QPointF(size.width() / 2.0 + place[0] * size.height(), size.height() / 2.0 + place[1] * size.height())
-            .toPoint();
-    }
     static BoxGrip grip(PlanePane& pane, BoxGrip::Kind kind, BoxFace first = {}, BoxFace second = {}) {
         const bool corner = kind == BoxGrip::Kind::corner;
         for (const BoxGrip& grip : pane.drawing().grips) {
@@ -446,16 +294,6 @@ private:
         }
         qFatal("no such grip");
         return {};
-    }
-    [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] const Box& box() { return boxOf(document(), 1); }
-    [[nodiscard]] OrientedBox placed() { return orientedBoxOf(box(), document().beam.axis); }
-    [[nodiscard]] const std::vector<ScalpelStroke>& strokes() { return strokesOf(document(), 1); }
-    [[nodiscard]] DataBox dataBox() { return window().session().volume()->dataBox(); }
-    PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
-    PlanePane& anyPane(std::uint32_t number) {
-        static constexpr const char* names[] = {"planes.a", "planes.b", "planes.c"};
-        return pane(names[number % 3]);
     }
 
     QString m_file;
