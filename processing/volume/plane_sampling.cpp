@@ -51,9 +51,10 @@ struct Between {
 
 Between between(double voxel, std::int64_t size) {
     const auto last = static_cast<double>(size - 1);
-    const double inside = std::clamp(voxel, 0.0, last);
-    const auto low = static_cast<std::int64_t>(inside);
-    return {low, low + 1 < size ? 1 : 0, static_cast<float>(inside - static_cast<double>(low))};
+    const double inside = std::min(std::max(voxel, 0.0), last);  // std::clamp() would branch
+    // No side of a volume is as long as 2^31 voxels, and the shorter conversion is the quicker one.
+    const auto low = static_cast<std::int32_t>(inside);
+    return {low, low + 1 < size ? 1 : 0, static_cast<float>(inside - low)};
 }
 
 template <typename Voxel>
