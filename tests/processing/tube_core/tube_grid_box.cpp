@@ -96,8 +96,8 @@ TEST(TubeGridBox, SamplesOfACoreStayWithinTheBoxAlongIt) {
 TEST(TubeGridBox, ABoxOfTheWholeVolumeChangesNoBitOfTheAdaptiveOtf) {
     const Volume volume = *makePhantom(defaultPhantom(PhantomScene::fetus));
     for (const double azimuth : {0.0, 20.0}) {
-        const Viewpoint open{.azimuthDegrees = azimuth};
-        Viewpoint boxed = open;
+        Viewpoint open, boxed;
+        open.azimuthDegrees = boxed.azimuthDegrees = azimuth;
         boxed.box = orientedBoxOf(DataBox(volume.geometry()));
         const auto one = adaptOpacity(volume, open, {}), other = adaptOpacity(volume, boxed, {});
         ASSERT_GT(one->tubesWithWeight, 10);
