@@ -126,6 +126,8 @@ bool normalizeDirection(Mat3& direction) {
     return std::abs(cv::determinant(direction)) > 1e-3;
 }
 
+bool saysMoreThanItsAxes(const Mat3& direction) { return cv::norm(direction - Mat3::eye()) > 1e-6; }
+
 std::string skewWarning(const Mat3& direction) {
     const Mat3 products = direction.t() * direction;
     const double skew = std::max({std::abs(products(0, 1)), std::abs(products(0, 2)), std::abs(products(1, 2))});

@@ -55,6 +55,7 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     for (int axis = 0; axis < 3; ++axis)
         entry["direction"].push_back(
             {geometry.direction(0, axis), geometry.direction(1, axis), geometry.direction(2, axis)});
+    entry["patient_frame_known"] = geometry.patientFrameKnown;
     entry["type"] = volume.typeName();
     entry["white_level"] = volume.whiteLevel();
     entry["phases"] = study.phases.size();

@@ -69,7 +69,7 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
     scene.lengthsKnown = volume.geometry().spacingKnown;
     scene.brightness = lookOf(document, m_view).brightness;
     scene.box = boxScene(volume);
-    scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam);
+    scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam, volume.geometry());
     return scene;
 }
 

@@ -6,11 +6,17 @@
 
 #include "processing/view_frame.h"
 #include "processing/viewpoint.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 
-/// Left, right, top and bottom: "probe" at the edge that lies towards the probe, within 30 degrees; the others are
-/// empty.
-[[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, BeamAxis beam);
+/// Where a direction points in a patient: "L" and "R" (the patient's left and right), "A" and "P" (anterior,
+/// posterior), "H" and "F" (head, foot), the largest share first, and shares below sin 20 degrees left out: "LA".
+/// `towards` is a unit vector in DICOM's LPS.
+[[nodiscard]] QString patientLetters(const Vec3& towards);
+
+/// Left, right, top and bottom: the patient's letters where the geometry knows the patient's frame, and "probe" at the
+/// edge that lies towards the probe, within 30 degrees. The others are empty.
+[[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, BeamAxis beam, const VolumeGeometry& geometry);
 
 }  // namespace echolucent

@@ -15,6 +15,7 @@ namespace echolucent {
 struct DicomTag {
     std::uint16_t group = 0;
     std::uint16_t element = 0;
+    friend bool operator==(const DicomTag&, const DicomTag&) = default;
 };
 
 /// The tag as DICOM writes it: "(0018,0088)".

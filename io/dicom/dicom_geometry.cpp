@@ -54,7 +54,10 @@ void readGroups(DcmItem& groups, FramePlacement& placement) {
     for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9116}, orientationPatient},
                                         std::pair{DicomTag{0x0020, 0x930f}, DicomTag{0x0020, 0x9302}}})
         if (DcmItem* item = dicomFirstItem(groups, sequence))
-            if (const auto orientation = orientationFrom(*item, tag)) placement.orientation = orientation;
+            if (const auto orientation = orientationFrom(*item, tag)) {
+                placement.orientation = orientation;
+                placement.orientationInPatient = tag == orientationPatient;
+            }
     if (DcmItem* item = dicomFirstItem(groups, {0x0028, 0x9110}))
         if (const auto spacing = spacingFrom(*item)) placement.pixelSpacing = spacing;
     if (DcmItem* item = dicomFirstItem(groups, {0x0018, 0x9807}))
@@ -83,6 +86,7 @@ std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
     placement.position = pointFrom(dataset, positionPatient);
     placement.positionTag = positionPatient;
     placement.orientation = orientationFrom(dataset, orientationPatient);
+    placement.orientationInPatient = true;
     placement.pixelSpacing = spacingFrom(dataset);
     if (!placement.position || !placement.orientation) return std::nullopt;
     return placement;
@@ -114,8 +118,8 @@ std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t fram
         offsets.resize(frames);
         for (std::size_t frame = 0; frame < frames; ++frame) offsets[frame] = static_cast<double>(frame) * between[0];
     }
-    const auto orientation =
-        orientationFrom(dataset, orientationPatient).value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
+    const auto stated = orientationFrom(dataset, orientationPatient);
+    const auto orientation = stated.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
     const Vec3 origin = pointFrom(dataset, positionPatient).value_or(Vec3(0, 0, 0));
     const Vec3 normal = orientation[0].cross(orientation[1]);
     std::vector<FramePlacement> placements(frames);
@@ -123,6 +127,7 @@ std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t fram
         placements[frame].position = origin + normal * offsets[frame];
         placements[frame].positionTag = isPosition(origin) ? offsetTag : positionPatient;
         placements[frame].orientation = orientation;
+        placements[frame].orientationInPatient = stated.has_value();
         placements[frame].pixelSpacing = spacing;
     }
     return placements;

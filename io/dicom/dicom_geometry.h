@@ -19,6 +19,7 @@ struct FramePlacement {
     std::optional<Vec3> position;                       ///< mm, of the centre of the first pixel
     DicomTag positionTag;                               ///< which attribute gave the position
     std::optional<std::array<Vec3, 2>> orientation;     ///< along a row, along a column
+    bool orientationInPatient = false;                  ///< else in a frame of the volume's own
     std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
     std::optional<double> time;                         ///< seconds, or an index where timeIsIndex
     bool timeIsIndex = false;

@@ -144,6 +144,7 @@ Result<FrameLayout> MultiframeReader::stackPhases(const std::map<double, std::ve
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
     layout.geometry.origin = firstStack->origin;
     layout.geometry.direction = firstStack->direction;
+    layout.geometry.patientFrameKnown = placements[layout.phases[0][0]].orientationInPatient;
     std::string source = "(0028,9110) Pixel Measures";
     auto spacing = placements[layout.phases[0][0]].pixelSpacing;
     if (!spacing) spacing = pixelSpacingOf(m_file.dataset(), source);

@@ -131,6 +131,7 @@ Result<SliceOrder> orderByPosition(const std::string& folder, const Series& seri
     for (const std::size_t index : stack->order) order.paths.push_back(series.files[index].path);
     order.geometry.origin = stack->origin;
     order.geometry.direction = stack->direction;
+    order.geometry.patientFrameKnown = series.files.front().placement->orientationInPatient;
     order.geometry.spacing[2] = stack->spacing;
     order.warnings = stack->warnings;
     return order;

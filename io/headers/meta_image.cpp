@@ -252,6 +252,7 @@ Result<void> MetaImageHeader::readPosition() {
             return wrong(key, "does not hold three independent directions: " + quotedText(text));
         if (auto warning = skewWarning(m_stored.geometry.direction); !warning.empty())
             m_stored.warnings.push_back(std::move(warning));
+        m_stored.geometry.patientFrameKnown = saysMoreThanItsAxes(m_stored.geometry.direction);
     }
     if (const auto key = firstOf({"Offset", "Position", "Origin"}); !key.empty()) {
         const std::string& text = *find(key);

@@ -27,6 +27,7 @@ struct VolumeGeometry {
     Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
     bool spacingKnown = true;  ///< where false, the spacing is a guess: the picture must say so, and no length in mm
                                ///< may be shown as a fact
+    bool patientFrameKnown = false;  ///< whether `direction` was stated for a patient; else it is the grid's own frame
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
     /// Offset of voxel (x,y,z) in the voxel array.

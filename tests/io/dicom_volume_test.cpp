@@ -44,6 +44,7 @@ TEST(DicomFolder, SlicesAreSortedByPosition) {
     EXPECT_EQ(volume.geometry().spacing, Vec3(0.25, 0.5, 2));
     EXPECT_EQ(volume.geometry().patientFromVoxel({0, 0, 0}), Vec3(-5, 6, -3));
     EXPECT_EQ(volume.geometry().patientFromVoxel({2, 2, 1}), Vec3(-4.5, 7, -1));
+    EXPECT_TRUE(volume.geometry().patientFrameKnown);
     for (int z = 0; z < 7; ++z) EXPECT_EQ(volume.storedValue(volume.geometry().offset(3, 2, z)), 10 + z);
     EXPECT_THAT(factOf(*study, "format"), HasSubstr("7 slices"));
 }
@@ -211,6 +212,7 @@ TEST(DicomMultiframe, FunctionalGroupsPlaceTheFrames) {
         EXPECT_EQ(volume.geometry().size, (std::array<std::int64_t, 3>{4, 3, 3}));
         EXPECT_EQ(volume.geometry().spacing, Vec3(0.25, 0.5, 2));
         EXPECT_EQ(volume.geometry().origin, Vec3(1, 2, 3));
+        EXPECT_EQ(volume.geometry().patientFrameKnown, patient);
         EXPECT_TRUE(volume.geometry().spacingKnown);
         EXPECT_EQ(volume.storedValue(0), 11);
         EXPECT_EQ(volume.storedValue(12), 12);

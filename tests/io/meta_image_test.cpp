@@ -122,6 +122,17 @@ TEST(MetaImage, TransformMatrixRowsAreTheGridAxes) {
     EXPECT_EQ(geometry.patientFromVoxel({1, 0, 0}), Vec3(10, 20.5, 30));
     EXPECT_EQ(geometry.patientFromVoxel({0, 1, 0}), Vec3(10, 20, 30.25));
     EXPECT_EQ(geometry.patientFromVoxel({0, 0, 1}), Vec3(12, 20, 30));
+    EXPECT_TRUE(geometry.patientFrameKnown);
+}
+
+TEST(MetaImage, TheAxesThemselvesAreNoWordOnThePatient) {
+    const TemporaryFolder folder;
+    const std::string axes = "TransformMatrix = 1 0 0 0 1 0 0 0 1\nAnatomicalOrientation = RAI\n";
+    for (const std::string& place : {std::string(), axes}) {
+        const auto study = readStudy(folder.write("v.mha", header("MET_UCHAR", place) + std::string(12, '\1')));
+        ASSERT_TRUE(study);
+        EXPECT_FALSE(study->phases[0]->geometry().patientFrameKnown);
+    }
 }
 
 TEST(MetaImage, SynonymsOfPositionAndSpacingMeanTheSame) {

@@ -99,6 +99,18 @@ TEST(Nrrd, OtherFramesAreTurnedIntoLps) {
     EXPECT_EQ(geometryOf("space: scanner-xyz\n" + place).patientFromVoxel(corner), Vec3(11, 22, 33));
 }
 
+TEST(Nrrd, ThePatientsFrameIsKnownWhereDirectionsSayMoreThanTheAxes) {
+    const std::string turned = "space directions: (0,2,0) (0,0,3) (4,0,0)\n";
+    const std::string axes = "space directions: (2,0,0) (0,3,0) (0,0,4)\n";
+    EXPECT_TRUE(geometryOf("space: LPS\n" + turned).patientFrameKnown);
+    EXPECT_TRUE(geometryOf("space: right-anterior-superior\n" + turned).patientFrameKnown);
+    EXPECT_FALSE(geometryOf("space: LPS\n" + axes).patientFrameKnown);
+    EXPECT_FALSE(geometryOf("space: RAS\n" + axes).patientFrameKnown);
+    EXPECT_FALSE(geometryOf("space: scanner-xyz\n" + turned).patientFrameKnown);
+    EXPECT_FALSE(geometryOf("space dimension: 3\n" + turned).patientFrameKnown);
+    EXPECT_FALSE(geometryOf("spacings: 1 2 -3\n").patientFrameKnown);
+}
+
 TEST(Nrrd, UnitsOtherThanMillimetresAreConverted) {
     EXPECT_EQ(geometryOf("spacings: 1 2 500\nunits: \"cm\" \"mm\" \"um\"\n").spacing, Vec3(10, 2, 0.5));
     EXPECT_EQ(geometryOf("space dimension: 3\nspace units: \"cm\" \"cm\" \"cm\"\n"
