@@ -4,6 +4,7 @@
 
 #include "io/curve_file.h"
 #include "io/dicom/dicom_reader.h"
+#include "io/document/preset_file.h"
 #include "io/headers/header_text.h"
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
@@ -45,12 +46,17 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
                       "Export it as a Cartesian volume: MetaImage, NRRD or DICOM slices.");
     if (beginning.size() >= 348 && (beginning.substr(344, 3) == "n+1" || beginning.substr(344, 3) == "ni1"))
         return refuse("is a NIfTI volume, which cannot be read yet", "Convert it to MetaImage or NRRD.");
-    if (const auto text = beginning.find_first_not_of(" \t\r\n");
-        text != std::string_view::npos && beginning[text] == '{' &&
-        beginning.find(curveFormatName) != std::string_view::npos) {
+    const auto text = beginning.find_first_not_of(" \t\r\n");
+    if (text == std::string_view::npos || beginning[text] != '{') return std::nullopt;
+    if (beginning.find(curveFormatName) != std::string_view::npos) {
         Failure curve = refuse("is an opacity curve, not a volume", "Open a volume, and then this file as its curve.");
         curve.opacityCurve = true;
         return curve;
+    }
+    if (beginning.find(presetsFormatName) != std::string_view::npos) {
+        Failure presets = refuse("holds presets, not a volume", "Open a volume, and import this file as presets.");
+        presets.presets = true;
+        return presets;
     }
     return std::nullopt;
 }

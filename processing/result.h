@@ -31,6 +31,8 @@ struct Failure {
     bool layoutUnknown = false;
     /// True where the file holds an opacity curve, which opens as such.
     bool opacityCurve = false;
+    /// True where the file holds presets, which are imported.
+    bool presets = false;
 };
 
 template <typename T>

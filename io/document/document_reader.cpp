@@ -1,7 +1,7 @@
 #include "io/document/document_file.h"
+#include "io/document/document_values.h"
 #include "io/input_file.h"
 #include "io/json_values.h"
-#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
@@ -10,12 +10,6 @@ namespace {
 constexpr std::int64_t largestId = 1'000'000;
 constexpr std::size_t largestFile = std::size_t{16} << 20;
 constexpr const char* remedy = "Correct the file, or save the document again from the program.";
-
-/// The largest opacity scale and slope that a curve may have.
-double largestScale() {
-    static const double largest = parameterNamed(methodParameters(), "opacity_scale")->range.largest;
-    return largest;
-}
 
 int idIn(JsonFields& fields, const char* key = "id") { return static_cast<int>(fields.whole(key, 0, largestId)); }
 
@@ -71,12 +65,6 @@ Cut cutIn(JsonFields& fields) {
     cut.source = fields.choice("source", &cutSourceFromName);
     if (!fields.isNull("surface")) cut.surface = surfaceIn(fields.object("surface"));
     return cut;
-}
-
-Look lookIn(JsonFields& fields) {
-    Look look = lookAtStart();
-    fields.parameters(lookParameters(), look);
-    return look;
 }
 
 Box boxIn(JsonFields& fields) {
@@ -149,33 +137,6 @@ std::vector<View> viewsIn(JsonFields& root) {
     return views;
 }
 
-CurveSet curvesIn(JsonFields fields) {
-    CurveSet curves;
-    curves.manual = manualCurveIn(fields, "manual");
-    JsonFields linear = fields.object("linear");
-    curves.linear.lower = linear.number("lower", 0, 1);
-    curves.linear.slope = linear.number("slope", 0, largestScale());
-    curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
-    curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
-    curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
-    JsonFields adjustment = fields.object("adjustment");
-    curves.adjustment.threshold = adjustment.number("threshold", -largestThreshold, largestThreshold);
-    curves.adjustment.transparency = adjustment.number("transparency", -largestTransparency, largestTransparency);
-    return curves;
-}
-
-MethodChoice methodIn(JsonFields fields) {
-    MethodChoice method;
-    method.initial = fields.choice("initial", &initialKindFromName);
-    method.initialScale = fields.number("initial_scale", 0, largestScale());
-    method.direction = directionIn(fields.object("direction"));
-    JsonFields parameters = fields.object("parameters");
-    parameters.parameters(methodParameters(), method.config);
-    method.config.initial = AdaptiveOtfConfig{}.initial;
-    if (const std::string problem = problemOf(method.config); !problem.empty()) fields.wrong("parameters", problem);
-    return method;
-}
-
 MotionChoice motionIn(JsonFields& fields) {
     return {fields.choice("axis", &motionAxisFromName), fields.choice("scenario", &motionScenarioFromName),
             fields.choice("otf", &motionOtfFromName), fields.flag("ping_pong")};
@@ -195,7 +156,9 @@ Document documentIn(JsonFields root) {
     document.strokes = listIn(root, "strokes", &strokesIn);
     document.phases = listIn(root, "phases", &phaseIn);
     document.curves = curvesIn(root.object("curves"));
-    document.method = methodIn(root.object("method"));
+    JsonFields method = root.object("method");
+    document.method = methodIn(method);
+    document.method.direction = directionIn(method.object("direction"));
     JsonFields motion = root.object("motion");
     document.motion = motionIn(motion);
     document.motionAngle = motion.number("angle", firstMotionAngle, lastMotionAngle);

@@ -1,25 +1,15 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document/document_file.h"
+#include "io/document/document_values.h"
 #include "io/json_values.h"
 #include "io/output/atomic_file.h"
-#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-/// What a table says of its values; rows that mean nothing in them are left out.
-template <typename Values>
-ordered_json parametersJson(std::span<const Parameter<Values>> table, const Values& values) {
-    ordered_json object = ordered_json::object();
-    for (const Parameter<Values>& row : table)
-        if (const auto value = row.get(values))
-            std::visit([&](const auto& plain) { object[std::string(row.name)] = plain; }, *value);
-    return object;
-}
 
 ordered_json triple(const Vec3& vector) { return ordered_json::array({vector[0], vector[1], vector[2]}); }
 
@@ -66,8 +56,6 @@ ordered_json cutJson(const Cut& cut) {
             {"source", nameOf(cut.source)},
             {"surface", cut.surface ? surfaceJson(*cut.surface) : ordered_json()}};
 }
-
-ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
 
 ordered_json boxJson(const Box& box) {
     return {{"on", box.on},
@@ -139,24 +127,6 @@ ordered_json viewsJson(const std::vector<View>& views) {
     return entries;
 }
 
-ordered_json curvesJson(const CurveSet& curves) {
-    return {
-        {"manual", manualCurveJson(curves.manual)},
-        {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
-        {"parabolic", {{"scale", curves.parabolic.scale}}},
-        {"quartic", {{"scale", curves.quartic.scale}}},
-        {"adjustment", {{"threshold", curves.adjustment.threshold}, {"transparency", curves.adjustment.transparency}}}};
-}
-
-ordered_json methodJson(const MethodChoice& method) {
-    ordered_json parameters = parametersJson(methodParameters(), method.config);
-    parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
-    return {{"initial", nameOf(method.initial)},
-            {"initial_scale", method.initialScale},
-            {"direction", directionJson(method.direction)},
-            {"parameters", parameters}};
-}
-
 ordered_json motionJson(const Document& document) {
     return {{"axis", nameOf(document.motion.axis)},
             {"scenario", nameOf(document.motion.scenario)},
@@ -187,6 +157,7 @@ std::string jsonOf(const Document& document) {
     object["phases"] = phasesJson(document.phases);
     object["curves"] = curvesJson(document.curves);
     object["method"] = methodJson(document.method);
+    object["method"]["direction"] = directionJson(document.method.direction);
     object["motion"] = motionJson(document);
     return object.dump(2) + "\n";
 }

@@ -1,0 +1,69 @@
+#include "io/document/document_values.h"
+
+#include "io/json_values.h"
+#include "processing/adaptive/method_parameters.h"
+
+namespace echolucent {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The largest opacity scale and slope that a curve may have.
+double largestScale() {
+    static const double largest = parameterNamed(methodParameters(), "opacity_scale")->range.largest;
+    return largest;
+}
+
+}  // namespace
+
+ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
+
+Look lookIn(JsonFields& fields) {
+    Look look = lookAtStart();
+    fields.parameters(lookParameters(), look);
+    return look;
+}
+
+ordered_json curvesJson(const CurveSet& curves) {
+    return {
+        {"manual", manualCurveJson(curves.manual)},
+        {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
+        {"parabolic", {{"scale", curves.parabolic.scale}}},
+        {"quartic", {{"scale", curves.quartic.scale}}},
+        {"adjustment", {{"threshold", curves.adjustment.threshold}, {"transparency", curves.adjustment.transparency}}}};
+}
+
+CurveSet curvesIn(JsonFields fields) {
+    CurveSet curves;
+    curves.manual = manualCurveIn(fields, "manual");
+    JsonFields linear = fields.object("linear");
+    curves.linear.lower = linear.number("lower", 0, 1);
+    curves.linear.slope = linear.number("slope", 0, largestScale());
+    curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
+    curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
+    curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
+    JsonFields adjustment = fields.object("adjustment");
+    curves.adjustment.threshold = adjustment.number("threshold", -largestThreshold, largestThreshold);
+    curves.adjustment.transparency = adjustment.number("transparency", -largestTransparency, largestTransparency);
+    return curves;
+}
+
+ordered_json methodJson(const MethodChoice& method) {
+    ordered_json parameters = parametersJson(methodParameters(), method.config);
+    parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
+    return {{"initial", nameOf(method.initial)}, {"initial_scale", method.initialScale}, {"parameters", parameters}};
+}
+
+MethodChoice methodIn(JsonFields& fields) {
+    MethodChoice method;
+    method.initial = fields.choice("initial", &initialKindFromName);
+    method.initialScale = fields.number("initial_scale", 0, largestScale());
+    JsonFields parameters = fields.object("parameters");
+    parameters.parameters(methodParameters(), method.config);
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (const std::string problem = problemOf(method.config); !problem.empty()) fields.wrong("parameters", problem);
+    return method;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,88 @@
+#include "processing/document/preset.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace echolucent {
+
+namespace {
+
+void takeCurve(CurveSet& curves, const CurveSet& from, CurveKind kind) {
+    switch (kind) {
+        case CurveKind::adaptive: return;
+        case CurveKind::manual: curves.manual = from.manual; return;
+        case CurveKind::linear: curves.linear = from.linear; return;
+        case CurveKind::parabolic: curves.parabolic = from.parabolic; return;
+        case CurveKind::quartic: curves.quartic = from.quartic; return;
+    }
+}
+
+/// The curve of the document that the method begins with; the adaptive one, which takeCurve() leaves, where it begins
+/// with a power of its own.
+CurveKind initialCurveOf(const MethodChoice& method) {
+    if (method.initial == InitialKind::linear) return CurveKind::linear;
+    return method.initial == InitialKind::manual ? CurveKind::manual : CurveKind::adaptive;
+}
+
+/// As many characters of a UTF-8 text as fit.
+std::string shortened(std::string text, std::size_t bytes) {
+    if (text.size() <= bytes) return text;
+    const auto continues = [&text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+    while (bytes > 0 && continues(bytes)) --bytes;
+    text.resize(bytes);
+    return text;
+}
+
+std::string trimmed(const std::string& text) {
+    constexpr auto space = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(space);
+    return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+}  // namespace
+
+Preset presetOf(const Document& document, int view, std::string name) {
+    Preset preset{.name = std::move(name), .curve = viewOf(document, view).curve, .look = lookOf(document, view)};
+    takeCurve(preset.curves, document.curves, preset.curve);
+    preset.curves.adjustment = document.curves.adjustment;
+    if (preset.curve == CurveKind::adaptive) {
+        preset.method = document.method;
+        preset.method->direction = ViewDirection{};
+        takeCurve(preset.curves, document.curves, initialCurveOf(*preset.method));
+    }
+    preset.look.step = Look{}.step;
+    return preset;
+}
+
+Document withPreset(Document document, int view, const Preset& preset) {
+    Look& look = lookOf(document, view);
+    look = [&preset, step = look.step] {
+        Look taken = preset.look;
+        taken.step = step;
+        return taken;
+    }();
+    if (look.mode != RenderMode::direct) return document;
+    viewOf(document, view).curve = preset.curve;
+    takeCurve(document.curves, preset.curves, preset.curve);
+    document.curves.adjustment = preset.curves.adjustment;
+    if (preset.curve != CurveKind::adaptive || !preset.method) return document;
+    const ViewDirection direction = document.method.direction;
+    document.method = *preset.method;
+    document.method.direction = direction;
+    takeCurve(document.curves, preset.curves, initialCurveOf(*preset.method));
+    return document;
+}
+
+std::string freePresetName(std::string name, const std::vector<std::string>& taken) {
+    name = shortened(trimmed(name), longestPresetName);
+    if (name.empty()) name = "Preset";
+    const auto isTaken = [&taken](const std::string& each) { return std::ranges::find(taken, each) != taken.end(); };
+    std::string numbered = name;
+    for (int number = 2; isTaken(numbered); ++number) {
+        const std::string suffix = " (" + std::to_string(number) + ")";
+        numbered = shortened(name, longestPresetName - suffix.size()) + suffix;
+    }
+    return numbered;
+}
+
+}  // namespace echolucent

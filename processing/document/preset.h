@@ -1,0 +1,43 @@
+// How a picture is made of any volume, by name: the curve, the look and the mode together.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// What a person gives a name to. Of `curves` only the curve of the kind that is rendered counts, with the adjustment;
+/// of the look all but the step, which the qualities of the 3D view choose.
+struct Preset {
+    std::string name;  ///< UTF-8, for people
+    CurveKind curve = CurveKind::adaptive;
+    CurveSet curves{};
+    /// How the adaptive curve is computed; nothing where a document keeps its own method. Its direction plays no part
+    /// and stays as by default.
+    std::optional<MethodChoice> method{};
+    Look look = lookAtStart();
+    friend bool operator==(const Preset&, const Preset&) = default;
+};
+
+/// The most bytes that a preset's name may have.
+inline constexpr std::size_t longestPresetName = 60;
+
+/// How a view's picture is made now.
+[[nodiscard]] Preset presetOf(const Document& document, int view, std::string name);
+
+/// The document whose view is made as a preset says. What plays no part in such a picture stays as it was: the other
+/// curves; in another mode than direct every curve; the method where the curve is not the adaptive one.
+[[nodiscard]] Document withPreset(Document document, int view, const Preset& preset);
+
+/// What the program comes with; the first is the look and the curve that the program starts with.
+[[nodiscard]] std::span<const Preset> standardPresets();
+
+/// The name without the white space around it, shortened to longestPresetName at a character's end, and numbered
+/// ("Skin (2)") where one of `taken` has it already; "Preset" where nothing is left of it.
+[[nodiscard]] std::string freePresetName(std::string name, const std::vector<std::string>& taken);
+
+}  // namespace echolucent

@@ -1,0 +1,166 @@
+#include "processing/document/preset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+
+#include "processing/document/preset_caster.h"
+#include "processing/document/view_picture.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent {
+namespace {
+
+Document changedDocument() {
+    Document document;
+    document.curves.manual.nodes = {{0.2, 0.0}, {0.4, 0.7}};
+    document.curves.linear.slope = 0.7;
+    document.curves.quartic.scale = 0.3;
+    document.curves.adjustment = {0.1, -0.2};
+    document.method.initialScale = 0.4;
+    document.method.direction.azimuth = 33;
+    document.looks.front().value.colourMap = ColourMap::ice;
+    document.looks.front().value.step = 0.25;
+    return document;
+}
+
+TEST(Preset, GivesBackThePictureItWasMadeOf) {
+    for (const CurveKind kind : allCurveKinds)
+        for (const InitialKind initial : {InitialKind::parabolic, InitialKind::linear, InitialKind::manual}) {
+            Document document = changedDocument();
+            viewOf(document, 1).curve = kind;
+            document.method.initial = initial;
+            const Preset preset = presetOf(document, 1, "mine");
+            EXPECT_EQ(withPreset(document, 1, preset), document) << nameOf(kind);
+            const Document other = withPreset(Document{}, 1, preset);
+            const SampledCurve adaptive{{0.0, 0.5, 1.0}};
+            EXPECT_EQ(curveOf(other, 1, adaptive), curveOf(document, 1, adaptive)) << nameOf(kind);
+            if (kind == CurveKind::adaptive) {
+                EXPECT_EQ(configOf(other), configOf(document)) << nameOf(initial);
+            }
+            EXPECT_EQ(presetOf(other, 1, "mine"), preset) << nameOf(kind);
+        }
+}
+
+TEST(Preset, LeavesWhatPlaysNoPartInItsPicture) {
+    const Document document = changedDocument();
+    Preset preset{.name = "parabola", .curve = CurveKind::parabolic};
+    preset.curves.parabolic.scale = 0.123;
+    preset.look.step = 4;
+    const Document next = withPreset(document, 1, preset);
+    EXPECT_EQ(next.curves.parabolic.scale, 0.123);
+    EXPECT_EQ(next.curves.manual, document.curves.manual);
+    EXPECT_EQ(next.curves.quartic, document.curves.quartic);
+    EXPECT_EQ(next.method, document.method);
+    EXPECT_EQ(lookOf(next, 1).step, 0.25);
+    EXPECT_EQ(lookOf(next, 1).colourMap, ColourMap::sepia);
+    EXPECT_EQ(next.curves.adjustment, CurveAdjustment{});
+    preset.look.mode = RenderMode::maximum;
+    const Document maximum = withPreset(document, 1, preset);
+    EXPECT_EQ(maximum.curves, document.curves);
+    EXPECT_EQ(maximum.views, document.views);
+    EXPECT_EQ(lookOf(maximum, 1).mode, RenderMode::maximum);
+}
+
+TEST(Preset, OfOneViewLeavesTheLooksOfOthers) {
+    Document document;
+    document.looks.push_back({2, lookAtStart()});
+    document.views.push_back(View{.id = 2, .look = 2, .curve = CurveKind::linear});
+    const Preset preset{.name = "grey", .curve = CurveKind::manual, .look = Look{}};
+    const Document next = withPreset(document, 2, preset);
+    EXPECT_EQ(lookOf(next, 1), lookAtStart());
+    EXPECT_EQ(viewOf(next, 1).curve, CurveKind::adaptive);
+    EXPECT_EQ(lookOf(next, 2), Look{});
+    EXPECT_EQ(problemOf(next), "");
+}
+
+TEST(Preset, TheProgramsOwnHaveNamesAndDiffer) {
+    std::set<std::string> names;
+    std::vector<Document> documents;
+    for (const Preset& preset : standardPresets()) {
+        EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
+        EXPECT_LE(preset.name.size(), longestPresetName);
+        EXPECT_EQ(freePresetName(preset.name, {}), preset.name);
+        const Document document = withPreset(Document{}, 1, preset);
+        EXPECT_EQ(problemOf(document), "");
+        EXPECT_EQ(std::ranges::find(documents, document), documents.end()) << preset.name;
+        documents.push_back(document);
+    }
+    EXPECT_EQ(documents.front(), Document{}) << "the first is what the program starts with";
+}
+
+TEST(Preset, SlicersFetalCurveIsAmongThem) {
+    const auto slicer =
+        std::ranges::find_if(standardPresets(), [](const Preset& preset) { return preset.curve == CurveKind::manual; });
+    ASSERT_NE(slicer, standardPresets().end());
+    const ManualCurve fetal{{{60.0 / 255.0, 0.0}, {120.0 / 255.0, 0.6}, {1.0, 0.8}}};
+    EXPECT_EQ(slicer->curves.manual, fetal);
+    EXPECT_NE(slicer->name.find("Slicer"), std::string::npos);
+}
+
+TEST(Preset, FreeNamesAreTrimmedNumberedAndWholeCharacters) {
+    EXPECT_EQ(freePresetName("  Skin\n", {}), "Skin");
+    EXPECT_EQ(freePresetName(" \t ", {}), "Preset");
+    EXPECT_EQ(freePresetName("Skin", {"Skin", "Skin (2)"}), "Skin (3)");
+    std::string umlauts;
+    for (int i = 0; i < 40; ++i) umlauts += "ü";  // two bytes each
+    const std::string first = freePresetName("x" + umlauts, {});
+    EXPECT_EQ(first.size(), 59U);
+    const std::string second = freePresetName("x" + umlauts, {first});
+    EXPECT_LE(second.size(), longestPresetName);
+    EXPECT_TRUE(second.ends_with("ü (2)")) << second;
+}
+
+TEST(PresetCaster, MakesTheViewsPictureSmall) {
+    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
+    config.size = {40, 38, 42};
+    const auto volume = std::make_shared<const Volume>(*makePhantom(config));
+    Document document;
+    document.looks.front().value = Look{};
+    PresetCaster caster;
+    for (const Preset& preset : standardPresets()) {
+        Document next = withPreset(document, 1, preset);
+        lookOf(next, 1).reduction = SpeckleReduction::off;  // so that both are made of the same voxels
+        const auto small = caster.cast(next, 1, {volume, volume}, 24, 20);
+        const auto whole = viewPicture(next, 1, *volume, 48, 40);
+        ASSERT_TRUE(small && whole);
+        ASSERT_EQ(small->width, 24);
+        ASSERT_EQ(small->height, 20);
+        double sum = 0;
+        for (std::size_t i = 0; i < small->rgba.size(); ++i) {
+            const std::size_t x = i / 4 % 24, y = i / 4 / 24, channel = i % 4;
+            double mean = 0;
+            for (std::size_t n = 0; n < 4; ++n)
+                mean += 0.25 * whole->picture.rgba[4 * ((2 * y + n / 2) * 48 + 2 * x + n % 2) + channel];
+            sum += std::abs(small->rgba[i] - mean);
+        }
+        // The converged picture has a quarter of the step; pictures of other presets differ by ten times as much.
+        EXPECT_LT(sum / static_cast<double>(small->rgba.size()), 0.006) << preset.name;
+    }
+}
+
+TEST(PresetCaster, FollowsTheScalpelAndACancelledCall) {
+    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
+    config.size = {40, 38, 42};
+    const auto volume = std::make_shared<const Volume>(*makePhantom(config));
+    auto mask =
+        std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
+    std::fill_n(mask->begin(), mask->size() / 2, 0);
+    const auto cut = std::make_shared<const Volume>(volume->withCut(mask));
+    const Document document = withPreset(Document{}, 1, standardPresets()[0]);
+    const PresetCaster::Voxels before{volume, volume}, after{cut, cut};
+    PresetCaster caster, fresh;
+    const auto whole = caster.cast(document, 1, before, 24, 20);
+    const std::atomic<bool> cancelled{true};
+    EXPECT_FALSE(caster.cast(document, 1, after, 24, 20, Progress{{}, &cancelled}));
+    const auto followed = caster.cast(document, 1, after, 24, 20);
+    const auto expected = fresh.cast(document, 1, after, 24, 20);
+    ASSERT_TRUE(whole && followed && expected);
+    EXPECT_EQ(followed->rgba, expected->rgba);
+    EXPECT_NE(followed->rgba, whole->rgba);
+}
+
+}  // namespace
+}  // namespace echolucent
