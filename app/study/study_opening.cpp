@@ -79,6 +79,8 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
     if (failure.layoutUnknown) actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
     if (failure.opacityCurve)
         actions << MessageAction{tr("Open it as a curve"), [this, path] { emit curveChosen(path); }};
+    if (failure.presets)
+        actions << MessageAction{tr("Import them as presets"), [this, path] { emit presetsChosen(path); }};
     Failure shown = failure;
     shown.file = shownName(path, QString::fromStdString(failure.file)).toStdString();
     // The way out is a button here; the sentence would name an option of the command line.

@@ -31,6 +31,8 @@ public:
 signals:
     /// The person wants to open this file as a curve.
     void curveChosen(const QString& path);
+    /// The person wants the presets of a file that is no volume.
+    void presetsChosen(const QString& path);
 
 private:
     void openRaw(const QString& path);

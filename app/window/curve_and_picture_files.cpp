@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/window/save_dialog.h"
 #include "io/curve_file.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
@@ -73,27 +74,19 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
     return true;
 }
 
-QString CurveAndPictureFiles::chooseFileToSave(const QString& title, const QString& filter, const QString& what,
-                                               const QString& suffix) {
+QString CurveAndPictureFiles::proposedName(const QString& what) const {
     const Session& session = m_parts.session;
     // The file's own name, and nothing of what stands in it.
     const QString study = session.isSimulatedScan() || session.path().isEmpty()
                               ? tr("simulated-scan")
                               : QFileInfo(session.path()).completeBaseName();
-    QFileDialog dialog(&m_parts.window, title, m_parts.settings.lastSaveFolder(), filter);
-    dialog.setObjectName("saveFile");
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(QStringLiteral("%1-%2.%3").arg(study, what, suffix));
-    if (dialog.exec() != QDialog::Accepted) return {};
-    const QString path = dialog.selectedFiles().first();
-    m_parts.settings.setLastSaveFolder(QFileInfo(path).absolutePath());
-    return path;
+    return study + '-' + what;
 }
 
 bool CurveAndPictureFiles::chooseAndSaveCurve(CurveKind kind) {
-    const QString path = chooseFileToSave(tr("Save the %1 curve").arg(curveName(kind)), tr("Opacity curves (*.json)"),
-                                          curveKey(kind), QStringLiteral("json"));
+    const QString path =
+        chooseFileToSave(m_parts.window, m_parts.settings, tr("Save the %1 curve").arg(curveName(kind)),
+                         tr("Opacity curves (*.json)"), proposedName(curveKey(kind)), QStringLiteral("json"));
     return !path.isEmpty() && saveCurve(path, kind);
 }
 
@@ -112,8 +105,8 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
 }
 
 void CurveAndPictureFiles::chooseAndSavePicture() {
-    const QString path =
-        chooseFileToSave(tr("Save picture"), tr("Pictures (*.png)"), QStringLiteral("picture"), QStringLiteral("png"));
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Save picture"), tr("Pictures (*.png)"),
+                                          proposedName(QStringLiteral("picture")), QStringLiteral("png"));
     if (!path.isEmpty()) savePicture(path);
 }
 

@@ -49,10 +49,8 @@ private:
     void chooseAndOpenCurve();
     bool chooseAndSaveCurve(CurveKind kind);
     bool saveCurve(const QString& path, CurveKind kind);
-    /// Asks for a file in the folder of the last one; its name is proposed from the study's file and `what` it holds.
-    /// An empty text where the person does not want to.
-    [[nodiscard]] QString chooseFileToSave(const QString& title, const QString& filter, const QString& what,
-                                           const QString& suffix);
+    /// Of a file to be saved: the study's file and what the file will hold.
+    [[nodiscard]] QString proposedName(const QString& what) const;
     /// Fails where `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);

@@ -14,6 +14,7 @@
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
+#include "app/picture/preset_controls.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
 #include "app/window/full_screen.h"
@@ -74,6 +75,8 @@ void MainWindow::createUnits() {
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
+    m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
+        *this, m_document, mainView, *m_session, *m_widgets.presets, m_settings, *m_widgets.messages});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course});
@@ -132,6 +135,7 @@ void MainWindow::connectProgress() {
         m_widgets.messages->lieOver(pictureShown ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
+    connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
 }
@@ -166,6 +170,7 @@ void MainWindow::connectUnits() {
     connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
             &CurveAndPictureFiles::chooseAndSavePicture);
     connect(m_opening.get(), &StudyOpening::curveChosen, m_files.get(), &CurveAndPictureFiles::openCurveOfPerson);
+    connect(m_opening.get(), &StudyOpening::presetsChosen, m_presets.get(), &PresetControls::importFrom);
 }
 
 void MainWindow::connectResets() {
@@ -264,6 +269,7 @@ bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(
 void MainWindow::restoreSettings() {
     m_pictureControls->restore();
     m_room->restore();
+    m_presets->restore();
     Document document = m_document.document();
     document.motion = m_settings.motion();
     document.method = m_settings.method();
@@ -278,6 +284,7 @@ void MainWindow::restoreSettings() {
 void MainWindow::keepSettings() {
     m_pictureControls->keep();
     m_room->keep();
+    m_presets->keep();
     m_settings.setMotion(m_document.document().motion);
     m_settings.setMethod(m_document.document().method);
     m_settings.setActiveCurve(viewOf(m_document.document(), mainView).curve);
@@ -286,12 +293,15 @@ void MainWindow::keepSettings() {
     m_settings.setWindowState(saveState(layoutVersion));
 }
 
-bool MainWindow::idle() const {
+bool MainWindow::idle() const { return atRest() && !m_presets->pictures().busy(); }
+
+bool MainWindow::atRest() const {
     return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
            !m_widgets.picture->busy() && !m_room->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {
+    m_presets->pictures().setAtRest(atRest());
     if (idle() == m_idle) return;
     m_idle = !m_idle;
     emit idleChanged(m_idle);

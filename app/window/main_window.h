@@ -24,6 +24,7 @@ class FullScreen;
 class MethodControls;
 class NearCutFinder;
 class PictureControls;
+class PresetControls;
 class ReviewRoom;
 class StudyOpening;
 
@@ -90,6 +91,8 @@ private:
     void updateIdle();
     void showProgress();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
+    /// As idle(), but for the small pictures of presets, which wait for the rest.
+    [[nodiscard]] bool atRest() const;
 
     Settings m_settings;
     DocumentModel m_document;
@@ -110,6 +113,7 @@ private:
     std::unique_ptr<MethodControls> m_methodControls;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<CurveControls> m_curveControls;
+    std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;
     std::unique_ptr<NearCutFinder> m_nearCutFinder;

@@ -19,6 +19,7 @@ constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
 constexpr auto paneLayoutKey = "window/paneLayout";
+constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
 constexpr auto motionOtfKey = "motion/otf";
@@ -137,6 +138,13 @@ PaneLayout Settings::paneLayout() const {
     return paneLayoutFromName(m_store.value(paneLayoutKey).toString().toStdString()).value_or(PaneLayout::only3d);
 }
 void Settings::setPaneLayout(PaneLayout layout) { m_store.setValue(paneLayoutKey, textOf(nameOf(layout))); }
+
+QString Settings::presetsFile() const {
+    const QFileInfo file(m_store.fileName());
+    return file.dir().filePath(file.completeBaseName() + QStringLiteral("-presets.json"));
+}
+bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
+void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }
 
 MotionChoice Settings::motion() const {
     const MotionChoice standard;

@@ -49,6 +49,10 @@ public:
     void setHistogramLogarithmic(bool logarithmic);
     [[nodiscard]] PaneLayout paneLayout() const;  ///< [only3d]
     void setPaneLayout(PaneLayout layout);
+    /// Path of the file that holds a person's own presets (io/document/preset_file.h), beside that of the settings.
+    [[nodiscard]] QString presetsFile() const;
+    [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open
+    void setPresetsOpen(bool open);
     /// Axis, OTF and order of the frames; what moves is a matter of the study and stays as by default.
     [[nodiscard]] MotionChoice motion() const;
     void setMotion(const MotionChoice& motion);

@@ -14,6 +14,7 @@
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
+#include "widgets/panels/presets_panel.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/study_panel.h"
@@ -51,6 +52,7 @@ QWidget* pictureContent(const WindowLayout& layout) {
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(layout.presets);
     column->addWidget(layout.sliders);
     column->addWidget(layout.controls, 1);
     return content;
@@ -96,6 +98,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);
     layout.controls = new ViewPanel(&window);
+    layout.presets = new PresetsPanel(&window);
     layout.sliders = new CurveSliders(&window);
     layout.room = new RoomPanel(&window);
     layout.facts = new StudyPanel(&window);

@@ -19,6 +19,7 @@ class OtfCoursePanel;
 class OtfEditor;
 class PaneGrid;
 class PlanePane;
+class PresetsPanel;
 class RoomPanel;
 class RunStatus;
 class StudyPanel;
@@ -34,6 +35,7 @@ struct WindowLayout {
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
     ViewPanel* controls = nullptr;
+    PresetsPanel* presets = nullptr;
     CurveSliders* sliders = nullptr;
     RoomPanel* room = nullptr;
     MotionPanel* motion = nullptr;

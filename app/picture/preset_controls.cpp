@@ -1,0 +1,194 @@
+#include "app/picture/preset_controls.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <utility>
+
+#include "app/window/save_dialog.h"
+#include "io/document/preset_file.h"
+#include "io/output/overwriting.h"
+#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/panel_controls.h"
+#include "widgets/panels/presets_panel.h"
+
+namespace echolucent {
+
+namespace {
+
+/// What a preset sets, for a person: the mode, and in direct mode the curve and the light.
+QString contentsOf(const Preset& preset) {
+    if (preset.look.mode != RenderMode::direct) return textOf(labelOfChoice(nameOf(preset.look.mode)));
+    return PresetControls::tr("%1 curve, light: %2")
+        .arg(curveName(preset.curve), textOf(labelOfChoice(nameOf(preset.look.lighting))).toLower());
+}
+
+}  // namespace
+
+PresetControls::PresetControls(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.view, parts.session) {
+    const PresetsPanel* panel = &m_parts.panel;
+    connect(panel, &PresetsPanel::seenChanged, &m_pictures, &PresetPictures::setSeen);
+    connect(panel, &PresetsPanel::chosen, this, &PresetControls::choose);
+    connect(panel, &PresetsPanel::saveRequested, this, &PresetControls::save);
+    // Queued, because the gallery is filled anew, and cannot be while it is taking the name.
+    connect(panel, &PresetsPanel::renameRequested, this, &PresetControls::rename, Qt::QueuedConnection);
+    connect(panel, &PresetsPanel::removeRequested, this, &PresetControls::remove);
+    connect(panel, &PresetsPanel::exportRequested, this, &PresetControls::chooseAndExport);
+    connect(panel, &PresetsPanel::importRequested, this, &PresetControls::chooseAndImport);
+    connect(&m_pictures, &PresetPictures::made, this,
+            [this](int preset) { m_parts.panel.setPicture(preset, m_pictures.picture(preset)); });
+    connect(&m_parts.model, &DocumentModel::changed, this, &PresetControls::showCurrent);
+    showPresets();
+}
+
+void PresetControls::restore() {
+    m_unreadable.reset();
+    const QString file = m_parts.settings.presetsFile();
+    if (QFileInfo::exists(file)) {
+        auto own = readPresets(file.toStdString());
+        if (own)
+            m_own = std::move(*own);
+        else
+            m_unreadable = own.error();
+        if (m_unreadable) report(tl::unexpected(*m_unreadable));
+    }
+    showPresets();
+    m_parts.panel.setOpen(m_parts.settings.presetsOpen());
+}
+
+void PresetControls::keep() { m_parts.settings.setPresetsOpen(m_parts.panel.isOpen()); }
+
+std::vector<Preset> PresetControls::all() const {
+    std::vector<Preset> presets(standardPresets().begin(), standardPresets().end());
+    presets.insert(presets.end(), m_own.begin(), m_own.end());
+    return presets;
+}
+
+std::vector<std::string> PresetControls::names() const {
+    std::vector<std::string> names;
+    for (const Preset& preset : all()) names.push_back(preset.name);
+    return names;
+}
+
+void PresetControls::showPresets() {
+    const std::vector<Preset> presets = all();
+    QList<PresetEntry> entries;
+    for (std::size_t i = 0; i < presets.size(); ++i)
+        entries.append({textOf(presets[i].name), contentsOf(presets[i]), i >= standardPresets().size()});
+    m_pictures.setPresets(presets);
+    m_parts.panel.setPresets(entries);
+    for (int i = 0; i < static_cast<int>(presets.size()); ++i) m_parts.panel.setPicture(i, m_pictures.picture(i));
+    showCurrent();
+}
+
+/// The preset by which the picture is made: the one that would change nothing.
+void PresetControls::showCurrent() {
+    const Document& document = m_parts.model.document();
+    const std::vector<Preset> presets = all();
+    int current = -1;
+    for (int i = 0; current < 0 && i < static_cast<int>(presets.size()); ++i)
+        if (withPreset(document, m_parts.view, presets[static_cast<std::size_t>(i)]) == document) current = i;
+    m_parts.panel.setCurrent(current);
+}
+
+void PresetControls::choose(int preset) {
+    const Preset chosen = all().at(static_cast<std::size_t>(preset));
+    m_parts.model.edit(withPreset(m_parts.model.document(), m_parts.view, chosen),
+                       tr("preset %1").arg(textOf(chosen.name)));
+}
+
+/// Takes other presets as the person's own, where they can be written; else nothing changes.
+bool PresetControls::setOwn(std::vector<Preset> own) {
+    if (m_unreadable) {
+        showPresets();
+        return report(tl::unexpected(*m_unreadable));
+    }
+    const bool written = report(writePresets(m_parts.settings.presetsFile().toStdString(), own));
+    if (written) m_own = std::move(own);
+    showPresets();
+    return written;
+}
+
+void PresetControls::save() {
+    std::vector<Preset> own = m_own;
+    own.push_back(
+        presetOf(m_parts.model.document(), m_parts.view, freePresetName(tr("My preset").toStdString(), names())));
+    if (setOwn(std::move(own))) m_parts.panel.editName(static_cast<int>(all().size()) - 1);
+}
+
+void PresetControls::rename(int preset, const QString& name) {
+    const std::size_t index = static_cast<std::size_t>(preset) - standardPresets().size();
+    std::vector<std::string> taken = names();
+    taken.erase(taken.begin() + preset);
+    std::vector<Preset> own = m_own;
+    if (!name.trimmed().isEmpty()) own.at(index).name = freePresetName(name.toStdString(), taken);
+    setOwn(std::move(own));
+}
+
+void PresetControls::remove(int preset) {
+    const std::size_t index = static_cast<std::size_t>(preset) - standardPresets().size();
+    std::vector<Preset> own = m_own;
+    const Preset removed = own.at(index);
+    own.erase(own.begin() + static_cast<std::ptrdiff_t>(index));
+    if (!setOwn(std::move(own))) return;
+    m_parts.messages.showMessage(MessageKind::info, tr("The preset “%1” was removed.").arg(textOf(removed.name)),
+                                 {{tr("Take it back"), [this, removed] {
+                                       std::vector<Preset> with = m_own;
+                                       with.push_back(removed);
+                                       with.back().name = freePresetName(removed.name, names());
+                                       setOwn(std::move(with));
+                                   }}});
+}
+
+void PresetControls::chooseAndExport(int preset) {
+    QString name = textOf(all().at(static_cast<std::size_t>(preset)).name);
+    for (QChar& character : name)
+        if (QStringLiteral("/\\:*?\"<>|").contains(character) || !character.isPrint()) character = '-';
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Export preset"), tr("Presets (*.json)"),
+                                          name, QStringLiteral("json"));
+    if (!path.isEmpty()) exportTo(path, preset);
+}
+
+bool PresetControls::exportTo(const QString& path, int preset) {
+    if (m_parts.session.study() && !report(refuseToOverwrite(m_parts.session.study()->files, {path.toStdString()})))
+        return false;
+    const Preset exported = all().at(static_cast<std::size_t>(preset));
+    if (!report(writePresets(path.toStdString(), {exported}))) return false;
+    m_parts.messages.showMessage(
+        MessageKind::info,
+        tr("The preset “%1” was exported to %2.").arg(textOf(exported.name), QFileInfo(path).fileName()));
+    return true;
+}
+
+void PresetControls::chooseAndImport() {
+    const QString path =
+        QFileDialog::getOpenFileName(&m_parts.window, tr("Import presets"), m_parts.settings.lastSaveFolder(),
+                                     tr("Presets (*.json);;All files (*)"));
+    if (!path.isEmpty()) importFrom(path);
+}
+
+bool PresetControls::importFrom(const QString& path) {
+    const auto read = readPresets(path.toStdString());
+    if (!read) return report(tl::unexpected(read.error()));
+    std::vector<Preset> own = m_own;
+    std::vector<std::string> taken = names();
+    for (Preset preset : *read) {
+        preset.name = freePresetName(preset.name, taken);
+        taken.push_back(preset.name);
+        own.push_back(std::move(preset));
+    }
+    if (!setOwn(std::move(own))) return false;
+    m_parts.panel.setOpen(true);
+    m_parts.messages.showMessage(MessageKind::info, read->size() == 1
+                                                        ? tr("1 preset was imported.")
+                                                        : tr("%1 presets were imported.").arg(read->size()));
+    return true;
+}
+
+bool PresetControls::report(const Result<void>& done) {
+    if (!done) m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(done.error().sentence()));
+    return done.has_value();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,69 @@
+// Presets in the window: those of the program and those that a person keeps.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "app/document/document_model.h"
+#include "app/picture/preset_pictures.h"
+#include "app/study/session.h"
+#include "app/window/settings.h"
+#include "processing/document/preset.h"
+#include "processing/result.h"
+
+class QWidget;
+
+namespace echolucent {
+
+class MessageBar;
+class PresetsPanel;
+
+/// Makes one step of the document of each preset that is chosen, and keeps a person's own in a file beside the
+/// settings, which is written with every change. Where that file cannot be read, it is left as it is, and nothing is
+/// kept in it until it can.
+class PresetControls : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QWidget& window;  ///< parent of the dialogs
+        DocumentModel& model;
+        int view;
+        Session& session;
+        PresetsPanel& panel;
+        Settings& settings;
+        MessageBar& messages;
+    };
+    explicit PresetControls(const Parts& parts, QObject* parent = nullptr);
+
+    /// Reads the person's own presets and whether the gallery was open.
+    void restore();
+    void keep();
+    [[nodiscard]] PresetPictures& pictures() { return m_pictures; }
+    /// Adds the presets of a file to a person's own, under other names where theirs are taken. False, with a message,
+    /// where it cannot be read.
+    bool importFrom(const QString& path);
+    /// Writes one preset, counted from 0, as a file that importFrom() reads.
+    bool exportTo(const QString& path, int preset);
+
+private:
+    void choose(int preset);
+    void save();
+    void rename(int preset, const QString& name);
+    void remove(int preset);
+    void chooseAndExport(int preset);
+    void chooseAndImport();
+    bool setOwn(std::vector<Preset> own);
+    void showPresets();
+    void showCurrent();
+    [[nodiscard]] std::vector<Preset> all() const;
+    [[nodiscard]] std::vector<std::string> names() const;
+    bool report(const Result<void>& done);
+
+    Parts m_parts;
+    std::vector<Preset> m_own;
+    std::optional<Failure> m_unreadable;  ///< why the person's own presets could not be read
+    PresetPictures m_pictures;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,133 @@
+#include "app/picture/preset_pictures.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace echolucent {
+
+namespace {
+
+QImage imageOf(const Picture& picture) {
+    const std::vector<std::uint8_t> rgb = overBackground(picture, {0, 0, 0});
+    return QImage(rgb.data(), picture.width, picture.height, 3 * static_cast<qsizetype>(picture.width),
+                  QImage::Format_RGB888)
+        .copy();
+}
+
+/// The document as far as pictures of one view depend on it, so that other changes ask for no picture. A picture
+/// depends on the curve that is rendered, and the adaptive one on that which the method begins with.
+Document pictured(Document document, int view) {
+    document.planes = {{viewOf(document, view).planes, {}}};
+    document.motion = {};
+    const Preset rendered = presetOf(document, view, {});
+    document.curves = rendered.curves;
+    if (lookOf(document, view).mode != RenderMode::direct) {
+        document.curves = {};
+        document.method = {};
+        viewOf(document, view).curve = CurveKind::adaptive;
+    }
+    return document;
+}
+
+}  // namespace
+
+PresetPictures::PresetPictures(DocumentModel& model, int view, Session& session, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_session(session), m_thread(QStringLiteral("preset pictures")) {
+    connect(&m_model, &DocumentModel::changed, this, &PresetPictures::follow);
+    connect(&m_session, &Session::volumeChanged, this, &PresetPictures::follow);
+    connect(&m_session, &Session::volumeCut, this, &PresetPictures::follow);
+    connect(&m_session, &Session::quietVoxelsMade, this, &PresetPictures::follow);
+}
+
+void PresetPictures::setPresets(std::vector<Preset> presets) {
+    std::vector<Entry> before = std::exchange(m_entries, {});
+    for (Preset& preset : presets) {
+        const auto known = std::ranges::find(before, preset, &Entry::preset);
+        if (known != before.end())
+            m_entries.push_back(std::move(*known));
+        else
+            m_entries.push_back({std::move(preset), {}, {}, {}});
+    }
+    follow();
+}
+
+void PresetPictures::setSeen(bool seen) {
+    if (seen == m_seen) return;
+    m_seen = seen;
+    if (seen) m_caster = std::make_shared<PresetCaster>();
+    follow();
+    if (!seen) m_caster.reset();
+}
+
+void PresetPictures::setAtRest(bool atRest) {
+    if (atRest == m_atRest) return;
+    m_atRest = atRest;
+    atRest ? makeNext() : drop();
+}
+
+QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
+
+std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& preset) const {
+    const std::shared_ptr<const Volume> raw = m_session.volume();
+    if (!raw) return std::nullopt;
+    const std::shared_ptr<const Volume> shown = m_session.newestVoxels();
+    const SpeckleReduction reduction = shown == raw ? SpeckleReduction::off : m_session.quietPhases().reduction();
+    return Asked{pictured(withPreset(m_model.document(), m_view, preset), m_view), {raw, shown, reduction}};
+}
+
+/// Something changed that pictures may depend on.
+void PresetPictures::follow() {
+    if (m_seen)
+        for (Entry& entry : m_entries) entry.wanted = askedOf(entry.preset);
+    const bool current =
+        std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });
+    if (!m_seen || !current) drop();
+    if (m_atRest) makeNext();
+    emit busyChanged();
+}
+
+int PresetPictures::next() const {
+    if (!m_seen) return -1;
+    const auto found =
+        std::ranges::find_if(m_entries, [](const Entry& entry) { return entry.wanted && entry.wanted != entry.made; });
+    return found == m_entries.end() ? -1 : static_cast<int>(found - m_entries.begin());
+}
+
+void PresetPictures::makeNext() {
+    const int index = next();
+    if (index < 0 || m_making) return;
+    m_making = m_entries[static_cast<std::size_t>(index)].wanted;
+    m_thread.submit([this, asked = *m_making, view = m_view,
+                     caster = m_caster](const Progress& progress) -> NewestWinsThread::Deliver {
+        QImage image;
+        try {
+            const auto picture = caster->cast(asked.document, view, asked.voxels, width, height, progress);
+            if (!picture) return {};
+            image = imageOf(*picture);
+        } catch (const std::bad_alloc&) {
+            // The gallery shows the name alone; the 3D view says what lacks memory.
+        }
+        return [this, asked, image] { take(asked, image); };
+    });
+}
+
+void PresetPictures::drop() {
+    m_making.reset();
+    m_thread.cancel();
+}
+
+void PresetPictures::take(const Asked& asked, const QImage& picture) {
+    m_making.reset();
+    for (std::size_t i = 0; i < m_entries.size(); ++i) {
+        Entry& entry = m_entries[i];
+        if (entry.wanted != asked || entry.made == asked) continue;
+        entry.made = asked;
+        entry.picture = picture;
+        emit made(static_cast<int>(i));
+    }
+    if (m_atRest) makeNext();
+    emit busyChanged();
+}
+
+}  // namespace echolucent

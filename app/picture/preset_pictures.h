@@ -1,0 +1,80 @@
+// The small pictures of presets: what each of them makes of the study that is open, made in a thread of their own.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/document/document_model.h"
+#include "app/study/session.h"
+#include "processing/document/preset.h"
+#include "processing/document/preset_caster.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// Makes pictures one after the other while somebody sees them and nothing else is being computed, and makes only those
+/// anew of which anything changed. While they are seen, twice the memory of the volume is taken for them.
+class PresetPictures : public QObject {
+    Q_OBJECT
+
+public:
+    /// Pixels of a picture.
+    static constexpr int width = 184, height = 138;
+
+    /// `model` and `session` must outlive this.
+    PresetPictures(DocumentModel& model, int view, Session& session, QObject* parent = nullptr);
+
+    /// Pictures of presets that were there before are kept.
+    void setPresets(std::vector<Preset> presets);
+    /// Whether somebody sees the pictures; at first nobody does.
+    void setSeen(bool seen);
+    /// Whether nothing else loads, computes or renders, so that this thread may. What is being made is dropped where
+    /// that ends.
+    void setAtRest(bool atRest);
+
+    /// Null where it was not made yet.
+    [[nodiscard]] QImage picture(int index) const;
+    /// True from what changes a picture that is seen until it is made.
+    [[nodiscard]] bool busy() const { return next() >= 0; }
+
+signals:
+    /// The picture of a preset is another one.
+    void made(int index);
+    void busyChanged();
+
+private:
+    /// All that a picture depends on.
+    struct Asked {
+        Document document;
+        PresetCaster::Voxels voxels;
+        friend bool operator==(const Asked&, const Asked&) = default;
+    };
+    struct Entry {
+        Preset preset;
+        std::optional<Asked> wanted;  ///< none where no study is open
+        std::optional<Asked> made;    ///< what the picture shows
+        QImage picture;
+    };
+
+    void follow();
+    void makeNext();
+    void drop();
+    [[nodiscard]] std::optional<Asked> askedOf(const Preset& preset) const;
+    [[nodiscard]] int next() const;
+    void take(const Asked& asked, const QImage& picture);
+
+    DocumentModel& m_model;
+    int m_view;
+    Session& m_session;
+    std::vector<Entry> m_entries;
+    bool m_seen = false, m_atRest = false;
+    std::optional<Asked> m_making;
+    std::shared_ptr<PresetCaster> m_caster;  ///< for the thread alone, null while nobody sees the pictures
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent

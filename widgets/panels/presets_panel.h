@@ -1,0 +1,82 @@
+// Presets as a gallery: a small picture and a name each.
+#pragma once
+
+#include <QImage>
+#include <QList>
+#include <QString>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+
+namespace echolucent {
+
+/// What the gallery says of a preset.
+struct PresetEntry {
+    QString name;
+    QString contents;  ///< what it sets, for the tool tip
+    bool own = false;  ///< one that a person made, which may be renamed and removed
+};
+
+/// Objects: presets.open (opens and closes the gallery), presets.current, presets.list, presets.save, presets.more with
+/// the actions presets.rename, presets.remove, presets.export and presets.import. A click or Enter chooses a preset;
+/// the actions concern the selected one. Presets are counted from 0. No setter emits a signal but seenChanged().
+class PresetsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Pictures are drawn at most so large, logical pixels.
+    static constexpr int pictureWidth = 92, pictureHeight = 69;
+
+    explicit PresetsPanel(QWidget* parent = nullptr);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+    /// Other presets than before; their pictures are those of setPicture() from now on.
+    void setPresets(const QList<PresetEntry>& presets);
+    /// A null picture leaves the place dark.
+    void setPicture(int preset, const QImage& picture);
+    /// The preset by which the picture is made now, told above the gallery; -1 where it is none of them.
+    void setCurrent(int preset);
+    [[nodiscard]] bool isOpen() const;
+    void setOpen(bool open);
+    /// Lets a person type the name of one of the own.
+    void editName(int preset);
+
+signals:
+    /// The gallery came into sight, or went out of it.
+    void seenChanged(bool seen);
+    void chosen(int preset);
+    void saveRequested();
+    void renameRequested(int preset, const QString& name);
+    void removeRequested(int preset);
+    void exportRequested(int preset);
+    void importRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void createList();
+    void createActions();
+    void fitHeight();
+    void showCurrent();
+    void enableActions();
+    [[nodiscard]] int selected() const;
+    [[nodiscard]] QString nameOf(int preset) const;
+
+    QList<PresetEntry> m_presets;
+    int m_current = -1;
+    QToolButton* m_open = nullptr;
+    QLabel* m_currentName = nullptr;
+    QWidget* m_gallery = nullptr;
+    QListWidget* m_list = nullptr;
+    QToolButton* m_more = nullptr;
+    QAction *m_rename = nullptr, *m_remove = nullptr, *m_export = nullptr;
+};
+
+}  // namespace echolucent
