@@ -1,6 +1,7 @@
 #include "processing/box_section.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -61,6 +62,21 @@ BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& no
         for (const int sign : {-1, 1}) section = clipped(section, box, {axis, sign});
     if (section.corners.size() < 3) return {};
     return section;
+}
+
+/// Two boxes lie apart where their shadows on a face's normal, or on what is perpendicular to an edge of each, do.
+bool meets(const OrientedBox& box, const DataBox& data) {
+    const OrientedBox other = orientedBoxOf(data);
+    const std::array<Vec3, 3> ours{box.axes.right, box.axes.down, box.axes.forward};
+    const std::array<Vec3, 3> theirs{other.axes.right, other.axes.down, other.axes.forward};
+    std::vector<Vec3> directions(ours.begin(), ours.end());
+    directions.insert(directions.end(), theirs.begin(), theirs.end());
+    for (const Vec3& our : ours)
+        for (const Vec3& their : theirs) directions.push_back(our.cross(their));
+    const Vec3 between = other.centreMm - box.centreMm;
+    return std::ranges::all_of(directions, [&](const Vec3& direction) {
+        return std::abs(direction.dot(between)) <= 0.5 * (box.extentAlong(direction) + other.extentAlong(direction));
+    });
 }
 
 OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm) {

@@ -28,6 +28,9 @@ struct BoxSection {
 /// `normal` has length 1.
 [[nodiscard]] BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& normal);
 
+/// Whether a box and that of the data have a place in common.
+[[nodiscard]] bool meets(const OrientedBox& box, const DataBox& data);
+
 /// The box with a face moved outwards by so many mm (inwards where below 0), the opposite one in place; it stays at
 /// least leastMm (above 0) thick.
 [[nodiscard]] OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm);

@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include "processing/box_section.h"
 #include "processing/picture/empty_picture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
@@ -32,6 +33,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::looksChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::boxesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
     connect(&m_parts.model, &DocumentModel::methodChanged, this, &ShownStudy::showNearCutRange);
 }
@@ -179,6 +181,10 @@ void ShownStudy::showRemark() {
     if (otf == nullptr || !m_parts.session.volume()) return;
     const Document& document = m_parts.model.document();
     const int view = m_parts.view.view();
+    const std::optional<OrientedBox> box = viewpointOf(document, view).box;
+    if (box && !meets(*box, m_parts.session.volume()->dataBox()))
+        return m_parts.messages.setRemark(
+            tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
     QStringList remarks{QString::fromStdString(otf->message)};
     // A picture that is black because of its curve says so.
     if (lookOf(document, view).mode == RenderMode::direct)

@@ -14,6 +14,7 @@
 #include "io/document/document_file.h"
 #include "processing/document/box_editing.h"
 #include "tests/app/planes/room_fixture.h"
+#include "widgets/panels/message_bar.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/planes/plane_pane.h"
 
@@ -224,6 +225,19 @@ private slots:
         // Beside the marks the left button orbits as ever.
         dragIn3d(from + QPoint(-60, 31), from + QPoint(-40, 31));
         QVERIFY(poseOf(document(), 1) != pose);
+    }
+
+    void aBoxBesideTheDataSaysSo() {
+        key(Qt::Key_3);  // any curve, not the adaptive one alone
+        key(Qt::Key_B);
+        auto* message = child<MessageBar>("message");
+        QVERIFY2(!message->text().contains("beside the data"), qPrintable(message->text()));
+        Document next = document();
+        boxOf(next, 1).centreMm += Vec3(500, 0, 0);
+        window().document().edit(next, "move box");
+        QTRY_VERIFY2(message->text().contains("beside the data"), qPrintable(message->text()));
+        key(Qt::Key_B);
+        QTRY_VERIFY2(!message->text().contains("beside the data"), qPrintable(message->text()));
     }
 
     void twoHundredActionsAreUndoneAndRedoneByteForByte() {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace echolucent {
 namespace {
@@ -143,6 +144,39 @@ TEST(BoxEditing, ABowIsDeepestInTheMiddleAndLeavesTheBorder) {
     const Vec3 border = centre + surface.frame.right * (surface.spacingMm * (surface.columns - 1) / 2.0);
     EXPECT_NEAR(surface.depthAt(border), flat.depthAt(border), 1e-6);
     EXPECT_TRUE(bowed(surface, -5).frame == flat.frame);
+}
+
+TEST(BoxSection, BoxesMeetWhereTheyHaveAPlaceInCommon) {
+    const DataBox scan({0, 0, 0}, {10, 8, 6});
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-8, 18), size(0.5, 9), angle(-180, 180);
+    int together = 0, apart = 0;
+    for (int i = 0; i < 400; ++i) {
+        const OrientedBox box{{place(random), place(random), place(random)},
+                              frameOf(Viewpoint{BeamAxis::plusZ, angle(random), angle(random) / 2, angle(random)}),
+                              {size(random), size(random), size(random)}};
+        // Places all through the box, and all through a box a hair larger: the truth lies between the two.
+        const auto hasPlaceInData = [&](double factor) {
+            OrientedBox scaled = box;
+            scaled.sizeMm = box.sizeMm * factor;
+            constexpr int steps = 24;
+            for (int n = 0; n < steps * steps * steps; ++n) {
+                const Vec3 share(n % steps, n / steps % steps, n / steps / steps);
+                const Vec3 at = scaled.inGrid((share * (1.0 / (steps - 1)) - Vec3(0.5, 0.5, 0.5)).mul(scaled.sizeMm));
+                if (at[0] >= 0 && at[0] <= 10 && at[1] >= 0 && at[1] <= 8 && at[2] >= 0 && at[2] <= 6) return true;
+            }
+            return false;
+        };
+        if (hasPlaceInData(1.0)) {
+            EXPECT_TRUE(meets(box, scan));
+            ++together;
+        } else if (!hasPlaceInData(1.2)) {
+            EXPECT_FALSE(meets(box, scan));
+            ++apart;
+        }
+    }
+    EXPECT_GT(together, 50);
+    EXPECT_GT(apart, 50);
 }
 
 }  // namespace
