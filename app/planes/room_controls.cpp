@@ -4,9 +4,15 @@
 
 namespace echolucent {
 
-RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session, RoomPanel& panel,
-                           QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_session(session), m_panel(panel) {
+RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session,
+                           const VolumeViewWidget& picture, RoomPanel& panel, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_view(view),
+      m_hand(hand),
+      m_session(session),
+      m_picture(picture),
+      m_panel(panel) {
     connect(&m_panel, &RoomPanel::planesChanged, this, [this](const Planes& planes, const QString& what) {
         Document next = m_model.document();
         planesOf(next, m_view) = planes;
@@ -45,7 +51,13 @@ void RoomControls::switchBox(bool on) {
 
 void RoomControls::chooseFront(BoxSide front) {
     if (!m_session.volume()) return show();
-    edit(withFront(m_model.document(), m_view, front, m_session.volume()->dataBox()), tr("front of the box"));
+    edit(fitted(withFront(m_model.document(), m_view, front, m_session.volume()->dataBox())), tr("front of the box"));
+}
+
+/// The same with the whole box in the picture, seen as it is.
+Document RoomControls::fitted(Document document) const {
+    poseOf(document, m_view) = m_picture.wholeVolume(viewpointOf(document, m_view), m_session.volume()->dataBox());
+    return document;
 }
 
 void RoomControls::resizeBox(int axis, double mm) {
@@ -65,7 +77,7 @@ void RoomControls::makeWhole() {
 
 void RoomControls::makeSlab(PlaneName plane, double thicknessMm) {
     if (!m_session.volume()) return;
-    edit(withSlab(m_model.document(), m_view, plane, thicknessMm, m_session.volume()->dataBox()),
+    edit(fitted(withSlab(m_model.document(), m_view, plane, thicknessMm, m_session.volume()->dataBox())),
          tr("slab around a plane"));
 }
 

@@ -7,6 +7,7 @@
 #include "app/document/hand_gesture.h"
 #include "app/study/session.h"
 #include "widgets/panels/room_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
 
@@ -14,16 +15,18 @@ class RoomControls : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
-    RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session, RoomPanel& panel,
-                 QObject* parent = nullptr);
+    /// All of them must outlive this. `picture` is the view's.
+    RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session, const VolumeViewWidget& picture,
+                 RoomPanel& panel, QObject* parent = nullptr);
 
     void switchBox(bool on);
+    /// Looks in through a side of the box, which fills the picture.
     void chooseFront(BoxSide front);
 
 private:
     void show();
     void edit(const Document& next, const QString& what);
+    [[nodiscard]] Document fitted(Document document) const;
     void resizeBox(int axis, double mm);
     void makeWhole();
     void makeSlab(PlaneName plane, double thicknessMm);
@@ -32,6 +35,7 @@ private:
     int m_view;
     HandGesture& m_hand;
     Session& m_session;
+    const VolumeViewWidget& m_picture;
     RoomPanel& m_panel;
 };
 

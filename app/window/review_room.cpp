@@ -16,7 +16,7 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes),
-      m_controls(parts.model, parts.view, parts.hand, parts.session, parts.panel),
+      m_controls(parts.model, parts.view, parts.hand, parts.session, parts.picture, parts.panel),
       m_boxIn3d(parts.model, parts.view, parts.session, parts.picture),
       m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
