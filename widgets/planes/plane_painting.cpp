@@ -127,7 +127,7 @@ void PlanePane::paintWords(QPainter& painter) const {
     const QFontMetricsF metrics(font);
     const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
     const QString place =
-        m_scene->lengthsKnown ? tr("%1 mm").arg(mm, 0, 'f', 1) : tr("%1 voxels").arg(mm / m_scene->unitMm, 0, 'f', 0);
+        (m_scene->lengthsKnown ? tr("%1 mm") : tr("%1 mm (guess)")).arg(mm, 0, 'f', 1);
     paintText(painter, {10, height() - 10.0}, QString(place).replace(QLatin1Char('-'), QChar(0x2212)), words);
     const std::array<QPointF, 4> places{
         QPointF(8, height() / 2.0),
