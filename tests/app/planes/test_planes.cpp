@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/window/review_room.h"
+#include "tests/app/planes/marked_corners.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
@@ -75,7 +76,7 @@ private slots:
             for (const PlaneName plane : allPlaneNames) {
                 PlanePane& shown = paneOf(plane);
                 for (int corner = 0; corner < 8; ++corner) {
-                    const Vec3 at = cornerMm(corner);
+                    const Vec3 at = cornerMm(window().session().volume()->geometry(), corner);
                     // The plane is stepped to the corner, and the cursor points to it.
                     Document there = document();
                     planesOf(there, 1) = withReferencePoint(planesOf(there, 1), at, data);
@@ -245,34 +246,6 @@ private slots:
     }
 
 private:
-    /// A dark volume whose corners differ: blocks of 6 voxels, 4 from the faces.
-    static std::shared_ptr<const Volume> markedCorners() {
-        VolumeGeometry geometry;
-        geometry.size = {40, 44, 48};
-        geometry.spacing = {1.0, 0.8, 1.2};
-        std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 10);
-        for (int corner = 0; corner < 8; ++corner)
-            for (int i = 0; i < 6 * 6 * 6; ++i) {
-                const std::int64_t inner[] = {i % 6, i / 6 % 6, i / 36};
-                std::int64_t at[3];
-                for (int axis = 0; axis < 3; ++axis) {
-                    const std::int64_t size = geometry.size[static_cast<std::size_t>(axis)];
-                    at[axis] = (corner >> axis & 1 ? size - 10 : 4) + inner[axis];
-                }
-                voxels[static_cast<std::size_t>(geometry.offset(at[0], at[1], at[2]))] =
-                    static_cast<std::uint8_t>(cornerValue(corner));
-            }
-        return std::make_shared<const Volume>(geometry, Voxels(voxels), 255.0);
-    }
-    static int cornerValue(int corner) { return 60 + 25 * corner; }
-    Vec3 cornerMm(int corner) {
-        const VolumeGeometry& geometry = window().session().volume()->geometry();
-        Vec3 voxel;
-        for (int axis = 0; axis < 3; ++axis)
-            voxel[axis] =
-                corner >> axis & 1 ? static_cast<double>(geometry.size[static_cast<std::size_t>(axis)]) - 7.5 : 6.5;
-        return geometry.gridMmFromVoxel(voxel);
-    }
     static int brightnessAt(const PlanePane& pane, const QPointF& pixel) {
         const QImage& image = pane.image();
         return qGray(image.pixel(static_cast<int>(pixel.x() * image.width() / pane.width()),

@@ -1,0 +1,147 @@
+// Left, right, up and down of the 3D view and of the render box, against a volume whose corners are told apart, in the
+// real main window.
+#include <QImage>
+#include <array>
+#include <cmath>
+
+#include "app/planes/edge_letters.h"
+#include "processing/box_section.h"
+#include "tests/app/planes/marked_corners.h"
+#include "tests/app/planes/room_fixture.h"
+
+using namespace echolucent;
+
+class TestMarkedCorners : public QObject, private RoomFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_file = file("corners.mha", {markedCorners()}); }
+    void init() {
+        show();
+        window().resize(1280, 720);
+        useLook(Look{});
+        open(m_file);
+        key(Qt::Key_F3);
+        QTRY_VERIFY(!window().reviewRoom().busy());
+        // Opaque from 40 of 255 on, unlit and without interpolation: a pixel shows the block that lies in front.
+        Document next = document();
+        lookOf(next, 1).interpolation = Interpolation::nearest;
+        lookOf(next, 1).colourMap = ColourMap::grey;
+        next.curves.manual = {{{40.0 / 255, 0.0}, {40.0 / 255, 1.0}, {1.0, 1.0}}};
+        viewOf(next, 1).curve = CurveKind::manual;
+        window().document().edit(next, "blocks");
+        waitUntilIdle();
+    }
+    void cleanup() { close(); }
+
+    void theViewOfTheProbeIsThatOfPlaneC() {
+        const ViewFrame probe = frameOf(Viewpoint{.beamAxis = document().beam.axis});
+        const QImage picture = window().volumeView().convergedImage();
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 fromCentre = at(corner) - dataBox().centreMm();
+            if (probe.forward.dot(fromCentre) > 0) continue;  // it lies behind another block
+            const QPoint pixel = seenIn3d(at(corner));
+            QCOMPARE(pixel.x() > window().volumeView().width() / 2, probe.right.dot(fromCentre) > 0);
+            QCOMPARE(pixel.y() > window().volumeView().height() / 2, probe.down.dot(fromCentre) > 0);
+            QCOMPARE(valueAt(picture, pixel), cornerValue(corner));
+        }
+    }
+
+    void eachFrontShowsItsOwnCornersUnmirrored_data() {
+        QTest::addColumn<int>("number");
+        for (int number = 1; number <= 6; ++number) QTest::addRow("Ctrl+%d", number) << number;
+    }
+    void eachFrontShowsItsOwnCornersUnmirrored() {
+        QFETCH(int, number);
+        key(Qt::Key_B);
+        QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_0 + number), Qt::ControlModifier);
+        waitUntilIdle();
+        // Top, bottom, left, right, near and far, as the probe's frame has them for plane A.
+        const ViewFrame probe = frameOf(Viewpoint{.beamAxis = document().beam.axis});
+        const std::array<Vec3, 6> outwards{-probe.forward, probe.forward, -probe.right,
+                                           probe.right,    probe.down,    -probe.down};
+        const Vec3 outward = outwards[static_cast<std::size_t>(number - 1)];
+        const QImage picture = window().volumeView().convergedImage();
+        Vec3 rightwards(0, 0, 0), downwards(0, 0, 0);
+        int seen = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 fromCentre = at(corner) - dataBox().centreMm();
+            if (outward.dot(fromCentre) < 0) continue;
+            const QPoint pixel = seenIn3d(at(corner));
+            QCOMPARE(valueAt(picture, pixel), cornerValue(corner));
+            rightwards += fromCentre * (pixel.x() > window().volumeView().width() / 2 ? 1 : -1);
+            downwards += fromCentre * (pixel.y() > window().volumeView().height() / 2 ? 1 : -1);
+            ++seen;
+        }
+        QCOMPARE(seen, 4);
+        QVERIFY2(normalized(rightwards).cross(normalized(downwards)).dot(-outward) > 0.99, "the picture is mirrored");
+    }
+
+    void theFaceAtTheLeftOfThePictureCutsWhatIsSeenThere_data() { eachFrontShowsItsOwnCornersUnmirrored_data(); }
+    void theFaceAtTheLeftOfThePictureCutsWhatIsSeenThere() {
+        QFETCH(int, number);
+        key(Qt::Key_B);
+        QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_0 + number), Qt::ControlModifier);
+        waitUntilIdle();
+        QPoint left(1 << 20, 0), right(0, 0);
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int sign : {-1, 1}) {
+                const QPoint middle = seenIn3d(middleOf(placed(), {axis, sign}));
+                if (middle.x() < left.x()) left = middle;
+                if (middle.x() > right.x()) right = middle;
+            }
+        const QPoint third = (right - left) / 3;
+        dragIn3d(left, left + third);
+        waitUntilIdle();
+        QCOMPARE(window().document().steps().undoText(), "size of the box");
+        const QImage picture = window().volumeView().convergedImage();
+        int cut = 0, kept = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const QPoint pixel = seenIn3d(at(corner));
+            const bool inside = pixel.x() > left.x() + third.x();
+            (inside ? kept : cut) += 1;
+            QCOMPARE(valueAt(picture, pixel) > 0, inside);
+        }
+        QCOMPARE(cut, 4);
+        QCOMPARE(kept, 4);
+    }
+
+    void thePatientsLettersStandAtTheEdgesThatPointThere() {
+        VolumeGeometry geometry;  // x runs to the patient's back, y to the head, z to the right
+        geometry.direction = {0, 0, -1, 1, 0, 0, 0, 1, 0};
+        const ViewFrame alongBeam = frameOf(Viewpoint{});
+        QVERIFY(alongBeam.right == Vec3(1, 0, 0));
+        QVERIFY(alongBeam.down == Vec3(0, 1, 0));
+        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry) == (std::array<QString, 4>{}));
+        geometry.patientFrameKnown = true;
+        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry) == (std::array<QString, 4>{"A", "P", "F", "H"}));
+        // The beam runs down in this picture, so that the probe stands above it.
+        const ViewFrame fromHead{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+        QVERIFY(edgeLetters(fromHead, BeamAxis::plusZ, geometry) ==
+                (std::array<QString, 4>{"A", "P", QString::fromUtf8("L · probe"), "R"}));
+        QCOMPARE(patientLetters(normalized({0.3, 1.0, 0.1})), QString("P"));  // 17 degrees aside
+        QCOMPARE(patientLetters(normalized({0.5, -1.0, 0.1})), QString("AL"));
+        QCOMPARE(patientLetters(normalized({-1.0, 0.9, -0.8})), QString("RPF"));
+    }
+
+private:
+    Vec3 at(int corner) { return cornerMm(window().session().volume()->geometry(), corner); }
+    /// The brightness of the picture at a place of the widget; a picture may have more pixels than that.
+    int valueAt(const QImage& picture, const QPoint& place) {
+        const QSize size = window().volumeView().size();
+        return qGray(
+            picture.pixel(place.x() * picture.width() / size.width(), place.y() * picture.height() / size.height()));
+    }
+
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    TestMarkedCorners test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_marked_corners.moc"
