@@ -131,8 +131,11 @@ void MainWindow::connectProgress() {
         m_widgets.editor->setCursorIntensity(intensity);
     });
     connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
-        const bool pictureShown = m_widgets.picture->isVisibleTo(m_widgets.panes);
-        m_widgets.messages->lieOver(pictureShown ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
+        // Beside planes the 3D view is small: there a message takes a strip below all of them.
+        const PaneGrid& panes = *m_widgets.panes;
+        const bool alone =
+            panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() == PaneLayout::only3d;
+        m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);

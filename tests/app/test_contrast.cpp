@@ -1,0 +1,176 @@
+// Whether every text of the window can be read: the contrast between its colour and what it stands on, measured in what
+// the window draws, is at least 4.5 : 1 (WCAG 2.1, 1.4.3). Controls that cannot be used now need none.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTableWidget>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// Relative luminance of an sRGB colour (WCAG 2.1).
+double luminance(QRgb colour) {
+    const auto linear = [](int channel) {
+        const double share = channel / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) + 0.0722 * linear(qBlue(colour));
+}
+
+double contrast(QRgb one, QRgb other) {
+    const double a = luminance(one) + 0.05, b = luminance(other) + 0.05;
+    return a > b ? a / b : b / a;
+}
+
+/// Between the commonest colour of a place and that which differs from it most: what a text stands on, and the text.
+double contrastWithin(const QImage& image, const QRect& place) {
+    std::map<QRgb, int> counts;
+    for (int y = place.top(); y <= place.bottom(); ++y)
+        for (int x = place.left(); x <= place.right(); ++x) ++counts[image.pixel(x, y)];
+    const auto commonest = std::max_element(counts.begin(), counts.end(),
+                                            [](const auto& a, const auto& b) { return a.second < b.second; });
+    double largest = 1.0;
+    for (const auto& [colour, count] : counts) largest = std::max(largest, contrast(colour, commonest->first));
+    return largest;
+}
+
+}  // namespace
+
+class TestContrast : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QFile theme(QStringLiteral(":/dark.qss"));
+        QVERIFY(theme.open(QIODevice::ReadOnly));
+        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        show();
+        window().resize(1280, 720);
+        useLook(Look{});
+        open(file("visit.mha", {smallPhantom(PhantomScene::shapes, 5)}));
+        click("presets.open");
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 30000);
+    }
+    void cleanupTestCase() {
+        qInfo("the least contrast of %d texts is %.2f : 1 (%s)", m_texts, m_least, qPrintable(m_of));
+        close();
+    }
+
+    void theMeasureIsWcags() {
+        QCOMPARE(contrast(qRgb(255, 255, 255), qRgb(0, 0, 0)), 21.0);
+        QVERIFY(std::abs(contrast(qRgb(0x77, 0x77, 0x77), qRgb(255, 255, 255)) - 4.48) < 0.005);
+        QImage image(20, 10, QImage::Format_RGB32);
+        image.fill(qRgb(0x1e, 0x22, 0x26));
+        image.setPixel(3, 3, qRgb(0x6b, 0x74, 0x7d));
+        QVERIFY(contrastWithin(image, image.rect()) < 4.5);
+    }
+
+    void textsOfPanels_data() {
+        QTest::addColumn<QString>("dock");
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
+            QTest::newRow(qPrintable(dock->objectName())) << dock->objectName();
+    }
+    void textsOfPanels() {
+        QFETCH(QString, dock);
+        auto* panel = child<QDockWidget>(dock);
+        panel->show();
+        panel->raise();
+        QTRY_VERIFY(panel->widget()->isVisible());
+        const int before = m_texts;
+        measureIn(*panel);
+        QVERIFY2(m_texts > before, qPrintable(dock + " holds no text"));
+    }
+
+    void textsAroundThePicture() {
+        child<QWidget>("dock.view")->raise();
+        child<MessageBar>("message")->showMessage(MessageKind::info, "A message of some words.", {{"Do it", {}}});
+        measureIn(*child<MessageBar>("message"));
+        child<MessageBar>("message")->showMessage(MessageKind::error, "Trouble of some words.");
+        measureIn(*child<MessageBar>("message"));
+        measureIn(*window().statusBar());
+        measureIn(*child("motion"));
+        for (QTabBar* tabs : window().findChildren<QTabBar*>()) {
+            const QImage image = tabs->grab().toImage();
+            for (int tab = 0; tab < tabs->count(); ++tab)
+                if (tabs->isVisible()) measure(image, tabs->tabRect(tab), tabs->tabText(tab));
+        }
+        for (QMenu* menu : window().menuBar()->findChildren<QMenu*>()) {
+            if (menu->actions().isEmpty()) continue;
+            menu->ensurePolished();
+            menu->adjustSize();
+            const QImage image = menu->grab().toImage();
+            for (const QAction* action : menu->actions())
+                if (action->isEnabled() && !action->isSeparator() && !action->text().isEmpty())
+                    measure(image, menu->actionGeometry(const_cast<QAction*>(action)), action->text());
+        }
+    }
+
+private:
+    void measureIn(QWidget& part) {
+        const QImage image = part.grab().toImage();
+        for (QWidget* widget : part.findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !widget->isEnabled()) continue;
+            if (const auto* table = qobject_cast<QTableWidget*>(widget)) measureTable(part, image, *table);
+            QRect place = widget->rect();
+            QString text;
+            if (const auto* label = qobject_cast<QLabel*>(widget)) text = label->text();
+            if (const auto* box = qobject_cast<QComboBox*>(widget)) text = box->currentText();
+            if (const auto* button = qobject_cast<QAbstractButton*>(widget)) {
+                text = button->text();
+                if (button->isCheckable() && widget->inherits("QAbstractButton") && !widget->inherits("QPushButton") &&
+                    !widget->inherits("QToolButton"))
+                    place.adjust(22, 0, 0, 0);  // the indicator is no text
+            }
+            if (text.trimmed().isEmpty()) continue;
+            const QRect seen = QRect(widget->mapTo(&part, place.topLeft()), place.size()).intersected(part.rect());
+            // What a scroll area cuts off is measured where it is whole.
+            if (seen.height() < place.height() || widget->visibleRegion().boundingRect().height() < widget->height())
+                continue;
+            measure(image, seen, text);
+        }
+    }
+    void measureTable(const QWidget& part, const QImage& image, const QTableWidget& table) {
+        const QPoint corner = table.viewport()->mapTo(&part, QPoint(0, 0));
+        for (int row = 0; row < table.rowCount(); ++row)
+            for (int column = 0; column < table.columnCount(); ++column) {
+                const QRect place = table.visualItemRect(table.item(row, column));
+                if (table.item(row, column)->text().isEmpty() || !table.viewport()->rect().contains(place)) continue;
+                measure(image, place.translated(corner), table.item(row, column)->text());
+            }
+    }
+    void measure(const QImage& image, const QRect& place, const QString& text) {
+        const double found = contrastWithin(image, place.intersected(image.rect()));
+        ++m_texts;
+        if (found < m_least) {
+            m_least = found;
+            m_of = text;
+        }
+        QVERIFY2(found >= 4.5, qPrintable(QStringLiteral("%1: %2 : 1").arg(text).arg(found, 0, 'f', 2)));
+    }
+
+    int m_texts = 0;
+    double m_least = 21.0;
+    QString m_of;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    TestContrast test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_contrast.moc"
