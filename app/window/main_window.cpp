@@ -131,10 +131,10 @@ void MainWindow::connectProgress() {
         m_widgets.editor->setCursorIntensity(intensity);
     });
     connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
-        // Beside planes the 3D view is small: there a message takes a strip below all of them.
+        // Among planes of its own size the 3D view is small: there a message takes a strip below all of them.
         const PaneGrid& panes = *m_widgets.panes;
         const bool alone =
-            panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() == PaneLayout::only3d;
+            panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() != PaneLayout::quad;
         m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);

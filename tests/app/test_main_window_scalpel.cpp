@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include "processing/document/box_editing.h"
 #include "processing/document/view_picture.h"
 #include "processing/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
@@ -89,12 +90,15 @@ private slots:
     void thePictureWithoutAWindowIsThatOfTheWindow_data() {
         QTest::addColumn<bool>("perspective");
         QTest::addColumn<bool>("reduced");
-        QTest::addRow("parallel, quiet voxels") << false << true;
-        QTest::addRow("perspective, raw voxels") << true << false;
+        QTest::addColumn<bool>("bow");
+        QTest::addRow("parallel, quiet voxels") << false << true << false;
+        QTest::addRow("perspective, raw voxels") << true << false << false;
+        QTest::addRow("bowed front") << false << false << true;
     }
     void thePictureWithoutAWindowIsThatOfTheWindow() {
         QFETCH(bool, perspective);
         QFETCH(bool, reduced);
+        QFETCH(bool, bow);
         open(m_moving);
         Document next = window().document().document();
         poseOf(next, 1).direction = {.azimuth = 24, .elevation = -11, .roll = 5};
@@ -103,6 +107,7 @@ private slots:
         box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, session().volume()->dataBox());
         box.sizeMm = box.sizeMm * 0.7;
         cutOf(next, 1) = {.nearCutMm = 9};
+        if (bow) cutOf(next, 1) = {.surface = bowed(startSurface(next, 1, *session().volume()), 8)};
         Look& look = lookOf(next, 1);
         look.projection = perspective ? Projection::perspective : Projection::parallel;
         look.reduction = reduced ? SpeckleReduction::medium : SpeckleReduction::off;
