@@ -1,5 +1,6 @@
-// echolucent-bench-window measures frames a second in the workstation's real window, on the display at hand
-// (scripts/with-display gives a virtual one). It prints a table and writes build/bench/window.json.
+// echolucent-bench-window measures the workstation's real window on the display at hand (scripts/with-display gives a
+// virtual one): frames a second, updates a second and memory in the review room, and the longest stalls of the event
+// loop. It prints tables and writes build/bench/window.json.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
@@ -8,7 +9,9 @@
 
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
+#include "tests/benchmarks_window/large_study.h"
 #include "tests/benchmarks_window/report.h"
+#include "tests/benchmarks_window/room_under_test.h"
 #include "tests/benchmarks_window/window_under_test.h"
 
 using namespace echolucent;
@@ -17,46 +20,60 @@ using namespace echolucent::bench;
 namespace {
 
 struct Options {
+    QStringList parts;
     QList<int> sizes;
     Amount amount;
-    int edge = 0;  // voxels of the phantom; with 0 the fetus is as large as the paper's scan, 199 x 197 x 199
+    int edge = 0;  // voxels of every phantom; with 0 those of the frames are 199 x 197 x 199, as the paper's scan
     bool shaded = false;
-    QString volume;  // a file in the phantom's place
+    QString volume, large;  // files in the place of phantoms
     QString json, pictures;
 };
 
+constexpr int roomVoxels = 256, largeVoxels = 512;  // along each edge
+
 Options parse(const QApplication& application) {
     QCommandLineParser parser;
-    parser.setApplicationDescription("Measures frames a second in the real window.");
+    parser.setApplicationDescription(
+        "Measures the real window: frames a second, updates in the review room, memory, stalls.");
     parser.addHelpOption();
-    parser.addOptions({{"sizes", "Edges of the picture in device pixels.", "N,N", "512,1024"},
-                       {"seconds", "How long each action is measured.", "S", "4"},
-                       {"frames", "Measure so many frames instead.", "N", "0"},
-                       {"views", "Views of the high-quality picture.", "N", "20"},
-                       {"edge", "A phantom of that many voxels an edge instead of 199 x 197 x 199.", "N", "0"},
-                       {"shaded", "With light."},
-                       {"volume", "A volume's file in the phantom's place; of 4D, its phases are played too.", "FILE"},
-                       {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
-                       {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
+    parser.addOptions(
+        {{"parts", "What is measured.", "NAME,NAME", "room,frames,stalls"},
+         {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
+         {"seconds", "How long each action is measured.", "S", "4"},
+         {"frames", "Measure so many frames instead.", "N", "0"},
+         {"views", "Views of the high-quality picture.", "N", "20"},
+         {"edge",
+          "Phantoms of that many voxels an edge instead of 199 x 197 x 199 (frames), 256 (room) and 512 "
+          "(stalls).",
+          "N", "0"},
+         {"shaded", "Frames with light."},
+         {"volume", "A volume's file in the phantom's place; of 4D, its phases are played too.", "FILE"},
+         {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
+         {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
+         {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
     parser.process(application);
     Options options;
+    options.parts = parser.value("parts").split(',');
     for (const QString& size : parser.value("sizes").split(',')) options.sizes << size.toInt();
     options.amount = {parser.value("seconds").toDouble(), parser.value("frames").toInt(),
                       parser.value("views").toInt()};
     options.edge = parser.value("edge").toInt();
     options.shaded = parser.isSet("shaded");
     options.volume = parser.value("volume");
+    options.large = parser.value("large");
     options.json = parser.value("json");
     options.pictures = parser.value("pictures");
     return options;
 }
 
-/// Writes the fetus to a file.
-QString fetus(int edge, const QString& folder) {
+/// Writes the fetus to a file; with an edge of 0 voxels as large as the paper's scan.
+QString fetus(int edge, int bits, const QString& folder) {
     PhantomConfig config = defaultPhantom(PhantomScene::fetus);
     if (edge > 0) config.size = {edge, edge, edge};
-    const QString path = folder + "/fetus.mha";
-    if (!writeMetaImage(path.toStdString(), {std::make_shared<const Volume>(*makePhantom(config))}))
+    config.bits = bits;
+    const QString path = QString("%1/fetus-%2.mha").arg(folder).arg(edge);
+    const std::vector phases{std::make_shared<const Volume>(*makePhantom(config))};
+    if (!writeMetaImage(path.toStdString(), phases, MetaImageVoxels::plain))
         qFatal("cannot write %s", qPrintable(path));
     return path;
 }
@@ -73,7 +90,7 @@ void measure(const Options& options, const QString& volume, int edge, const std:
             row.shaded = options.shaded;
             tell(row);
         };
-        window.show(curve);
+        window.showCurve(curve);
         finished(window.orbit(options.amount));
         finished(window.edit(curve, options.amount));
         if (options.shaded) finished(window.turnLight(options.amount));
@@ -90,6 +107,25 @@ void measure(const Options& options, const QString& volume, int edge, const std:
     }
 }
 
+/// What a person drags with all four panes visible, as a study is opened and with everything on.
+Memory measureRoom(const Options& options, const QString& volume, const std::function<void(Row)>& tell) {
+    RoomUnderTest room(volume, options.sizes.first());
+    const auto finished = [&](Row row, const char* state) {
+        row.curve = QString::fromLatin1(state);
+        row.edge = options.sizes.first();
+        row.shaded = true;
+        tell(row);
+    };
+    finished(room.dragReference(options.amount), "as opened");
+    finished(room.orbit(options.amount), "as opened");
+    room.switchEverythingOn();
+    const Memory memory = room.memory();
+    finished(room.dragReference(options.amount), "everything on");
+    finished(room.dragBox(options.amount), "everything on");
+    finished(room.orbit(options.amount), "everything on");
+    return memory;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -100,15 +136,33 @@ int main(int count, char** arguments) {
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
     const Options options = parse(application);
     const QTemporaryDir folder;
-    const QString volume = options.volume.isEmpty() ? fetus(options.edge, folder.path()) : options.volume;
+    const auto phantom = [&](int usual, int bits) {
+        return fetus(options.edge > 0 ? options.edge : usual, bits, folder.path());
+    };
     QTextStream out(stdout);
-    out << tableHeader() << '\n' << Qt::flush;
-    QList<Row> rows;
-    for (const int edge : options.sizes)
-        measure(options, volume, edge, [&](const Row& row) {
-            rows << row;
-            out << tableLine(row) << '\n' << Qt::flush;
-        });
-    if (!writeJson(options.json, rows)) qFatal("cannot write %s", qPrintable(options.json));
+    Findings findings;
+    const auto tell = [&](const Row& row) {
+        findings.rows << row;
+        out << tableLine(row) << '\n' << Qt::flush;
+    };
+    const bool room = options.parts.contains("room"), frames = options.parts.contains("frames");
+    if (room || frames) out << tableHeader() << '\n' << Qt::flush;
+    if (room) {
+        const QString volume = phantom(roomVoxels, 8);
+        forgetPeak();  // what making the phantom took
+        findings.memory = measureRoom(options, volume, tell);
+        out << memoryLine(findings.memory) << '\n' << Qt::flush;
+    }
+    if (frames) {
+        const QString volume = options.volume.isEmpty() ? phantom(0, 8) : options.volume;
+        for (const int edge : options.sizes) measure(options, volume, edge, tell);
+    }
+    if (options.parts.contains("stalls")) {
+        // Two bytes a voxel: twice the memory to read, to make quiet and to let go.
+        const QString volume = options.large.isEmpty() ? phantom(largeVoxels, 16) : options.large;
+        findings.stalls = LargeStudy().stalls(volume);
+        out << stallTable(findings.stalls) << '\n' << Qt::flush;
+    }
+    if (!writeJson(options.json, findings)) qFatal("cannot write %s", qPrintable(options.json));
     return 0;
 }

@@ -10,14 +10,23 @@
 
 namespace echolucent::bench {
 
+/// How much is measured of each action.
+struct Amount {
+    double seconds = 4.0;
+    int frames = 0;  ///< where above 0, this many frames are measured, however long they take
+    int views = 20;  ///< number of jumps to a high-quality picture
+};
+
 /// One line of the table: what was done in a window, and what it took.
 struct Row {
-    QString action;  ///< "orbit", "edit", "light", "high quality", "first turn" or "from memory"
+    /// "orbit", "edit", "light", "high quality", "first turn" or "from memory"; with all four panes "reference", "box"
+    /// or "orbit in quad".
+    QString action;
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels
     bool shaded = false;
-    double framesPerSecond =
-        0.0;  ///< pictures drawn a second; for "high quality" 1 / median time from change to picture
+    double framesPerSecond = 0.0;  ///< pictures drawn a second; for "high quality" 1 / median time from change to
+                                   ///< picture, with all four panes updates (RoomUnderTest)
     double deliveredPerSecond = 0.0;
     double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" the times
     double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians

@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QSaveFile>
 #include <QThread>
+#include <algorithm>
 
 namespace echolucent::bench {
 
@@ -34,6 +35,14 @@ QJsonObject json(const Row& row) {
             {"frames", row.frames}};
 }
 
+QJsonObject json(const Stall& stall) {
+    return {{"action", stall.action},
+            {"under_way", stall.underWay},
+            {"longest_ms", stall.milliseconds},
+            {"processor_ms", stall.processorMilliseconds},
+            {"over_limit", stall.overLimit}};
+}
+
 }  // namespace
 
 QString tableHeader() {
@@ -57,10 +66,35 @@ QString tableLine(const Row& row) {
     return cells.join(' ');
 }
 
-bool writeJson(const QString& path, const QList<Row>& rows) {
-    QJsonArray array;
-    for (const Row& row : rows) array.append(json(row));
-    const QJsonObject whole{{"processors", QThread::idealThreadCount()}, {"rows", array}};
+QString memoryLine(const Memory& memory) {
+    return QString("With everything on %1 MiB are resident, and at most %2 MiB were.")
+        .arg(memory.residentMiB, 0, 'f', 0)
+        .arg(memory.peakMiB, 0, 'f', 0);
+}
+
+QString stallTable(const QList<Stall>& stalls) {
+    QStringList lines{QString("%1 %2 longest ms  of it busy  over %3 ms")
+                          .arg("action", -10)
+                          .arg("under way", -16)
+                          .arg(stallLimit, 0, 'f', 0)};
+    for (const Stall& stall : stalls)
+        lines << QString("%1 %2").arg(stall.action, -10).arg(stall.underWay, -16) + number(stall.milliseconds, 1, 11) +
+                     number(stall.processorMilliseconds, 1, 12) + QString("%1").arg(stall.overLimit, 12);
+    const auto longest = std::ranges::max_element(stalls, {}, &Stall::milliseconds);
+    if (longest != stalls.end())
+        lines << QString("The longest stall is %1 ms (action \"%2\", under way: %3).")
+                     .arg(longest->milliseconds, 0, 'f', 1)
+                     .arg(longest->action, longest->underWay);
+    return lines.join('\n');
+}
+
+bool writeJson(const QString& path, const Findings& findings) {
+    QJsonArray rows, stalls;
+    for (const Row& row : findings.rows) rows.append(json(row));
+    for (const Stall& stall : findings.stalls) stalls.append(json(stall));
+    const QJsonObject memory{{"resident_mib", findings.memory.residentMiB}, {"peak_mib", findings.memory.peakMiB}};
+    const QJsonObject whole{
+        {"processors", QThread::idealThreadCount()}, {"rows", rows}, {"memory", memory}, {"stalls", stalls}};
     QDir().mkpath(QFileInfo(path).absolutePath());
     QSaveFile file(path);
     return file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(whole).toJson()) > 0 && file.commit();

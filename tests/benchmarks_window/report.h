@@ -1,16 +1,28 @@
-// The table and the JSON file of a benchmark's rows.
+// The tables and the JSON file of what the window's benchmark found.
 #pragma once
 
 #include <QList>
 
+#include "tests/benchmarks_window/heartbeat.h"
 #include "tests/benchmarks_window/measures.h"
+#include "tests/benchmarks_window/memory.h"
 
 namespace echolucent::bench {
 
+struct Findings {
+    QList<Row> rows;
+    Memory memory;  ///< of a study with everything on
+    QList<Stall> stalls;
+};
+
 [[nodiscard]] QString tableHeader();
 [[nodiscard]] QString tableLine(const Row& row);
+/// A sentence.
+[[nodiscard]] QString memoryLine(const Memory& memory);
+/// A table with a line for each stall, and a sentence that names the longest.
+[[nodiscard]] QString stallTable(const QList<Stall>& stalls);
 
-/// {"processors": n, "rows": [...]}; false where it cannot be written.
-[[nodiscard]] bool writeJson(const QString& path, const QList<Row>& rows);
+/// {"processors": n, "rows": [...], "memory": {...}, "stalls": [...]}; false where it cannot be written.
+[[nodiscard]] bool writeJson(const QString& path, const Findings& findings);
 
 }  // namespace echolucent::bench

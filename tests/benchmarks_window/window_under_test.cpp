@@ -14,26 +14,18 @@ namespace echolucent::bench {
 
 namespace {
 
-constexpr int patience = 300000;           // ms, a bound for broken programs
 constexpr double warmUpSeconds = 1;        // the quality follows the cost of the frames before
 constexpr int movementMilliseconds = 200;  // changes within that belong to one movement
 constexpr double wantedShare = 2.0 / 3;
-
-void await(const char* what, const std::function<bool()>& done) {
-    if (!QTest::qWaitFor(done, patience)) qFatal("%s did not happen", what);
-}
 
 bool isFine(const PictureReport& report) { return report.converged || report.quality == "high quality"; }
 
 }  // namespace
 
-WindowUnderTest::WindowUnderTest(const QString& volume, int edge, bool shaded)
-    : m_window(std::make_unique<MainWindow>(m_folder.filePath("settings.ini"))) {
+WindowUnderTest::WindowUnderTest(const QString& volume, int edge, bool shaded) {
     setPictureEdge(edge);
-    m_window->move(0, 0);
-    m_window->show();
-    if (!QTest::qWaitForWindowExposed(m_window.get())) qFatal("the window does not show");
-    auto* light = m_window->findChild<QComboBox*>("view.lighting");
+    show();
+    auto* light = child<QComboBox>("view.lighting");
     light->setCurrentIndex(light->findData(shaded ? "depth" : "flat"));
     openVolume(volume);
     await("the size asked for", [&] { return view().settings().width == edge && view().settings().height == edge; });
@@ -42,20 +34,14 @@ WindowUnderTest::WindowUnderTest(const QString& volume, int edge, bool shaded)
 }
 
 void WindowUnderTest::setPictureEdge(int edge) {
-    const int logical = static_cast<int>(std::lround(edge / m_window->devicePixelRatioF()));
+    const int logical = static_cast<int>(std::lround(edge / window().devicePixelRatioF()));
     view().setFixedSize(logical, logical);
-    m_window->adjustSize();
-}
-
-void WindowUnderTest::openVolume(const QString& path) {
-    m_window->open(path);
-    await("the volume", [&] { return m_window->session().otf() != nullptr; });
-    waitUntilConverged();
+    window().adjustSize();
 }
 
 /// Zooms by the wheel, until the face of the volume covers that share of the picture.
 void WindowUnderTest::fillTwoThirds() {
-    const VolumeGeometry& geometry = m_window->session().volume()->geometry();
+    const VolumeGeometry& geometry = window().session().volume()->geometry();
     const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
     QWindow* window = pictureWindow();
     const auto share = [&] {
@@ -69,16 +55,9 @@ void WindowUnderTest::fillTwoThirds() {
     }
 }
 
-QWindow* WindowUnderTest::pictureWindow() { return m_window->windowHandle()->findChild<QWindow*>("view3d.surface"); }
+OpacityCurve WindowUnderTest::adaptiveCurve() const { return window().otfEditor().state().adaptive; }
 
-void WindowUnderTest::waitUntilConverged() {
-    await("the converged picture",
-          [&] { return m_window->idle() && view().pictureIsFine() && view().pictureIsCurrent(); });
-}
-
-OpacityCurve WindowUnderTest::adaptiveCurve() const { return m_window->otfEditor().state().adaptive; }
-
-void WindowUnderTest::show(const OpacityCurve& curve) {
+void WindowUnderTest::showCurve(const OpacityCurve& curve) {
     view().setCurve(curve);
     waitUntilConverged();
 }
@@ -143,7 +122,7 @@ Row WindowUnderTest::turnLight(const Amount& amount) {
     return row;
 }
 
-int WindowUnderTest::phases() const { return static_cast<int>(m_window->session().study()->phases.size()); }
+int WindowUnderTest::phases() const { return static_cast<int>(window().session().study()->phases.size()); }
 
 /// What is delivered and drawn until it is enough.
 template <typename Enough>
@@ -161,11 +140,11 @@ Row WindowUnderTest::record(const Enough& enough) {
 }
 
 QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
-    auto* scenario = m_window->findChild<QComboBox*>("motion.scenario");
+    auto* scenario = child<QComboBox>("motion.scenario");
     scenario->setCurrentIndex(scenario->findData(static_cast<int>(MotionScenario::object)));
-    QMetaObject::invokeMethod(m_window->findChild<QWidget*>("motion.mode.eachView"), "click");
+    QMetaObject::invokeMethod(child<QWidget>("motion.mode.eachView"), "click");
     waitUntilConverged();
-    MotionPlayer& player = m_window->motionPlayer();
+    MotionPlayer& player = window().motionPlayer();
     player.setMinimumFrameInterval(0);
     int steps = 0, fine = 0;  // fine: pictures in a row
     QObject context;
@@ -198,7 +177,7 @@ Row WindowUnderTest::edit(const OpacityCurve& curve, const Amount& amount) {
         for (double& opacity : edited.opacities) opacity *= scale;
         view().setCurve(edited);
     });
-    show(curve);
+    showCurve(curve);
     row.action = "edit";
     return row;
 }

@@ -2,25 +2,13 @@
 #pragma once
 
 #include <QList>
-#include <QObject>
-#include <QTemporaryDir>
-#include <memory>
 
-#include "app/window/main_window.h"
 #include "tests/benchmarks_window/measures.h"
-
-class QWindow;
+#include "tests/benchmarks_window/open_window.h"
 
 namespace echolucent::bench {
 
-/// How much is measured of each action.
-struct Amount {
-    double seconds = 4.0;
-    int frames = 0;  ///< where above 0, this many frames are measured, however long they take
-    int views = 20;  ///< number of jumps to a high-quality picture
-};
-
-class WindowUnderTest {
+class WindowUnderTest : private OpenWindow {
 public:
     /// Opens the volume in the window with a picture of edge x edge device pixels, of which the volume fills two
     /// thirds.
@@ -28,7 +16,7 @@ public:
 
     [[nodiscard]] OpacityCurve adaptiveCurve() const;
     /// Shows a curve and waits for the converged picture.
-    void show(const OpacityCurve& curve);
+    void showCurve(const OpacityCurve& curve);
 
     /// Turns the view by a degree with each mouse event; there is always one event more than pictures on the screen, as
     /// from a hand that does not wait for the picture.
@@ -47,12 +35,8 @@ public:
     void takePictures(const QString& folder, const QString& name);
 
 private:
-    [[nodiscard]] VolumeViewWidget& view() { return m_window->volumeView(); }
-    [[nodiscard]] QWindow* pictureWindow();
-    void openVolume(const QString& path);
     void setPictureEdge(int edge);
     void fillTwoThirds();
-    void waitUntilConverged();
     template <typename Change>
     Row follow(const Amount& amount, const Change& change);
     template <typename Enough>
@@ -61,8 +45,6 @@ private:
     Row drag(Qt::KeyboardModifiers keys, const Amount& amount);
     void moveHand(Qt::KeyboardModifiers keys);
 
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
     QPointF m_hand;
 };
 

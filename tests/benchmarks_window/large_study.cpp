@@ -1,0 +1,70 @@
+#include "tests/benchmarks_window/large_study.h"
+
+#include <QElapsedTimer>
+#include <QUndoStack>
+
+#include "app/window/review_room.h"
+
+namespace echolucent::bench {
+
+namespace {
+constexpr int mainView = 1;           // of the default document
+constexpr double nearCutShare = 0.2;  // of the depth
+constexpr int atRest = 500;           // ms
+}  // namespace
+
+LargeStudy::LargeStudy() {
+    window().resize(1440, 920);
+    trigger(QStringLiteral("room.quad"));
+    show();
+    window().openSimulatedScan();
+    await("the simulated scan", [&] { return window().session().otf() != nullptr; });
+    waitUntilConverged();
+}
+
+QStringList LargeStudy::underWay() {
+    const Session& session = window().session();
+    QStringList names;
+    if (session.loading()) names << QStringLiteral("loading");
+    if (session.quietPhases().busy()) names << QStringLiteral("quieting");
+    if (session.computingOtf()) names << QStringLiteral("OTF or cutting");
+    if (view().busy()) names << QStringLiteral("picture");
+    if (window().reviewRoom().busy()) names << QStringLiteral("planes");
+    return names;
+}
+
+QList<Stall> LargeStudy::stalls(const QString& volume) {
+    Heartbeat heartbeat([this] { return underWay(); });
+    const auto listen = [&](const char* action, const std::function<void()>& act) {
+        heartbeat.begin(QString::fromLatin1(action));
+        act();
+        waitUntilConverged();
+        heartbeat.end();
+    };
+    listen("rest", [] {
+        QElapsedTimer rested;
+        rested.start();
+        await("the rest", [&] { return rested.elapsed() > atRest; });
+    });
+    listen("open", [&] {
+        const Study* before = window().session().study();
+        window().open(volume);
+        await("the volume", [&] { return window().session().study() != before; });
+    });
+    QUndoStack& steps = window().document().steps();
+    listen("near cut", [&] {
+        Document next = window().document().document();
+        const VolumeGeometry& geometry = window().session().volume()->geometry();
+        cutOf(next, mainView) = {};
+        cutOf(next, mainView).nearCutMm = nearCutShare * depthAlongViewMm(otfViewpointOf(next, mainView), geometry);
+        window().document().edit(next, QStringLiteral("near cut"));
+    });
+    listen("stroke", [&] { drawStroke(); });
+    if (!window().session().volume()->isCut()) qFatal("the stroke cut nothing");
+    listen("undo", [&] { steps.undo(); });
+    if (window().session().volume()->isCut()) qFatal("the stroke was not undone");
+    listen("close", [&] { window().openSimulatedScan(); });
+    return heartbeat.stalls();
+}
+
+}  // namespace echolucent::bench

@@ -1,0 +1,23 @@
+// A person opens a large volume in the real window and cuts it, while a heartbeat listens.
+#pragma once
+
+#include "tests/benchmarks_window/heartbeat.h"
+#include "tests/benchmarks_window/open_window.h"
+
+namespace echolucent::bench {
+
+/// The window as it starts, with the simulated scan, all four panes visible and a picture of which OpenGL's start is a
+/// part that counts nowhere.
+class LargeStudy : private OpenWindow {
+public:
+    LargeStudy();
+
+    /// The window is shown and rests; a volume is opened, cut flat and by the scalpel, and both are undone. Each action
+    /// lasts until its picture is converged.
+    [[nodiscard]] QList<Stall> stalls(const QString& volume);
+
+private:
+    [[nodiscard]] QStringList underWay();
+};
+
+}  // namespace echolucent::bench
