@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <new>
 
+#include "app/study/freed_elsewhere.h"
+
 namespace echolucent {
 
 CutPhases::CutPhases(QObject* parent) : QObject(parent), m_thread(QStringLiteral("scalpel")) {
@@ -39,7 +41,8 @@ std::shared_ptr<const Volume> CutPhases::of(int phase, const std::shared_ptr<con
     if (found != cut.volumes.end()) return found->second;
     constexpr std::size_t kinds = 2;  // raw and quiet voxels
     if (cut.volumes.size() >= kinds) cut.volumes.pop_back();
-    cut.volumes.insert(cut.volumes.begin(), {voxels, std::make_shared<const Volume>(voxels->withCut(cut.mask))});
+    cut.volumes.insert(cut.volumes.begin(),
+                       {voxels, freedElsewhere(std::make_shared<const Volume>(voxels->withCut(cut.mask)))});
     return cut.volumes.front().second;
 }
 
@@ -58,13 +61,13 @@ void CutPhases::makeNext() {
     const auto& scan = m_scans[static_cast<std::size_t>(phase)];
     // All phases of a study lie on one grid, and a stroke cuts the same of each.
     if (!m_cuts || m_cuts->geometry().size != scan->geometry().size)
-        m_cuts = std::make_shared<ScalpelCuts>(scan->geometry());
+        m_cuts = freedElsewhere(std::make_shared<ScalpelCuts>(scan->geometry()));
     m_thread.submit(
         [this, phase, scan, cuts = m_cuts, strokes = m_strokes](const Progress& progress) -> NewestWinsThread::Deliver {
             try {
                 const auto cut = cuts->cut(*scan, strokes, progress);
                 if (!cut) return {};
-                return [this, phase, mask = cut->cut()] {
+                return [this, phase, mask = freedElsewhere(cut->cut())] {
                     take(phase, mask);
                     makeNext();
                 };

@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "app/study/freed_elsewhere.h"
+
 namespace echolucent {
 
 namespace {
@@ -87,7 +89,7 @@ void QuietPhases::makeNext() {
             try {
                 auto quiet = reduce(*raw, reduction, progress);
                 if (!quiet) return {};
-                Quiet made{std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox())),
+                Quiet made{freedElsewhere(std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox()))),
                            std::make_shared<const IntensityHistogram>(intensityHistogram(*quiet))};
                 return [this, phase, raw, reduction, made = std::move(made)] {
                     const bool current = reduction == m_reduction && phase < phaseCount() &&

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/study/freed_elsewhere.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent {
@@ -88,6 +89,7 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
             };
         }
+        for (auto& phase : study->phases) phase = freedElsewhere(std::move(phase));
         auto shared = std::make_shared<const Study>(std::move(*study));
         return [this, reference, shared, finds = std::move(finds), histograms = std::move(histograms)] {
             m_reference = reference;

@@ -123,7 +123,8 @@ void ShownStudy::takeOtf() {
     const SampledCurve curve = m_parts.motion.curveToShow(otf);
     m_parts.view.setAdaptiveCurve(curve);
     m_parts.editor.setAdaptiveCurve(curve);
-    m_parts.player.isPlaying() ? m_numbers.tell() : m_numbers.tellNow();
+    // A drag of a box or a cut, as a motion, brings one OTF after another.
+    m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
     m_parts.view.showVolume(m_parts.session.voxelsOfOtf(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
