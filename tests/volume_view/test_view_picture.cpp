@@ -1,4 +1,9 @@
 // What the 3D view shows: the ray caster's pixels on the screen, made when needed and not otherwise.
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
 #include <QApplication>
 #include <QProcess>
 #include <QScreen>
@@ -8,6 +13,8 @@
 
 #include "processing/ray_caster.h"
 #include "tests/volume_view/shown_view.h"
+#include "widgets/volume_view/scene/annotation/overlay.h"
+#include "widgets/volume_view/scene/volume_scene.h"
 
 using namespace echolucent;
 using namespace echolucent::testing;
@@ -73,6 +80,32 @@ private slots:
         QCoreApplication::processEvents();
         QCOMPARE(deliveries.size(), 0);
         QVERIFY(s.view.pictureIsFine());
+    }
+
+    void linesOverThePictureThatChangeInARowAreDrawnOnce() {
+        ShownView s;
+        QVERIFY(s.ready);
+        int drawings = 0;
+        vtkNew<vtkCallbackCommand> count;
+        count->SetClientData(&drawings);
+        count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+        QCoreApplication::processEvents();
+        vtkRenderer* renderer = s.view.scene().renderer();
+        const unsigned long observer = renderer->AddObserver(vtkCommand::StartEvent, count);
+        for (const double width : {1.0, 2.0, 3.0}) {
+            Overlay overlay;
+            overlay.pictureLines.push_back({{{-0.2, -0.2}, {0.2, 0.2}}, {255, 255, 255}, width});
+            s.view.setOverlay(overlay);
+        }
+        s.view.setCaption(QStringLiteral("words"));
+        QVERIFY2(drawings == 0, "a hand that moves on is not held up");
+        QTRY_COMPARE(drawings, 1);
+        QCoreApplication::processEvents();
+        QCOMPARE(drawings, 1);
+        const auto shown = s.view.scene().overlay();
+        QCOMPARE(shown.pictureLines.front().width, 3.0);
+        QVERIFY2(s.view.screenImage() != s.view.convergedImage(), "it is seen, and in saved pictures it is not");
+        renderer->RemoveObserver(observer);
     }
 
     void severalChangesMakeOnePicture() {

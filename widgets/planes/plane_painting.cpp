@@ -1,6 +1,7 @@
 // How a pane of a plane is painted.
 #include <QPainter>
 #include <QPainterPath>
+#include <QPixmapCache>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,12 +18,35 @@ const QColor words(0xd8, 0xdd, 0xe2), rimShade(0xd8, 0xdd, 0xe2, 40);
 
 QString textOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
 
-/// A text with a dark rim, so that it is read over bright tissue too.
-void paintText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour) {
+/// A text on nothing, with a dark rim of at most `margin` logical pixels, so that it is read over bright tissue too.
+QPixmap rimmedText(const QFont& font, const QString& text, const QColor& colour, double margin, double ratio) {
+    const QFontMetricsF metrics(font);
+    const QSizeF size(metrics.horizontalAdvance(text) + 2 * margin, metrics.height() + 2 * margin);
+    QPixmap pixmap((size * ratio).toSize() + QSize(1, 1));
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
     QPainterPath path;
-    path.addText(baseline, painter.font(), text);
+    path.addText(margin, margin + metrics.ascent(), font, text);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.strokePath(path, QPen(QColor(0, 0, 0, 200), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, colour);
+    return pixmap;
+}
+
+/// Rims take longer to paint than all else in a pane, and most texts stay the same while a hand drags.
+void paintText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour) {
+    constexpr double margin = 3.0;
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QString key =
+        QStringLiteral("planes/%1/%2/%3/%4").arg(painter.font().key(), colour.name()).arg(ratio).arg(text);
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = rimmedText(painter.font(), text, colour, margin, ratio);
+        QPixmapCache::insert(key, pixmap);
+    }
+    const QPointF corner = baseline - QPointF(margin, margin + QFontMetricsF(painter.font()).ascent());
+    painter.drawPixmap(corner.toPoint(), pixmap);
 }
 
 const QColor accent(0x4f, 0xb3, 0xbf), boxColour(0xe8, 0xb0, 0x4b);

@@ -33,7 +33,9 @@ void PlaneResampler::start() {
     std::vector<PlaneName> open;
     for (const PlaneName plane : allPlaneNames)
         if (m_wanted[indexOf(plane)] && m_wanted[indexOf(plane)] != m_made[indexOf(plane)]) open.push_back(plane);
-    if (open.empty()) return;
+    // What is being made already is waited for.
+    if (open.empty() || (m_thread.busy() && m_asked == m_wanted)) return;
+    m_asked = m_wanted;
     // A drag shows something also where newer requests come faster than planes are made.
     m_thread.submit(
         [this, open, requests = m_wanted](const Progress&) -> NewestWinsThread::Deliver {

@@ -43,7 +43,9 @@ signals:
 private:
     void start();
 
-    std::array<std::optional<PlaneRequest>, 3> m_wanted, m_made;
+    using Requests = std::array<std::optional<PlaneRequest>, 3>;
+    Requests m_wanted, m_made;
+    Requests m_asked;  ///< of the newest job
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -34,7 +34,8 @@ struct VolumeViewWidget::Parts {
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
     std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
-    bool scheduled = false;
+    bool scheduled = false;                    ///< a request
+    bool toRedraw = false;                     ///< what lies over the picture has changed since it was drawn
 
     VolumeScene scene;
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;

@@ -67,13 +67,13 @@ bool VolumeViewWidget::graphicsCardUsable() const { return m_parts->scene.graphi
 void VolumeViewWidget::setCaption(const QString& text) {
     if (text.toStdString() == m_parts->scene.caption()) return;
     m_parts->scene.setCaption(text.toStdString());
-    if (m_parts->shown) render(false);
+    redrawSoon();
 }
 
 void VolumeViewWidget::setOverlay(const Overlay& overlay) {
     if (overlay == m_parts->scene.overlay()) return;
     m_parts->scene.setOverlay(overlay);
-    if (m_parts->shown) render(false);
+    redrawSoon();
 }
 
 LassoPointer& VolumeViewWidget::lasso() { return *m_parts->lasso; }
@@ -133,7 +133,7 @@ QImage VolumeViewWidget::convergedImage() {
     parts.scene.setOverlay({});
     const QImage image = screenImage();
     parts.scene.setOverlay(overlay);
-    if (overlay != Overlay{} && parts.shown) render(false);
+    if (overlay != Overlay{}) redrawSoon();
     return image;
 }
 
@@ -188,8 +188,20 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     report(*picture);
 }
 
+/// A drag changes caption and lines with every move of the hand, and a new picture brings both along.
+void VolumeViewWidget::redrawSoon() {
+    if (!m_parts->shown || std::exchange(m_parts->toRedraw, true)) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (std::exchange(m_parts->toRedraw, false) && m_parts->shown) render(false);
+        },
+        Qt::QueuedConnection);
+}
+
 void VolumeViewWidget::render(bool followsHand) {
     Parts& parts = *m_parts;
+    parts.toRedraw = false;
     // Before its first paint the window draws by itself; drawing here as well would draw twice.
     if (!parts.window->isExposed()) return;
     QElapsedTimer timer;

@@ -120,7 +120,8 @@ public:
     /// Says in the picture what was done to it; an empty text says nothing.
     void setCaption(const QString& text);
     [[nodiscard]] QString caption() const;
-    /// Lines over the picture, which are no part of it: saved pictures go without them.
+    /// Lines over the picture, which are no part of it: saved pictures go without them. They are drawn once the event
+    /// loop runs again, with whatever else has changed until then.
     void setOverlay(const Overlay& overlay);
     /// What the scalpel draws over the picture, and what can be held there.
     [[nodiscard]] LassoPointer& lasso();
@@ -192,6 +193,7 @@ private:
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
     void showLive(const PictureRequest& request);
     void render(bool followsHand);
+    void redrawSoon();
     void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
