@@ -26,7 +26,8 @@ namespace echolucent {
 ///                           v      |
 ///                        [Superseded]      shut down in any state: cancel, end the thread, wait
 ///
-/// Values and shared_ptr<const ...> captured by the job are all that crosses the threads.
+/// Values and shared_ptr<const ...> captured by the job are all that crosses the threads. The worker gives way to the
+/// GUI thread where there are fewer cores than threads that want one.
 class NewestWinsThread : public QObject {
     Q_OBJECT
 

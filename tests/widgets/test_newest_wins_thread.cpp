@@ -8,6 +8,10 @@
 #include <thread>
 #include <vector>
 
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#endif
+
 #include "widgets/newest_wins_thread.h"
 
 using echolucent::NewestWinsThread;
@@ -65,6 +69,24 @@ class NewestWinsThreadTest : public QObject {
     Q_OBJECT
 
 private slots:
+#ifdef Q_OS_LINUX
+    void jobsAndTheThreadsTheyStartGiveWayToThisThread() {
+        int inJob = 0, inItsThread = 0;
+        const int here = getpriority(PRIO_PROCESS, 0);
+        bool delivered = false;
+        NewestWinsThread thread("test");
+        thread.submit([&](const Progress&) -> NewestWinsThread::Deliver {
+            inJob = getpriority(PRIO_PROCESS, 0);
+            std::thread([&] { inItsThread = getpriority(PRIO_PROCESS, 0); }).join();
+            return [&] { delivered = true; };
+        });
+        QTRY_VERIFY(delivered);
+        QVERIFY2(inJob > here || here >= 19, "a higher number is less urgent; there is none above 19");
+        QCOMPARE(inItsThread, inJob);
+        QCOMPARE(getpriority(PRIO_PROCESS, 0), here);
+    }
+#endif
+
     void deliversInTheThreadItLivesIn() {
         NewestWinsThread thread("test");
         QThread* ranIn = nullptr;
