@@ -138,6 +138,20 @@ private slots:
         QVERIFY(!progress->isVisible());
     }
 
+    void theLineIsAsHighAtRestAsWhileSomethingRuns() {
+        RunStatus status;
+        status.show();
+        status.setProgressDelay(0);
+        const int atRest = status.minimumSizeHint().height();
+        status.setOtf(12.0, 3, 4);
+        QCOMPARE(status.minimumSizeHint().height(), atRest);
+        status.beginProgress("Loading");
+        QTRY_VERIFY(child<QProgressBar>(status, "status.progress")->isVisible());
+        QVERIFY2(status.minimumSizeHint().height() == atRest, "the panes above it would make their pictures anew");
+        status.endProgress();
+        QCOMPARE(status.minimumSizeHint().height(), atRest);
+    }
+
     void endedBeforeTheDelayIsNeverShown() {
         RunStatus status;
         status.show();

@@ -61,6 +61,10 @@ RunStatus::RunStatus(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(18);
+    // The line is as high at rest as while something runs: else all panes above it would take another size, and make
+    // their pictures anew, whenever something begins or ends.
+    m_cancel->ensurePolished();
+    layout->addStrut(m_cancel->sizeHint().height());
     layout->addWidget(m_renderer);
     layout->addWidget(m_otf);
     layout->addWidget(m_notes, 1);
