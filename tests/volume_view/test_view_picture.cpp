@@ -105,6 +105,24 @@ private slots:
         const auto shown = s.view.scene().overlay();
         QCOMPARE(shown.pictureLines.front().width, 3.0);
         QVERIFY2(s.view.screenImage() != s.view.convergedImage(), "it is seen, and in saved pictures it is not");
+        // Where the picture changes with the lines, they are drawn together: once for each picture that comes.
+        QVERIFY(s.awaitIdle());
+        QCoreApplication::processEvents();
+        drawings = 0;
+        QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
+        s.view.setNearCut(2);
+        s.view.setOverlay({});
+        QVERIFY(s.awaitIdle());
+        QCoreApplication::processEvents();
+        QVERIFY(!deliveries.isEmpty());
+        QCOMPARE(drawings, static_cast<int>(deliveries.size()));
+        // And where all is again as it was, the lines are drawn alone.
+        drawings = 0;
+        s.view.setNearCut(3);
+        s.view.setNearCut(2);
+        s.view.setOverlay({.pictureLines = {{{{0.0, 0.0}, {0.2, 0.2}}, {255, 255, 255}, 1.0}}});
+        QTRY_COMPARE(drawings, 1);
+        QCOMPARE(s.view.busy(), false);
         renderer->RemoveObserver(observer);
     }
 

@@ -104,6 +104,7 @@ void ProgressiveCaster::refine() {
 void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded) {
     m_startedQuality = quality;
     const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
+    m_startedQuick = followsHand;
     auto make = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
         const PictureRequest atQuality{asked->volume, asked->curve, settingsAt(quality, asked->settings)};

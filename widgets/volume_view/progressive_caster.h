@@ -48,6 +48,8 @@ public:
     void clear();
     /// True from a request until its converged picture was delivered or it was cleared.
     [[nodiscard]] bool busy() const { return m_newest && (m_thread.busy() || m_rest.isActive()); }
+    /// True while the quick picture of the newest request is on its way.
+    [[nodiscard]] bool quickPictureComes() const { return m_newest && m_thread.busy() && m_startedQuick; }
     /// Tells what bringing a picture to the screen took, beside the casting.
     void drawn(double milliseconds) { m_quality.drawn(milliseconds); }
 
@@ -72,6 +74,7 @@ private:
     bool m_inStream = false;                          // the newest request came soon after another
     bool m_editing = false;                           // the newest request is one of a series of edits
     std::size_t m_startedQuality = convergedQuality;  // of the newest picture begun
+    bool m_startedQuick = false;                      // whether that follows the hand
     std::optional<std::size_t> m_keptQuality;         // of the newest picture made of kept samples, of this view
     bool m_playing = false;
     int m_passed = 0;  // frames of the motion that were not cast in high quality since one was

@@ -81,7 +81,10 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     });
     connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
-    connect(&parts.caster, &ProgressiveCaster::failed, this, &VolumeViewWidget::pictureFailed);
+    connect(&parts.caster, &ProgressiveCaster::failed, this, [this] {
+        redrawWithoutPicture();
+        emit pictureFailed();
+    });
 }
 
 VolumeViewWidget::~VolumeViewWidget() {

@@ -160,6 +160,7 @@ void VolumeViewWidget::requestPicture() {
             parts.caster.request(request);
         }
     }
+    if (!parts.caster.quickPictureComes()) redrawWithoutPicture();  // nothing that is asked for was another
     updateBusy();
 }
 
@@ -188,15 +189,20 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     report(*picture);
 }
 
-/// A drag changes caption and lines with every move of the hand, and a new picture brings both along.
+/// A drag changes caption and lines with every move of the hand. Where it changes the picture too, they come with that:
+/// each drawing takes as long as the other.
 void VolumeViewWidget::redrawSoon() {
     if (!m_parts->shown || std::exchange(m_parts->toRedraw, true)) return;
     QMetaObject::invokeMethod(
         this,
         [this] {
-            if (std::exchange(m_parts->toRedraw, false) && m_parts->shown) render(false);
+            if (!m_parts->scheduled && !m_parts->caster.quickPictureComes()) redrawWithoutPicture();
         },
         Qt::QueuedConnection);
+}
+
+void VolumeViewWidget::redrawWithoutPicture() {
+    if (std::exchange(m_parts->toRedraw, false) && m_parts->shown) render(false);
 }
 
 void VolumeViewWidget::render(bool followsHand) {

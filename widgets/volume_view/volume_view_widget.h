@@ -194,6 +194,7 @@ private:
     void showLive(const PictureRequest& request);
     void render(bool followsHand);
     void redrawSoon();
+    void redrawWithoutPicture();
     void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
