@@ -57,6 +57,7 @@ QString tableLine(const Row& row) {
     cells << number(row.framesPerSecond, 1, 9) << number(row.deliveredPerSecond, 1, 12)
           << number(row.medianInterval, 1, 10) << number(row.interval95, 1, 8) << number(row.castMilliseconds, 1, 8)
           << number(row.drawMilliseconds, 1, 8) << number(100 * row.processorShare, 0, 4) + " %";
+    if (row.quality.isEmpty()) return cells.join(' ');  // nothing was cast
     cells << QString(" %1 %2x%3, step %4 (%5 %)")
                  .arg(row.quality)
                  .arg(row.rays.width())

@@ -79,7 +79,9 @@ void paintGrip(QPainter& painter, const BoxGrip& grip) {
 
 void PlanePane::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), Qt::black);
+    // An image of just the pane's pixels leaves nothing of what lies behind it.
+    const bool covered = m_scene && QSizeF(m_image.size()) == QSizeF(size()) * devicePixelRatioF();
+    if (!covered) painter.fillRect(rect(), Qt::black);
     if (!m_scene) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
