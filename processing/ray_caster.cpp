@@ -10,6 +10,7 @@
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
 #include "processing/ray_caster/light_reaching.h"
+#include "processing/volume/row_marks.h"
 
 namespace echolucent {
 
@@ -58,23 +59,22 @@ DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geome
 
 class RayCaster::Parts {
 public:
-    explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVolume(*given)) {}
+    explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVoxels(*given)) {}
 
-    /// Another cut of the same scan: only the presence of data changes.
+    /// Another cut of the same scan: only the presence of data changes, and only around the rows that it cuts
+    /// otherwise.
     void setCut(std::shared_ptr<const Volume> given) {
         kept.forget();
-        const auto presence = presenceIn(*given);
-        // Side by side: a part of the borders' work is one thread's.
-        parallelFor(0, 2, [&](int which) {
-            if (which == 0) {
-                m_borders = BorderSpace(given->geometry(), presence);
-            } else {
-                m_ranges.setPresence(presence);
-                std::visit([&](auto& packed) { packed.setPresence(presence); }, m_packed);
-            }
-        });
-        m_reaching.setVolume(given);
+        const RowMarks masked = rowsMaskedOtherwise(*volume, *given);
         volume = std::move(given);
+        if (!masked.any()) return;
+        const RowMarks present = m_presence.follow(*volume, masked);
+        // Side by side: a part of the borders' work is one thread's.
+        parallelFor(0, 3, [&](int which) {
+            if (which == 0) m_borders.follow(m_presence, present);
+            if (which == 1) m_ranges.follow(m_presence, present);
+            if (which == 2) m_reaching.setCut(volume, masked);
+        });
     }
 
     std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
@@ -108,18 +108,19 @@ public:
 private:
     using Packed = std::variant<PackedVoxels<std::uint8_t>, PackedVoxels<std::uint16_t>, PackedVoxels<float>>;
 
-    Parts(std::shared_ptr<const Volume> given, const FilledVolume& filled)
+    Parts(std::shared_ptr<const Volume> given, const Volume& filled)
         : volume(std::move(given)),
-          m_ranges(filled),
+          m_presence(*volume),
+          m_ranges(filled, m_presence),
           m_empty(m_ranges.grid()),
-          m_borders(filled),
+          m_borders(m_presence),
           m_packed(pack(filled)),
           m_reaching(volume) {}
 
-    static Packed pack(const FilledVolume& filled) {
+    static Packed pack(const Volume& filled) {
         return std::visit(
             [&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(filled)); },
-            filled.voxels.voxels());
+            filled.voxels());
     }
 
     template <typename Voxel>
@@ -129,6 +130,7 @@ private:
         const TransferTable table(curve, settings.colourMap, settings.step);
         KernelJob<Voxel> job;
         job.voxels = &packed;
+        job.presence = m_presence.cubes();
         job.geometry = volume->geometry();
         job.rays = &rays;
         job.toTable = PackedVoxels<Voxel>::toTable(volume->whiteLevel());
@@ -171,6 +173,7 @@ private:
         return castTiles(job, progress);
     }
 
+    PackedPresence m_presence;
     BrickRanges m_ranges;
     EmptySpace m_empty;
     BorderSpace m_borders;

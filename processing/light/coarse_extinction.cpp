@@ -84,25 +84,32 @@ std::uint8_t levelOf(Voxel value, float perWhite) {
     return static_cast<std::uint8_t>(1.5f + inside * static_cast<float>(levelsAbove));
 }
 
+/// The levels of marked rows.
 template <typename Voxel>
-void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, std::vector<std::uint8_t>& levels) {
+void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, const RowMarks& rows,
+                std::vector<std::uint8_t>& levels) {
+    const VolumeGeometry& geometry = volume.geometry();
     const auto perWhite = static_cast<float>(1.0 / volume.whiteLevel());
     std::array<std::uint8_t, 256> levelOfByte{};
     for (std::size_t byte = 0; byte < levelOfByte.size(); ++byte)
         levelOfByte[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhite);
-    parallelFor(tbb::blocked_range<std::size_t>(0, voxels.size(), 1 << 16), [&](const auto& part) {
-        const std::size_t count = part.end() - part.begin();
-        const Voxel* from = voxels.data() + part.begin();
-        std::uint8_t* to = levels.data() + part.begin();
-        for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t count = geometry.size[0];
+    const auto fillRow = [&](std::int64_t first) {
+        const Voxel* from = voxels.data() + first;
+        std::uint8_t* to = levels.data() + first;
+        for (std::int64_t i = 0; i < count; ++i) {
             if constexpr (std::is_same_v<Voxel, std::uint8_t>)
                 to[i] = levelOfByte[from[i]];
             else
                 to[i] = levelOf(from[i], perWhite);
         }
         if (volume.dataMaskOrNull() == nullptr) return;
-        const std::uint8_t* mask = volume.dataMaskOrNull() + part.begin();
-        for (std::size_t i = 0; i < count; ++i) to[i] = mask[i] != 0 ? to[i] : std::uint8_t{0};
+        const std::uint8_t* mask = volume.dataMaskOrNull() + first;
+        for (std::int64_t i = 0; i < count; ++i) to[i] = mask[i] != 0 ? to[i] : std::uint8_t{0};
+    };
+    parallelFor(std::int64_t{0}, rows.slices(), [&](std::int64_t z) {
+        for (std::int64_t y = 0; y < rows.rows(); ++y)
+            if (rows.at(y, z)) fillRow(geometry.offset(0, y, z));
     });
 }
 
@@ -112,32 +119,37 @@ CoarseExtinction::CoarseExtinction(const Volume& volume)
     : m_size(volume.geometry().size),
       m_unit(volume.geometry().unit()),
       m_levels(static_cast<std::size_t>(volume.geometry().voxelCount())) {
-    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, m_levels); }, volume.voxels());
+    setCut(volume, RowMarks(m_size, true));
 }
 
-std::vector<float> CoarseExtinction::of(const OpacityCurve& curve, const LightGrid& grid,
-                                        const Progress& progress) const {
+void CoarseExtinction::setCut(const Volume& volume, const RowMarks& masked) {
+    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, masked, m_levels); }, volume.voxels());
+}
+
+void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve,
+                            const LightGrid& grid, const Progress& progress) const {
     const LevelOpacities opacities = levelOpacities(curve);
     const ExtinctionTable table(m_unit);
     const auto columns = static_cast<std::size_t>(grid.size[0]);
     const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
-    std::vector<float> extinctions(grid.places(), 0.0f);
     parallelFor(0, grid.size[2], [&](int z) {
         if (progress.cancelled()) return;
         for (int y = 0; y < grid.size[1]; ++y) {
+            const std::int64_t firstY = y * std::int64_t{grid.voxels[1]}, firstZ = z * std::int64_t{grid.voxels[2]};
+            const std::int64_t lastY = std::min<std::int64_t>(m_size[1], firstY + grid.voxels[1]),
+                               lastZ = std::min<std::int64_t>(m_size[2], firstZ + grid.voxels[2]);
+            if (!rows.anyWithin({firstY, lastY}, {firstZ, lastZ})) continue;
             float* row = extinctions.data() + (static_cast<std::size_t>(z) * static_cast<std::size_t>(grid.size[1]) +
                                                static_cast<std::size_t>(y)) *
                                                   columns;
-            const std::int64_t lastY = std::min<std::int64_t>(m_size[1], (y + 1) * std::int64_t{grid.voxels[1]}),
-                               lastZ = std::min<std::int64_t>(m_size[2], (z + 1) * std::int64_t{grid.voxels[2]});
-            for (std::int64_t k = z * std::int64_t{grid.voxels[2]}; k < lastZ; ++k)
-                for (std::int64_t j = y * std::int64_t{grid.voxels[1]}; j < lastY; ++j)
+            std::fill_n(row, columns, 0.0f);
+            for (std::int64_t k = firstZ; k < lastZ; ++k)
+                for (std::int64_t j = firstY; j < lastY; ++j)
                     addRow(m_levels.data() + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(m_size[0]),
                            static_cast<std::size_t>(grid.voxels[0]), opacities, row);
             for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
         }
     });
-    return extinctions;
 }
 
 }  // namespace echolucent::light

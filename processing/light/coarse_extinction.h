@@ -1,14 +1,14 @@
 // How much the places of a coarse grid attenuate light under a curve.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "processing/light/light_grid.h"
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
+#include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::light {
@@ -21,9 +21,12 @@ namespace echolucent::light {
 class CoarseExtinction {
 public:
     explicit CoarseExtinction(const Volume& volume);
-    /// Where it was cancelled, nothing; the caller sees that from `progress`.
-    [[nodiscard]] std::vector<float> of(const OpacityCurve& curve, const LightGrid& grid,
-                                        const Progress& progress) const;
+    /// Follows another cut of the same scan, which marks the given rows otherwise (rowsMaskedOtherwise()).
+    void setCut(const Volume& volume, const RowMarks& masked);
+    /// Makes the extinctions of places that hold a voxel of the marked rows; the others stay. Where it was cancelled
+    /// some of them are not made; the caller sees that from `progress`.
+    void make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve, const LightGrid& grid,
+              const Progress& progress) const;
 
 private:
     std::array<std::int64_t, 3> m_size;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <list>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -109,6 +110,13 @@ public:
 
     std::shared_ptr<const Volume> volume;
 
+    void setCut(std::shared_ptr<const Volume> given, const RowMarks& masked) {
+        volume = std::move(given);
+        m_extinction.setCut(*volume, masked);
+        for (Classified& kept : m_classified) kept.stale.add(masked);
+        m_aroundScene.reset();
+    }
+
     std::optional<LightVolume> make(const OpacityCurve& curve, const LightScene& scene, const Progress& progress) {
         const light::LightGrid grid(volume->geometry(), scene.coarseness);
         if (!classify(curve, scene.coarseness, grid, progress)) return std::nullopt;
@@ -134,16 +142,33 @@ public:
     }
 
 private:
-    /// Makes m_extinctions those of the curve. False where it was cancelled.
+    /// Extinctions of the whole volume.
+    struct Classified {
+        OpacityCurve curve;
+        int coarseness;
+        std::vector<float> extinctions;  ///< and spareFloats more
+        RowMarks stale;                  ///< rows of voxels of which the extinctions know another cut
+    };
+
+    /// Makes the first of m_classified that of the curve. False where it was cancelled.
     bool classify(const OpacityCurve& curve, int coarseness, const light::LightGrid& grid, const Progress& progress) {
-        if (m_curve == curve && m_coarseness == coarseness) return true;
-        m_curve.reset();
-        m_aroundScene.reset();
-        m_extinctions = m_extinction.of(curve, grid, progress);
+        const auto found = std::ranges::find(m_classified, coarseness, &Classified::coarseness);
+        const bool isNewest = found == m_classified.begin() && found != m_classified.end();
+        if (!isNewest || found->curve != curve) m_aroundScene.reset();
+        if (found != m_classified.end() && found->curve == curve) {
+            m_classified.splice(m_classified.begin(), m_classified, found);
+        } else {
+            if (found != m_classified.end()) m_classified.erase(found);
+            constexpr std::size_t most = 2;
+            if (m_classified.size() >= most) m_classified.pop_back();
+            m_classified.push_front({curve, coarseness, std::vector<float>(grid.places() + light::spareFloats),
+                                     RowMarks(volume->geometry().size, true)});
+        }
+        Classified& kept = m_classified.front();
+        if (!kept.stale.any()) return true;
+        m_extinction.make(kept.extinctions, kept.stale, curve, grid, progress);
         if (progress.cancelled()) return false;
-        m_extinctions.resize(grid.places() + light::spareFloats);
-        m_curve = curve;
-        m_coarseness = coarseness;
+        kept.stale = RowMarks(volume->geometry().size);
         return true;
     }
 
@@ -151,7 +176,8 @@ private:
                   const Progress& progress) {
         light::GridExtinctions extinctions{grid, {}, {}};
         const RenderedShares shares(scene.rendered, grid.spacingMm);
-        extinctions.xFastest = shares.everywhere() ? std::move(m_extinctions) : cut(shares, grid);
+        std::vector<float>& whole = m_classified.front().extinctions;
+        extinctions.xFastest = shares.everywhere() ? std::move(whole) : cut(shares, grid);
         std::vector<std::pair<const light::DirectionBundle*, std::vector<std::uint16_t>*>> jobs;
         bool alongX = false;
         for (SweptLight& light : lights) {
@@ -169,11 +195,11 @@ private:
                 count.oneDone();
             }
         });
-        if (shares.everywhere()) m_extinctions = std::move(extinctions.xFastest);
+        if (shares.everywhere()) whole = std::move(extinctions.xFastest);
     }
 
     [[nodiscard]] std::vector<float> cut(const RenderedShares& shares, const light::LightGrid& grid) const {
-        std::vector<float> rendered = m_extinctions;
+        std::vector<float> rendered = m_classified.front().extinctions;
         parallelFor(0, grid.size[2], [&](int z) {
             for (int y = 0; y < grid.size[1]; ++y) {
                 const auto row =
@@ -186,9 +212,7 @@ private:
     }
 
     light::CoarseExtinction m_extinction;
-    std::optional<OpacityCurve> m_curve;  ///< that m_extinctions are of
-    int m_coarseness = 0;
-    std::vector<float> m_extinctions;         ///< of the whole volume, and spareFloats more
+    std::list<Classified> m_classified;       ///< the newest first, each of another coarseness
     std::optional<LightScene> m_aroundScene;  ///< that m_around is of, without a key light
     std::vector<std::uint16_t> m_around;      ///< 256ths of a level
 };
@@ -198,6 +222,10 @@ LightSweep::~LightSweep() = default;
 LightSweep::LightSweep(LightSweep&&) noexcept = default;
 LightSweep& LightSweep::operator=(LightSweep&&) noexcept = default;
 const std::shared_ptr<const Volume>& LightSweep::volume() const { return m_parts->volume; }
+
+void LightSweep::setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked) {
+    m_parts->setCut(std::move(volume), masked);
+}
 
 std::optional<LightVolume> LightSweep::lightVolume(const OpacityCurve& curve, const LightScene& scene,
                                                    const Progress& progress) {

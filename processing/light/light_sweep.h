@@ -11,6 +11,7 @@
 #include "processing/opacity_curve.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
+#include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -44,8 +45,8 @@ struct LightScene {
 inline constexpr int usualVolumeEdge = 216;  ///< a little more than the paper's scans have
 
 /// Makes light volumes of one volume again and again, and keeps what they have in common: the coarse opacities while
-/// the curve stays, and, where only the key light changed, the light around the viewer. Only one thread at a time may
-/// use it.
+/// the curve stays (of two coarsenesses, since pictures of the hand and at rest come in turn), and, where only the key
+/// light changed, the light around the viewer. Only one thread at a time may use it.
 ///
 /// A place's light is the mean over a fixed set of directions: for the key light directions within its half-angle, for
 /// the light around the viewer directions of the hemisphere before him, by the cosine. Along each the light is swept
@@ -60,6 +61,9 @@ public:
     LightSweep& operator=(LightSweep&&) noexcept;
 
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
+    /// Follows another cut of the same scan, which marks the given rows otherwise (rowsMaskedOtherwise()): what is kept
+    /// is worked out anew there alone.
+    void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked);
     /// The result is empty only where progress.cancel was raised (it is polled in every slice). The work is done in the
     /// calling thread's oneTBB arena, and the bytes are the same for any number of threads. Throws
     /// std::invalid_argument for a scene out of range.

@@ -1,54 +1,52 @@
 #include "processing/ray_caster/border_space.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <utility>
 
-#include "processing/parallel.h"
-#include "processing/ray_caster/packed_voxels.h"
-#include "processing/volume/bit_grid.h"
-
 namespace echolucent::ray_casting {
 
-BorderSpace::BorderSpace(const VolumeGeometry& geometry, const std::optional<Volume>& presence) {
-    // Samples lie in cubes 0 ... size.
-    for (std::size_t axis = 0; axis < 3; ++axis) m_size[axis] = geometry.size[axis] / edge + 1;
-    if (!presence) return;
-    m_distances.assign(static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]), farthest);
-    findBorders(*presence);
-    findDistances();
+namespace {
+
+/// Samples lie in cubes 0 ... size.
+std::array<std::int64_t, 3> bricksOver(const std::array<std::int64_t, 3>& size) {
+    return {size[0] / BorderSpace::edge + 1, size[1] / BorderSpace::edge + 1, size[2] / BorderSpace::edge + 1};
 }
 
-void BorderSpace::findBorders(const Volume& presence) {
-    const VolumeGeometry& geometry = presence.geometry();
-    const auto& bytes = std::get<std::vector<std::uint8_t>>(presence.voxels());
-    // Each thread has slices of bricks of its own. The voxels of brick b are 4b - 1 ... 4b + 3.
-    parallelFor(std::int64_t{0}, m_size[2], [&](std::int64_t brickZ) {
-        const auto first = [](std::int64_t brick, std::int64_t size) {
-            return std::clamp<std::int64_t>(brick * edge - cubeShift, 0, size - 1);
-        };
-        const auto last = [](std::int64_t brick, std::int64_t size) {
-            return std::min<std::int64_t>(brick * edge + edge - cubeShift, size - 1);
-        };
-        // First what is least in each column of voxels of the bricks, whole rows at once.
-        std::vector<std::uint8_t> least(static_cast<std::size_t>(geometry.size[0]));
-        for (std::int64_t brickY = 0; brickY < m_size[1]; ++brickY) {
-            std::ranges::fill(least, std::uint8_t{255});
-            for (std::int64_t z = first(brickZ, geometry.size[2]); z <= last(brickZ, geometry.size[2]); ++z)
-                for (std::int64_t y = first(brickY, geometry.size[1]); y <= last(brickY, geometry.size[1]); ++y) {
-                    const std::uint8_t* row = bytes.data() + geometry.offset(0, y, z);
-                    std::uint8_t* to = least.data();
-                    for (std::int64_t x = 0; x < geometry.size[0]; ++x) to[x] = std::min(to[x], row[x]);
-                }
-            for (std::int64_t brickX = 0; brickX < m_size[0]; ++brickX) {
-                const bool borders = std::any_of(least.begin() + first(brickX, geometry.size[0]),
-                                                 least.begin() + last(brickX, geometry.size[0]) + 1,
-                                                 [](std::uint8_t here) { return here < PresenceUse::allFrom; });
-                if (borders)
-                    m_distances[static_cast<std::size_t>(brickX + m_size[0] * (brickY + m_size[1] * brickZ))] = 0;
-            }
+}  // namespace
+
+BorderSpace::BorderSpace(const PackedPresence& presence)
+    : m_size(bricksOver(presence.order().size)), m_borders(m_size) {
+    follow(presence, RowMarks(presence.order().size, true));
+}
+
+void BorderSpace::follow(const PackedPresence& presence, const RowMarks& rows) {
+    if (presence.cubes() == nullptr) {
+        m_distances.clear();
+        m_borders = BitGrid(m_size);
+        return;
+    }
+    if (findBorders(presence, rows) || m_distances.empty()) findDistances();
+}
+
+/// Whether any brick became a border or none.
+bool BorderSpace::findBorders(const PackedPresence& presence, const RowMarks& rows) {
+    const std::int64_t lastCube = presence.order().size[0];
+    std::atomic<bool> changed = false;
+    const auto least = [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); };
+    presence.foldBricks(edge, m_size, rows, least, [&](std::int64_t y, std::int64_t z, const auto& columns) {
+        std::uint64_t* row = m_borders.row(y, z);
+        for (std::int64_t x = 0; x < m_size[0]; ++x) {
+            const auto first = columns.begin() + x * edge * voxelsPerCube;
+            const auto end = columns.begin() + (std::min(x * edge + edge, lastCube) + 1) * voxelsPerCube;
+            const bool borders = std::any_of(first, end, [](auto here) { return here < PresenceUse::allFrom; });
+            const std::uint64_t bit = std::uint64_t{1} << (x % 64), before = row[x / 64];
+            row[x / 64] = borders ? before | bit : before & ~bit;
+            if (row[x / 64] != before) changed = true;
         }
     });
+    return changed;
 }
 
 namespace {
@@ -83,14 +81,15 @@ BitGrid widenedAcross(const BitGrid& grid, std::int64_t downwards, std::int64_t 
 
 /// The borders grow by one brick on every axis, again and again; the round that reaches a brick is its distance.
 void BorderSpace::findDistances() {
-    BitGrid reached(m_size);
+    BitGrid reached = m_borders;
+    m_distances.assign(static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]), farthest);
     const auto distance = [&](std::int64_t x, std::int64_t y, std::int64_t z) -> std::uint8_t& {
         return m_distances[static_cast<std::size_t>(x + m_size[0] * (y + m_size[1] * z))];
     };
     for (std::int64_t z = 0; z < m_size[2]; ++z)
         for (std::int64_t y = 0; y < m_size[1]; ++y)
             for (std::int64_t x = 0; x < m_size[0]; ++x)
-                if (distance(x, y, z) == 0) reached.set(x, y, z);
+                if (reached.at(x, y, z)) distance(x, y, z) = 0;
     for (std::uint8_t round = 1; round < farthest; ++round) {
         BitGrid wider = reached;
         for (std::int64_t z = 0; z < m_size[2]; ++z)

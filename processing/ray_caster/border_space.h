@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "processing/ray_caster/packed_presence.h"
+#include "processing/volume/bit_grid.h"
 #include "processing/volume/filled_volume.h"
+#include "processing/volume/row_marks.h"
 
 namespace echolucent::ray_casting {
 
@@ -18,9 +20,9 @@ public:
     /// Distances beyond this one are not told apart.
     static constexpr std::uint8_t farthest = 16;
 
-    /// `presence` is FilledVolume::presence.
-    BorderSpace(const VolumeGeometry& geometry, const std::optional<Volume>& presence);
-    explicit BorderSpace(const FilledVolume& volume) : BorderSpace(volume.voxels.geometry(), volume.presence) {}
+    explicit BorderSpace(const PackedPresence& presence);
+    /// Follows a presence of which the marked rows of voxels may be others than before.
+    void follow(const PackedPresence& presence, const RowMarks& rows);
 
     [[nodiscard]] const std::array<std::int64_t, 3>& size() const { return m_size; }
     /// One number a brick, x fastest: 0 where the presence around the brick's cubes is below PresenceUse::allFrom, else
@@ -28,10 +30,11 @@ public:
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
 
 private:
-    void findBorders(const Volume& presence);
+    bool findBorders(const PackedPresence& presence, const RowMarks& rows);
     void findDistances();
 
     std::array<std::int64_t, 3> m_size{};
+    BitGrid m_borders;  ///< bricks of distance 0
     std::vector<std::uint8_t> m_distances;
 };
 

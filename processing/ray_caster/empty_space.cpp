@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "processing/parallel.h"
-#include "processing/ray_caster/packed_voxels.h"
+#include "processing/ray_caster/packed_order.h"
 
 namespace echolucent::ray_casting {
 
@@ -76,11 +76,11 @@ BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = geometry.size[axis] / edge + 1;
 }
 
-BrickRanges::BrickRanges(const FilledVolume& filled)
-    : m_grid(filled.voxels.geometry()),
+BrickRanges::BrickRanges(const Volume& filled, const PackedPresence& presence)
+    : m_grid(filled.geometry()),
       m_lowestHeld(static_cast<std::size_t>(m_grid.count())),
       m_highestHeld(m_lowestHeld.size()) {
-    const double toTable = TransferTable::intervals / filled.voxels.whiteLevel();
+    const double toTable = TransferTable::intervals / filled.whiteLevel();
     const auto position = [&](auto value) {
         return static_cast<float>(
             std::clamp(static_cast<double>(value) * toTable, 0.0, static_cast<double>(TransferTable::intervals)));
@@ -88,7 +88,7 @@ BrickRanges::BrickRanges(const FilledVolume& filled)
     std::visit(
         [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
             forEachBrick(m_grid, [&](const std::array<std::int64_t, 3>& at, std::size_t brick) {
-                const auto found = rangeOf(filled.voxels, voxels.data(), at);
+                const auto found = rangeOf(filled, voxels.data(), at);
                 const bool anyData = found.lowest <= found.highest;
                 // Rounding in the kernel may leave the range of the voxels by a hair.
                 m_lowestHeld[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
@@ -97,41 +97,33 @@ BrickRanges::BrickRanges(const FilledVolume& filled)
                             : 0.0f;
             });
         },
-        filled.voxels.voxels());
-    setPresence(filled.presence);
-}
-
-void BrickRanges::setPresence(const std::optional<Volume>& presence) {
+        filled.voxels());
     m_lowest = m_lowestHeld;
     m_highest = m_highestHeld;
-    if (!presence) return;
-    const VolumeGeometry& geometry = presence->geometry();
-    const auto& bytes = std::get<std::vector<std::uint8_t>>(presence->voxels());
-    const std::int64_t columns = m_grid.size[0], rows = m_grid.size[1];
-    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * m_grid.size[2]), [&](const auto& range) {
-        // First what is most in each column of voxels of the bricks, whole rows at once.
-        std::vector<std::uint8_t> most(static_cast<std::size_t>(geometry.size[0]));
-        for (std::int64_t row = range.begin(); row < range.end(); ++row) {
-            std::ranges::fill(most, std::uint8_t{0});
-            const auto [y, endY] = voxelsOf(row % rows, geometry.size[1]);
-            const auto [z, endZ] = voxelsOf(row / rows, geometry.size[2]);
-            for (std::int64_t slice = z; slice < endZ; ++slice)
-                for (std::int64_t line = y; line < endY; ++line) {
-                    const std::uint8_t* from = bytes.data() + geometry.offset(0, line, slice);
-                    std::uint8_t* to = most.data();
-                    for (std::int64_t i = 0; i < geometry.size[0]; ++i) to[i] = std::max(to[i], from[i]);
-                }
-            for (std::int64_t x = 0; x < columns; ++x) {
-                const auto [first, end] = voxelsOf(x, geometry.size[0]);
+    follow(presence, RowMarks(filled.geometry().size, true));
+}
+
+void BrickRanges::follow(const PackedPresence& presence, const RowMarks& rows) {
+    if (presence.cubes() == nullptr) {
+        m_lowest = m_lowestHeld;
+        m_highest = m_highestHeld;
+        return;
+    }
+    const std::int64_t lastCube = presence.order().size[0];
+    const auto most = [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); };
+    presence.foldBricks(
+        BrickGrid::edge, m_grid.size, rows, most, [&](std::int64_t y, std::int64_t z, const auto& columns) {
+            for (std::int64_t x = 0; x < m_grid.size[0]; ++x) {
+                const auto first = columns.begin() + x * BrickGrid::edge * voxelsPerCube;
+                const auto end =
+                    columns.begin() + (std::min(x * BrickGrid::edge + BrickGrid::edge, lastCube) + 1) * voxelsPerCube;
                 // Samples in a brick show nothing of its voxels where none of them is covered.
-                if (std::any_of(most.begin() + first, most.begin() + end,
-                                [](std::uint8_t here) { return here > PresenceUse::noneUpTo; }))
-                    continue;
-                m_lowest[static_cast<std::size_t>(row * columns + x)] = 1.0f;
-                m_highest[static_cast<std::size_t>(row * columns + x)] = 0.0f;
+                const bool shown = std::any_of(first, end, [](auto here) { return here > PresenceUse::noneUpTo; });
+                const std::size_t brick = m_grid.offset(x, y, z);
+                m_lowest[brick] = shown ? m_lowestHeld[brick] : 1.0f;
+                m_highest[brick] = shown ? m_highestHeld[brick] : 0.0f;
             }
-        }
-    });
+        });
 }
 
 EmptySpace::EmptySpace(const BrickGrid& grid)

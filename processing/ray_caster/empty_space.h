@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "processing/ray_caster/packed_presence.h"
 #include "processing/ray_caster/transfer_table.h"
 #include "processing/volume/filled_volume.h"
+#include "processing/volume/row_marks.h"
 
 namespace echolucent::ray_casting {
 
@@ -26,9 +27,10 @@ struct BrickGrid {
 /// The smallest and largest intensity that the cubes of each brick may show. One pass over the volume finds them.
 class BrickRanges {
 public:
-    explicit BrickRanges(const FilledVolume& volume);
-    /// Follows another presence of data (FilledVolume::presence) of the same voxels.
-    void setPresence(const std::optional<Volume>& presence);
+    /// `filled` is FilledVolume::voxels.
+    BrickRanges(const Volume& filled, const PackedPresence& presence);
+    /// Follows a presence of which the marked rows of voxels may be others than before.
+    void follow(const PackedPresence& presence, const RowMarks& rows);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Table positions. In a brick without any data the lowest is above the highest.

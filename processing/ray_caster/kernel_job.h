@@ -40,6 +40,7 @@ struct KeptSamples {
 template <typename Voxel>
 struct KernelJob {
     const PackedVoxels<Voxel>* voxels = nullptr;
+    const std::uint8_t* presence = nullptr;  ///< PackedPresence; null where all voxels carry data
     VolumeGeometry geometry;
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< factor from a packed value to its table position

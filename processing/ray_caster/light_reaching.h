@@ -7,6 +7,7 @@
 #include "processing/light/light_sweep.h"
 #include "processing/opacity_curve.h"
 #include "processing/ray_caster/packed_light.h"
+#include "processing/volume/row_marks.h"
 
 namespace echolucent::ray_casting {
 
@@ -14,10 +15,10 @@ class LightReaching {
 public:
     explicit LightReaching(std::shared_ptr<const Volume> volume) : m_volume(std::move(volume)) {}
 
-    /// Follows another cut of the same scan.
-    void setVolume(std::shared_ptr<const Volume> volume) {
+    /// Follows another cut of the same scan, which marks the given rows otherwise (rowsMaskedOtherwise()).
+    void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked) {
         m_volume = std::move(volume);
-        m_sweep.reset();
+        if (m_sweep) m_sweep->setCut(m_volume, masked);
         m_packed.reset();
     }
     /// False where it was cancelled; then there is no light volume.

@@ -303,7 +303,7 @@ private:
             run.corner[0] + run.corner[1] * voxels.rowStride() + run.corner[2] * voxels.sliceStride();
         run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
         if (m_job.borders != nullptr && touchesBorder(low, high))
-            run.volume.presence = voxels.presence() + offset * voxelsPerCube;
+            run.volume.presence = m_job.presence + offset * voxelsPerCube;
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {

@@ -71,9 +71,9 @@ public:
         m_sure = 1e-6 * cells * first < 0.1 && !(m_parallel && camera.heightMm < m_leastHeight);
     }
 
-    /// Writes `number` into a row of first cuts wherever the stroke cuts a voxel that holds 0. `places` is room for a
-    /// row.
-    void cutRow(std::int64_t y, std::int64_t z, std::uint8_t number, std::uint8_t* row,
+    /// Writes `number` into a row of first cuts wherever the stroke cuts a voxel that holds 0; says whether it does so
+    /// anywhere. `places` is room for a row.
+    bool cutRow(std::int64_t y, std::int64_t z, std::uint8_t number, std::uint8_t* row,
                 std::vector<std::int32_t>& places) const {
         const Camera& camera = m_stroke.camera;
         const std::int64_t count = m_geometry.size[0];
@@ -95,50 +95,108 @@ public:
             asked = common(asked, partAbove(before, -m_depthError, -1.0, count));
         }
         sure = common(sure, asked);
-        lookUp(sure, along(camera.frame.right, camera.focalPoint), along(camera.frame.down, camera.focalPoint), height,
-               places);
+        bool any = false;
         const auto exactly = [&](std::int64_t x) {
             if (row[x] == 0 && cutsExactly(m_geometry.gridMmFromVoxel(
-                                   {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)})))
+                                   {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)}))) {
                 row[x] = number;
+                any = true;
+            }
         };
-        for (std::int64_t x = asked.first; x < sure.first; ++x) exactly(x);
-        const StrokeRaster::Cell cut =
-            m_stroke.side == ScalpelSide::inside ? StrokeRaster::inside : StrokeRaster::outside;
-        for (std::int64_t x = sure.first; x < sure.last; ++x) {
-            const StrokeRaster::Cell cell = m_raster.cells()[places[static_cast<std::size_t>(x)]];
-            if (cell == cut)
+        const auto wholly = [&](std::int64_t first, std::int64_t last) {
+            for (std::int64_t x = first; x < last; ++x) {
+                any = any || row[x] == 0;
                 row[x] = row[x] != 0 ? row[x] : number;
-            else if (cell == StrokeRaster::mixed)
-                exactly(x);
-        }
+            }
+        };
+        const auto inCells = [&](const Vec3& direction, std::size_t axis) {
+            return (along(direction, camera.focalPoint) - height * m_cells.first[axis]) * m_cells.perHeight[axis];
+        };
+        const Across across{inCells(camera.frame.right, 0), inCells(camera.frame.down, 1), height};
+        Part near = inRaster(across, sure, count);
+        if (near.first >= near.last) near = {sure.first, sure.first};
+        const bool beside = m_stroke.side == ScalpelSide::outside;
+        for (std::int64_t x = asked.first; x < sure.first; ++x) exactly(x);
+        if (beside) wholly(sure.first, near.first);
+        cutNear(across, near, places, wholly, exactly);
+        if (beside) wholly(near.last, sure.last);
         for (std::int64_t x = std::max(sure.last, asked.first); x < asked.last; ++x) exactly(x);
+        return any;
     }
 
 private:
-    /// The raster's cells of a part of a row; right, down and height in mm.
-    void lookUp(const Part& part, const Along& right, const Along& down, const Along& height,
-                std::vector<std::int32_t>& places) const {
-        const auto inCells = [&](const Along& across, std::size_t axis) {
-            return (across - height * m_cells.first[axis]) * m_cells.perHeight[axis];
+    /// Where a row of voxels lies in the picture: the raster's columns and rows are the first two over the height,
+    /// cells.
+    struct Across {
+        Along column, line, height;
+    };
+
+    /// The voxels of a part that lie in the raster, beyond whose rim all is outside.
+    static Part inRaster(const Across& across, Part part, std::int64_t count) {
+        constexpr double rim = 1.0, farRim = StrokeRaster::edge - 2.0;
+        for (const Along& cells : {across.column, across.line}) {
+            part = common(part, partAbove(cells - across.height * rim, 0.0, 0.0, count));
+            part = common(part, partAbove(across.height * farRim - cells, 0.0, 0.0, count));
+        }
+        return part;
+    }
+
+    /// Cuts voxels in the raster: many at once where all cells around them are the same, else each by its cell.
+    template <typename Wholly, typename Exactly>
+    void cutNear(const Across& across, const Part& near, std::vector<std::int32_t>& places, const Wholly& wholly,
+                 const Exactly& exactly) const {
+        if (near.first >= near.last) return;
+        const double least = std::min(across.height.at(static_cast<double>(near.first)),
+                                      across.height.at(static_cast<double>(near.last - 1)));
+        // From one voxel to the next a place moves less than so many cells.
+        const double stride = 1e-3 + (std::max(std::abs(across.column.perVoxel), std::abs(across.line.perVoxel)) +
+                                      StrokeRaster::edge * std::abs(across.height.perVoxel)) /
+                                         least;
+        const StrokeRaster::Cell cut =
+            m_stroke.side == ScalpelSide::inside ? StrokeRaster::inside : StrokeRaster::outside;
+        constexpr std::int64_t chunk = 8;
+        for (std::int64_t x = near.first; x < near.last;) {
+            const double at = static_cast<double>(x), height = across.height.at(at);
+            const StrokeRaster::Stretch stretch =
+                m_raster.around(across.column.at(at) / height, across.line.at(at) / height);
+            const auto voxels = 1 + static_cast<std::int64_t>(stretch.cells / stride);
+            if (stretch.cells > 0 && voxels >= chunk / 2) {
+                const std::int64_t last = std::min(x + voxels, near.last);
+                if (stretch.cell == cut) wholly(x, last);
+                x = last;
+                continue;
+            }
+            const Part part{x, std::min(x + chunk, near.last)};
+            lookUp(part, across, places);
+            for (; x < part.last; ++x) {
+                const StrokeRaster::Cell cell = m_raster.cells()[places[static_cast<std::size_t>(x)]];
+                if (cell == cut)
+                    wholly(x, x + 1);
+                else if (cell == StrokeRaster::mixed)
+                    exactly(x);
+            }
+        }
+    }
+
+    /// The raster's cells of a part of a row.
+    static void lookUp(const Part& part, const Across& across, std::vector<std::int32_t>& places) {
+        const auto from = [&](const Along& value) {
+            return std::pair(static_cast<float>(value.at(static_cast<double>(part.first))),
+                             static_cast<float>(value.perVoxel));
         };
-        const Along column = inCells(right, 0), line = inCells(down, 1);
-        const auto columnFirst = static_cast<float>(column.at(static_cast<double>(part.first))),
-                   columnStep = static_cast<float>(column.perVoxel),
-                   lineFirst = static_cast<float>(line.at(static_cast<double>(part.first))),
-                   lineStep = static_cast<float>(line.perVoxel),
-                   heightFirst = static_cast<float>(height.at(static_cast<double>(part.first))),
-                   heightStep = static_cast<float>(height.perVoxel);
+        const auto [columnFirst, columnStep] = from(across.column);
+        const auto [lineFirst, lineStep] = from(across.line);
+        const auto [heightFirst, heightStep] = from(across.height);
         constexpr float last = StrokeRaster::edge - 1;
         std::int32_t* to = places.data() + part.first;
         const auto voxels = static_cast<std::int32_t>(part.last - part.first);
         for (std::int32_t i = 0; i < voxels; ++i) {
             const auto x = static_cast<float>(i);
             const float perHeight = 1.0f / (heightFirst + heightStep * x);
-            const float across = (columnFirst + columnStep * x) * perHeight,
-                        below = (lineFirst + lineStep * x) * perHeight;
-            to[i] = static_cast<std::int32_t>(std::min(std::max(below, 0.0f), last)) * StrokeRaster::edge +
-                    static_cast<std::int32_t>(std::min(std::max(across, 0.0f), last));
+            const float column = (columnFirst + columnStep * x) * perHeight,
+                        line = (lineFirst + lineStep * x) * perHeight;
+            to[i] = static_cast<std::int32_t>(std::min(std::max(line, 0.0f), last)) * StrokeRaster::edge +
+                    static_cast<std::int32_t>(std::min(std::max(column, 0.0f), last));
         }
     }
 
@@ -157,18 +215,35 @@ private:
     bool m_parallel = true, m_sure = false;
 };
 
+/// Calls visit(offset of the first voxel) for marked rows, side by side.
+template <typename Visit>
+void forEachMarked(const VolumeGeometry& geometry, const RowMarks& rows, const Visit& visit) {
+    parallelFor(std::int64_t{0}, geometry.size[2], [&](std::int64_t z) {
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            if (rows.at(y, z)) visit(geometry.offset(0, y, z));
+    });
+}
+
+bool sameBytes(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) { return &a == &b || a == b; }
+
 }  // namespace
 
 ScalpelCuts::ScalpelCuts(const VolumeGeometry& geometry) : m_geometry(geometry) {}
 
 /// Forgets what the strokes from one on cut; where strokes share its number, from the first of these on.
 void ScalpelCuts::forgetFrom(std::size_t kept) {
-    if (kept >= m_strokes.size()) return;
+    if (kept >= m_carried.size()) return;
     kept = std::min(kept, sharedNumber - 1);
-    m_strokes.resize(kept);
-    parallelFor(tbb::blocked_range<std::size_t>(0, m_firstCut.size(), 1 << 16), [&](const auto& part) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i)
-            m_firstCut[i] = m_firstCut[i] > kept ? std::uint8_t{0} : m_firstCut[i];
+    RowMarks rows(m_geometry.size);
+    for (std::size_t i = kept; i < m_carried.size(); ++i) {
+        rows.add(m_carried[i].rows);
+        if (m_made && i < m_made->strokes) m_made->others.add(m_carried[i].rows);
+    }
+    if (m_made) m_made->strokes = std::min(m_made->strokes, kept);
+    m_carried.erase(m_carried.begin() + static_cast<std::ptrdiff_t>(kept), m_carried.end());
+    forEachMarked(m_geometry, rows, [&](std::int64_t first) {
+        std::uint8_t* row = m_firstCut.data() + first;
+        for (std::int64_t x = 0; x < m_geometry.size[0]; ++x) row[x] = row[x] > kept ? std::uint8_t{0} : row[x];
     });
 }
 
@@ -176,33 +251,62 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
     if (const std::string problem = problemOf(stroke); !problem.empty())
         throw std::invalid_argument("ScalpelCuts: a stroke " + problem);
     if (m_firstCut.empty()) m_firstCut.resize(static_cast<std::size_t>(m_geometry.voxelCount()));
-    const std::uint8_t number = numberOf(m_strokes.size());
-    // What needs memory comes before the stroke counts as cut.
-    m_strokes.reserve(m_strokes.size() + 1);
+    const std::uint8_t number = numberOf(m_carried.size());
     const StrokeRaster raster(stroke);
     const RowCutter cutter(m_geometry, stroke, raster);
-    m_strokes.push_back(stroke);
+    // What needs memory comes before the stroke counts as cut.
+    m_carried.push_back({stroke, RowMarks(m_geometry.size)});
+    RowMarks& rows = m_carried.back().rows;
     ++m_passes;
     ProgressCount count(progress, static_cast<std::size_t>(m_geometry.size[2]));
     parallelFor(std::int64_t{0}, m_geometry.size[2], [&](std::int64_t z) {
         if (progress.cancelled()) return;
         std::vector<std::int32_t> places(static_cast<std::size_t>(m_geometry.size[0]));
         for (std::int64_t y = 0; y < m_geometry.size[1]; ++y)
-            cutter.cutRow(y, z, number, m_firstCut.data() + m_geometry.offset(0, y, z), places);
+            if (cutter.cutRow(y, z, number, m_firstCut.data() + m_geometry.offset(0, y, z), places)) rows.mark(y, z);
         count.oneDone();
     });
     if (!progress.cancelled()) return true;
-    forgetFrom(m_strokes.size() - 1);
+    forgetFrom(m_carried.size() - 1);
     return false;
 }
 
 bool ScalpelCuts::follow(std::span<const ScalpelStroke> strokes, const Progress& progress) {
-    const auto same = static_cast<std::size_t>(std::ranges::mismatch(strokes, m_strokes).in1 - strokes.begin());
+    const auto differing = std::ranges::mismatch(strokes, m_carried, {}, {}, &Carried::stroke);
+    const auto same = static_cast<std::size_t>(differing.in1 - strokes.begin());
     // Where the list only became shorter, what its end cut is told by the numbers, but for those that share one.
-    if (same < strokes.size() || (same < m_strokes.size() && same >= sharedNumber)) forgetFrom(same);
-    while (m_strokes.size() < strokes.size())
-        if (progress.cancelled() || !add(strokes[m_strokes.size()], progress)) return false;
+    if (same < strokes.size() || (same < m_carried.size() && same >= sharedNumber)) forgetFrom(same);
+    while (m_carried.size() < strokes.size())
+        if (progress.cancelled() || !add(strokes[m_carried.size()], progress)) return false;
     return true;
+}
+
+/// The mask of the first strokes of m_carried, of which there is one at least.
+Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes) const {
+    const std::uint8_t last = numberOf(strokes - 1);
+    const std::vector<std::uint8_t>& scanned = scan.scannedMask();
+    RowMarks rows(m_geometry.size, true);
+    std::shared_ptr<std::vector<std::uint8_t>> mask;
+    if (m_made && sameBytes(m_made->left.scannedMask(), scanned)) {
+        rows = m_made->others;
+        for (std::size_t i = std::min(strokes, m_made->strokes); i < std::max(strokes, m_made->strokes); ++i)
+            rows.add(m_carried[i].rows);
+        if (!rows.any()) return m_made->left.cut();
+        mask = std::make_shared<std::vector<std::uint8_t>>(*m_made->left.cut());
+    } else {
+        mask = std::make_shared<std::vector<std::uint8_t>>(m_firstCut.size());
+    }
+    forEachMarked(m_geometry, rows, [&](std::int64_t start) {
+        const std::int64_t count = m_geometry.size[0];
+        const std::uint8_t* __restrict first = m_firstCut.data() + start;
+        std::uint8_t* __restrict marks = mask->data() + start;
+        // 0, which is cut by none, becomes the largest number.
+        for (std::int64_t i = 0; i < count; ++i) marks[i] = static_cast<std::uint8_t>(first[i] - 1) >= last ? 1 : 0;
+        if (scanned.empty()) return;
+        const std::uint8_t* __restrict held = scanned.data() + start;
+        for (std::int64_t i = 0; i < count; ++i) marks[i] = marks[i] != 0 && held[i] != 0 ? 1 : 0;
+    });
+    return mask;
 }
 
 std::optional<Volume> ScalpelCuts::cut(const Volume& scan, std::span<const ScalpelStroke> strokes,
@@ -210,20 +314,8 @@ std::optional<Volume> ScalpelCuts::cut(const Volume& scan, std::span<const Scalp
     if (scan.geometry().size != m_geometry.size) throw std::invalid_argument("ScalpelCuts: a volume of another size");
     if (strokes.empty()) return progress.cancelled() ? std::nullopt : std::optional(scan.withCut(nullptr));
     if (!follow(strokes, progress)) return std::nullopt;
-    const std::uint8_t last = numberOf(strokes.size() - 1);
-    const std::vector<std::uint8_t>& scanned = scan.scannedMask();
-    auto mask = std::make_shared<std::vector<std::uint8_t>>(m_firstCut.size());
-    parallelFor(tbb::blocked_range<std::size_t>(0, mask->size(), 1 << 16), [&](const auto& part) {
-        const std::size_t count = part.end() - part.begin();
-        const std::uint8_t* __restrict first = m_firstCut.data() + part.begin();
-        std::uint8_t* __restrict marks = mask->data() + part.begin();
-        // 0, which is cut by none, becomes the largest number.
-        for (std::size_t i = 0; i < count; ++i) marks[i] = static_cast<std::uint8_t>(first[i] - 1) >= last ? 1 : 0;
-        if (scanned.empty()) return;
-        const std::uint8_t* __restrict held = scanned.data() + part.begin();
-        for (std::size_t i = 0; i < count; ++i) marks[i] = marks[i] != 0 && held[i] != 0 ? 1 : 0;
-    });
-    return scan.withCut(std::move(mask));
+    m_made.emplace(Made{scan.withCut(maskFor(scan, strokes.size())), strokes.size(), RowMarks(m_geometry.size)});
+    return m_made->left;
 }
 
 }  // namespace echolucent

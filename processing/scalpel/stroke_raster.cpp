@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "processing/scalpel/outline.h"
 
@@ -55,6 +56,48 @@ StrokeRaster::StrokeRaster(const ScalpelStroke& stroke)
         m_bands.resize(edge);
         fillOutline();
     }
+    findAlike();
+}
+
+/// The square of alike squares around each grows until it meets another.
+void StrokeRaster::findAlike() {
+    constexpr std::size_t count = static_cast<std::size_t>(blocks) * blocks;
+    m_blockCells.resize(count);
+    std::vector<int> rings(count, 0);  // of squares around, itself among them, that are alike
+    for (int row = 0; row < blocks; ++row)
+        for (int column = 0; column < blocks; ++column) {
+            const Cell* first =
+                m_cells.data() + static_cast<std::ptrdiff_t>(row) * blockEdge * edge + column * blockEdge;
+            bool alike = *first != mixed;
+            for (int y = 0; y < blockEdge && alike; ++y)
+                alike = std::all_of(first + static_cast<std::ptrdiff_t>(y) * edge,
+                                    first + static_cast<std::ptrdiff_t>(y) * edge + blockEdge,
+                                    [&](Cell cell) { return cell == *first; });
+            const auto at = static_cast<std::size_t>(row * blocks + column);
+            m_blockCells[at] = alike ? *first : mixed;
+            rings[at] = alike ? 1 : 0;
+        }
+    // Beyond the raster's rim all is as at its rim.
+    const auto at = [](int row, int column) {
+        return static_cast<std::size_t>(std::clamp(row, 0, blocks - 1) * blocks + std::clamp(column, 0, blocks - 1));
+    };
+    constexpr int mostRings = 16;
+    for (int ring = 1; ring < mostRings; ++ring) {
+        std::vector<int> wider = rings;
+        for (int row = 0; row < blocks; ++row)
+            for (int column = 0; column < blocks; ++column) {
+                if (rings[at(row, column)] != ring) continue;
+                bool alike = true;
+                for (int y = row - 1; y <= row + 1; ++y)
+                    for (int x = column - 1; x <= column + 1; ++x)
+                        alike =
+                            alike && rings[at(y, x)] >= ring && m_blockCells[at(y, x)] == m_blockCells[at(row, column)];
+                if (alike) wider[at(row, column)] = ring + 1;
+            }
+        rings = std::move(wider);
+    }
+    m_alike.resize(count);
+    std::ranges::transform(rings, m_alike.begin(), [](int alike) { return std::max(alike - 1, 0) * blockEdge; });
 }
 
 void StrokeRaster::place() {

@@ -33,6 +33,18 @@ public:
         const auto inRaster = [](double cells) { return cells > 0.0 ? (cells < edge - 1 ? cells : edge - 1) : 0.0; };
         return m_cells[static_cast<std::size_t>(inRaster(down)) * edge + static_cast<std::size_t>(inRaster(right))];
     }
+    /// Around a place in cells, whether many cells are alike.
+    struct Stretch {
+        Cell cell;
+        int cells;  ///< on both axes up to so many cells away all are `cell`; where it is 0, the cell itself may not be
+    };
+    [[nodiscard]] Stretch around(double right, double down) const {
+        const auto block = [](double cells) {
+            return static_cast<std::size_t>(cells > 0.0 ? (cells < edge - 1 ? cells : edge - 1) : 0.0) / blockEdge;
+        };
+        const std::size_t at = block(down) * blocks + block(right);
+        return {m_blockCells[at], m_alike[at]};
+    }
     /// All cells, row by row: edge of them a row, edge rows.
     [[nodiscard]] const Cell* cells() const { return m_cells.data(); }
     /// Whether the stroke holds a place: what cutsAway() asks, to the bit, sooner.
@@ -46,12 +58,16 @@ private:
     void markLine(const PicturePlace& a, const PicturePlace& b);
     void fillEraser();
     void fillBuckets();
+    void findAlike();
     [[nodiscard]] double centreOf(int cell, int axis) const;
     [[nodiscard]] std::size_t bandOf(const PicturePlace& place) const;
 
     const ScalpelStroke& m_stroke;
     ToCells m_toCells;
     std::vector<Cell> m_cells;
+    static constexpr int blockEdge = 8, blocks = edge / blockEdge;
+    std::vector<Cell> m_blockCells;  ///< of squares of cells: what all of one are, or mixed
+    std::vector<int> m_alike;        ///< of squares of cells: Stretch::cells
     /// Pieces of the line, by the index of their last place, that matter to a place: of an outline by rows of cells, of
     /// an eraser by squares of cells.
     std::vector<std::vector<std::uint32_t>> m_bands;

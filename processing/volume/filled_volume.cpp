@@ -10,6 +10,7 @@
 
 #include "processing/parallel.h"
 #include "processing/volume/bit_grid.h"
+#include "processing/volume/presence.h"
 
 namespace echolucent {
 
@@ -148,97 +149,11 @@ void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGr
     known = std::move(grown);
 }
 
-/// [1 4 6 4 1] / 16 of five rows of bytes.
-void smoothRows(const std::array<const std::uint8_t*, 5>& from, std::int64_t count, std::uint8_t* to) {
-    const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
-    // In 16 bits, which hold the sums and make vectors twice as long as ints would.
-    const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
-    for (std::int64_t i = 0; i < count; ++i) {
-        const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
-        const auto inner = static_cast<std::uint16_t>(wide(b[i]) + wide(d[i]) + wide(c[i]));
-        const auto sum = static_cast<std::uint16_t>(outer + 4 * inner + 2 * wide(c[i]) + 8);
-        to[i] = static_cast<std::uint8_t>(sum >> 4);
-    }
-}
-
-/// 255 times the marks of a row, smoothed along it; what lies beyond its ends is as its ends. `room` holds the row with
-/// two bytes more on both sides.
-void smoothMarks(const std::uint8_t* marks, std::int64_t columns, std::uint8_t* room, std::uint8_t* to) {
-    for (std::int64_t x = 0; x < columns; ++x) room[x + 2] = marks[x] != 0 ? 255 : 0;
-    std::fill_n(room, 2, room[2]);
-    std::fill_n(room + columns + 2, 2, room[columns + 1]);
-    smoothRows({room, room + 1, room + 2, room + 3, room + 4}, columns, to);
-}
-
-/// 255 times the marks, smoothed along x and y, slice by slice while a slice is at hand.
-Bytes smoothInSlices(const VolumeGeometry& geometry, const Bytes& data) {
-    Bytes smooth(data.size());
-    const std::int64_t columns = geometry.size[0], rows = geometry.size[1];
-    parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[2]), [&](const auto& slices) {
-        Bytes slice(static_cast<std::size_t>(columns * rows)), room(static_cast<std::size_t>(columns + 4));
-        for (std::int64_t z = slices.begin(); z < slices.end(); ++z) {
-            for (std::int64_t y = 0; y < rows; ++y)
-                smoothMarks(data.data() + geometry.offset(0, y, z), columns, room.data(), slice.data() + columns * y);
-            for (std::int64_t y = 0; y < rows; ++y) {
-                std::array<const std::uint8_t*, 5> five{};
-                for (std::int64_t i = 0; i < 5; ++i)
-                    five[static_cast<std::size_t>(i)] =
-                        slice.data() + columns * std::clamp<std::int64_t>(y + i - 2, 0, rows - 1);
-                smoothRows(five, columns, smooth.data() + geometry.offset(0, y, z));
-            }
-        }
-    });
-    return smooth;
-}
-
-/// What the mask says, the less smooth the less of the surroundings agree.
-std::uint8_t keptThin(std::uint8_t smooth, bool data) {
-    constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
-    const int agreement = data ? smooth : 255 - smooth, said = data ? 255 : 0;
-    const int share = std::clamp(wide - agreement, 0, wide - thin);
-    return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
-}
-
-Bytes smoothPresence(const VolumeGeometry& geometry, const Bytes& data) {
-    const Bytes slices = smoothInSlices(geometry, data);
-    Bytes presence(data.size());
-    std::array<std::array<std::uint8_t, 256>, 2> kept{};
-    for (std::size_t smooth = 0; smooth < 256; ++smooth)
-        for (const bool isData : {false, true})
-            kept[isData ? 1 : 0][smooth] = keptThin(static_cast<std::uint8_t>(smooth), isData);
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
-        const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
-        std::uint8_t* smooth = presence.data() + first;
-        const std::uint8_t* marks = data.data() + first;
-        const RowsAround rows{geometry, y, z};
-        std::array<const std::uint8_t*, 5> five{};
-        for (std::int64_t i = 0; i < 5; ++i) five[static_cast<std::size_t>(i)] = slices.data() + rows.offset(0, i - 2);
-        smoothRows(five, columns, smooth);
-        // Most places lie deep in data or far from it, where all is as the mask says.
-        constexpr std::int64_t block = 64;
-        for (std::int64_t x = 0; x < columns; x += block) {
-            const std::int64_t end = std::min(x + block, columns);
-            std::uint8_t apart = 0;
-            for (std::int64_t i = x; i < end; ++i)
-                apart |= static_cast<std::uint8_t>(smooth[i] ^ static_cast<std::uint8_t>(-marks[i]));
-            for (std::int64_t i = x; i < end && apart != 0; ++i) smooth[i] = kept[marks[i]][smooth[i]];
-        }
-    });
-    return presence;
-}
-
-/// `data` is what dataOf() gives.
-std::optional<Volume> presenceOf(const VolumeGeometry& geometry, const Bytes& data) {
-    if (data.empty()) return std::nullopt;
-    return Volume(geometry, smoothPresence(geometry, data), 255.0);
-}
-
 template <typename Voxel>
-FilledVolume filled(const Volume& volume, const std::vector<Voxel>& given) {
+Volume filled(const Volume& volume, const std::vector<Voxel>& given) {
     const VolumeGeometry& geometry = volume.geometry();
     Bytes mask = dataOf(geometry, volume.scannedMask(), given);
-    auto presence = presenceOf(geometry, volume.isCut() ? dataOf(geometry, volume.dataMask(), given) : mask);
-    if (mask.empty()) return {volume.withCut(nullptr), std::move(presence)};
+    if (mask.empty()) return volume.withCut(nullptr);
     std::vector<Voxel> voxels = given;
     BitGrid known = bitsOf(geometry, mask);
     for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known, mask);
@@ -247,21 +162,26 @@ FilledVolume filled(const Volume& volume, const std::vector<Voxel>& given) {
         for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
             if (mask[i] == 0) voxels[i] = Voxel{};
     });
-    const Volume all(geometry, std::move(voxels), volume.whiteLevel());
-    return {all.withDataMask(std::move(mask)), std::move(presence)};
+    return Volume(geometry, std::move(voxels), volume.whiteLevel()).withDataMask(std::move(mask));
 }
 
 }  // namespace
 
-FilledVolume filledVolume(const Volume& volume) {
+Volume filledVoxels(const Volume& volume) {
     return std::visit([&](const auto& voxels) { return filled(volume, voxels); }, volume.voxels());
 }
 
 std::optional<Volume> presenceIn(const Volume& volume) {
+    if (!lacksData(volume)) return std::nullopt;
     const VolumeGeometry& geometry = volume.geometry();
-    return std::visit(
-        [&](const auto& voxels) { return presenceOf(geometry, dataOf(geometry, volume.dataMask(), voxels)); },
-        volume.voxels());
+    const auto slice = static_cast<std::size_t>(geometry.size[0] * geometry.size[1]);
+    Bytes presence(slice * static_cast<std::size_t>(geometry.size[2]));
+    makePresence(volume, RowMarks(geometry.size, true), [&](std::int64_t z, const std::uint8_t* from) {
+        std::copy_n(from, slice, presence.data() + geometry.offset(0, 0, z));
+    });
+    return Volume(geometry, std::move(presence), 255.0);
 }
+
+FilledVolume filledVolume(const Volume& volume) { return {filledVoxels(volume), presenceIn(volume)}; }
 
 }  // namespace echolucent

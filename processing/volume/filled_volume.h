@@ -15,9 +15,7 @@ struct FilledVolume {
     /// nearest to it on the data's side. The mask marks what then holds a value; the rest holds 0. What a scalpel cut
     /// still holds echo and stays as it is: these voxels depend on the scan alone (Volume::scannedMask()).
     Volume voxels;
-    /// Bytes with a white level of 255: the data mask, smoothed by the binomial [1 4 6 4 1] / 16 along each axis. So
-    /// the surface at one half has no stairs. Where a voxel would end on the other side although it is of a structure
-    /// or a gap only a voxel wide, it keeps what the mask says. It is not set where all voxels carry data.
+    /// Bytes with a white level of 255 (see presence.h). It is not set where all voxels carry data.
     std::optional<Volume> presence;
 
     static constexpr int fillReach = 4;  ///< voxels
@@ -25,6 +23,8 @@ struct FilledVolume {
 
 /// Takes a few passes over the volume where voxels lack data, else none.
 [[nodiscard]] FilledVolume filledVolume(const Volume& volume);
+/// FilledVolume::voxels alone.
+[[nodiscard]] Volume filledVoxels(const Volume& volume);
 /// FilledVolume::presence alone.
 [[nodiscard]] std::optional<Volume> presenceIn(const Volume& volume);
 

@@ -5,12 +5,13 @@
 #include <cstdlib>
 
 #include "processing/ray_caster/border_space.h"
+#include "processing/volume/filled_volume.h"
 
 namespace echolucent::ray_casting {
 namespace {
 
 /// A ball of data in a grid of which no edge is a whole number of bricks, and a hole in it.
-FilledVolume ballWithHole() {
+Volume ballWithHole() {
     VolumeGeometry geometry;
     geometry.size = {97, 85, 110};
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 100), mask(voxels.size());
@@ -22,13 +23,13 @@ FilledVolume ballWithHole() {
                 const bool hole = square(x - 60) + square(y - 40) + square(z - 70) < square(3);
                 mask[static_cast<std::size_t>(geometry.offset(x, y, z))] = ball && !hole ? 1 : 0;
             }
-    return filledVolume(Volume(geometry, std::move(voxels)).withDataMask(std::move(mask)));
+    return Volume(geometry, std::move(voxels)).withDataMask(std::move(mask));
 }
 
 using Brick = std::array<std::int64_t, 3>;
 
-bool meetsBorder(const FilledVolume& volume, const Brick& brick) {
-    const VolumeGeometry& geometry = volume.presence->geometry();
+bool meetsBorder(const Volume& presence, const Brick& brick) {
+    const VolumeGeometry& geometry = presence.geometry();
     Brick first, last;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         first[axis] = std::clamp<std::int64_t>(4 * brick[axis] - 1, 0, geometry.size[axis] - 1);
@@ -37,19 +38,19 @@ bool meetsBorder(const FilledVolume& volume, const Brick& brick) {
     for (std::int64_t z = first[2]; z <= last[2]; ++z)
         for (std::int64_t y = first[1]; y <= last[1]; ++y)
             for (std::int64_t x = first[0]; x <= last[0]; ++x)
-                if (volume.presence->storedValue(geometry.offset(x, y, z)) < PresenceUse::allFrom) return true;
+                if (presence.storedValue(geometry.offset(x, y, z)) < PresenceUse::allFrom) return true;
     return false;
 }
 
 TEST(BorderSpace, DistancesAreTheLargestOfTheAxesToTheNearestBorder) {
-    const FilledVolume volume = ballWithHole();
-    const BorderSpace space(volume);
+    const Volume volume = ballWithHole(), presence = *presenceIn(volume);
+    const BorderSpace space{PackedPresence(volume)};
     std::vector<Brick> all, borders;
     for (std::int64_t z = 0; z < space.size()[2]; ++z)
         for (std::int64_t y = 0; y < space.size()[1]; ++y)
             for (std::int64_t x = 0; x < space.size()[0]; ++x) {
                 all.push_back({x, y, z});
-                if (meetsBorder(volume, all.back())) borders.push_back(all.back());
+                if (meetsBorder(presence, all.back())) borders.push_back(all.back());
             }
     int farthest = 0;
     ASSERT_EQ(space.distances().size(), all.size());
@@ -67,7 +68,7 @@ TEST(BorderSpace, DistancesAreTheLargestOfTheAxesToTheNearestBorder) {
 TEST(BorderSpace, IsEmptyWhereAllVoxelsCarryData) {
     VolumeGeometry geometry;
     geometry.size = {9, 9, 9};
-    const BorderSpace space(filledVolume(Volume(geometry, std::vector<std::uint8_t>(9 * 9 * 9, 1))));
+    const BorderSpace space{PackedPresence(Volume(geometry, std::vector<std::uint8_t>(9 * 9 * 9, 1)))};
     EXPECT_TRUE(space.distances().empty());
 }
 

@@ -3,8 +3,12 @@
 
 #include <chrono>
 #include <cstdio>
+#include <limits>
+#include <random>
+#include <utility>
 
 #include "processing/light/light_sweep.h"
+#include "processing/picture/picture_place.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "ray_caster_scenes.h"
@@ -69,6 +73,87 @@ TEST(RayCasterCut, PicturesAreThoseOfAFreshRayCaster) {
     expectFreshPicturesAfterEveryStroke<std::uint8_t>(true);
     expectFreshPicturesAfterEveryStroke<std::uint16_t>(true);
     expectFreshPicturesAfterEveryStroke<float>(false);
+}
+
+/// A stroke anywhere, of any tool, as somebody draws it who looks from anywhere.
+ScalpelStroke randomStroke(const Volume& volume, std::mt19937& random) {
+    std::uniform_real_distribution<double> place(-0.6, 0.6), angle(-180, 180), share(0, 1);
+    Camera camera = defaultCamera(
+        volume.geometry(), Viewpoint{.azimuthDegrees = angle(random), .elevationDegrees = angle(random) / 2}, 1.0);
+    if (share(random) < 0.5) camera.projection = Projection::perspective;
+    ScalpelStroke stroke{.camera = camera};
+    const double size = share(random) < 0.7 ? 0.15 : 0.8;  // most are small
+    const PicturePlace middle{place(random), place(random)};
+    for (int i = 0; i < 5; ++i)
+        stroke.places.push_back({middle[0] + size * place(random), middle[1] + size * place(random)});
+    if (share(random) < 0.4) {
+        stroke.tool = ScalpelTool::eraser;
+        stroke.radius = 0.005 + 0.1 * share(random);
+    } else if (share(random) < 0.15) {
+        stroke.side = ScalpelSide::outside;
+    }
+    if (share(random) < 0.4) stroke.depthMm = camera.frame.forward.dot(camera.focalPoint) + 20 * place(random);
+    return stroke;
+}
+
+/// Strokes come, go from the end or the midst, and come again; masks and pictures are those of all done anew.
+template <typename Voxel>
+void expectAllAnewAfterAnyEdit(const Volume& scan, unsigned seed) {
+    std::mt19937 random(seed);
+    RayCastSettings settings = settingsFor(scan, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 41, 37);
+    settings.findDepth = true;
+    std::vector<RayCastSettings> looks(4, settings);
+    looks[1].shading = looks[2].shading = Shading{.reaching = ReachingLight{}};
+    looks[1].lightCoarseness = 3;
+    looks[2].lightCoarseness = 5;
+    looks[3].mode = RenderMode::mean;
+    const OpacityCurve curves[] = {LinearCurve{0.2, 0.7, 0.9}, onlyBetween(0.3, 0.9, 0.4)};
+    RayCaster caster(held(scan));
+    ScalpelCuts cuts(scan.geometry());
+    std::vector<ScalpelStroke> strokes, takenBack;
+    int changed = 0;
+    Picture before;
+    for (int edit = 0; edit < 50; ++edit) {
+        const auto dice = random() % 10;
+        if (dice < 4 || strokes.empty()) {
+            if (dice == 0 && !takenBack.empty())
+                strokes = takenBack;
+            else
+                strokes.push_back(randomStroke(scan, random));
+        } else if (dice < 8) {
+            takenBack = strokes;
+            strokes.pop_back();
+        } else if (dice < 9) {
+            takenBack = strokes;
+            strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(random() % strokes.size()));
+        } else {
+            takenBack = std::exchange(strokes, {});
+        }
+        const auto cut = held(*cuts.cut(scan, strokes));
+        ASSERT_EQ(cut->dataMask(), ScalpelCuts(scan.geometry()).cut(scan, strokes)->dataMask()) << edit;
+        caster.setCut(cut);
+        const RayCastSettings& look = looks[random() % looks.size()];
+        const OpacityCurve& curve = curves[random() % 8 == 0 ? 1 : 0];
+        const Picture picture = *caster.cast(curve, look), fresh = *RayCaster(cut).cast(curve, look);
+        ASSERT_EQ(picture.rgba, fresh.rgba) << edit;
+        ASSERT_EQ(picture.depthMm, fresh.depthMm) << edit;
+        changed += picture.rgba != before.rgba ? 1 : 0;
+        before = picture;
+    }
+    EXPECT_GT(changed, 20) << "strokes show";
+}
+
+TEST(RayCasterCut, AnyEditOfStrokesIsAsAllDoneAnew) {
+    // No size is a whole number of bricks or places of light.
+    const std::array<std::int64_t, 3> size{67, 45, 53};
+    const Volume bytes = speckledShell<std::uint8_t>(size, {1, 1.2, 0.8}, 5);
+    expectAllAnewAfterAnyEdit<std::uint8_t>(bytes, 1);
+    expectAllAnewAfterAnyEdit<std::uint8_t>(sectorOf(bytes), 2);
+    expectAllAnewAfterAnyEdit<std::uint16_t>(sectorOf(speckledShell<std::uint16_t>(size, {1, 1, 1}, 5)), 3);
+    const Volume floats = speckledShell<float>(size, {1, 1, 1}, 5);
+    auto voxels = std::get<std::vector<float>>(floats.voxels());
+    for (std::size_t i = 20'000; i < 21'000; ++i) voxels[i] = std::numeric_limits<float>::quiet_NaN();
+    expectAllAnewAfterAnyEdit<float>(Volume(floats.geometry(), std::move(voxels), floats.whiteLevel()), 4);
 }
 
 TEST(RayCasterCut, AgreesWithThePlainRoute) {

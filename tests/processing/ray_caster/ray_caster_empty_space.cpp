@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "processing/volume/filled_volume.h"
 #include "ray_caster_scenes.h"
 
 namespace echolucent {
@@ -43,7 +44,7 @@ OpacityCurve randomCurve(std::mt19937& random) {
 
 TEST(RayCasterEmptySpace, FollowingACurveGivesWhatAFreshObjectHas) {
     const Volume volume = sectorOf(hills<std::uint8_t>({111, 96, 103}, 3));
-    const BrickRanges ranges(filledVolume(volume));
+    const BrickRanges ranges(filledVoxels(volume), PackedPresence(volume));
     EmptySpace followed(ranges.grid());
     std::mt19937 random(17);
     std::int64_t updated = 0, whole = 0, partly = 0;
@@ -69,7 +70,7 @@ TEST(RayCasterEmptySpace, ASmallChangeComputesFewBricksAnew) {
         const auto block = x / 80 + 3 * (z / 80);
         return dot ? static_cast<double>(100 + 10 * block) / 255 : 0.0;
     });
-    const BrickRanges ranges(filledVolume(volume));
+    const BrickRanges ranges(filledVoxels(volume), PackedPresence(volume));
     EmptySpace followed(ranges.grid());
     const auto showOnly = [&](double lowest, double highest) {
         const TransferTable table =
@@ -134,7 +135,7 @@ TEST(RayCasterEmptySpace, DistancesAreThoseOfTheDefinition) {
     for (const bool masked : {false, true}) {
         const Volume hilly = hills<std::uint16_t>({107, 88, 71}, 5);
         const Volume volume = masked ? sectorOf(hilly) : hilly;
-        const BrickRanges ranges(filledVolume(volume));
+        const BrickRanges ranges(filledVoxels(volume), PackedPresence(volume));
         const BrickGrid& grid = ranges.grid();
         for (const OpacityCurve& curve : {onlyBetween(0.8, 0.9, 0.5), onlyBetween(0.2, 0.3, 0.5), everywhere(0.0)}) {
             EmptySpace space(grid);
@@ -159,7 +160,7 @@ TEST(RayCasterEmptySpace, DistancesAreThoseOfTheDefinition) {
 
 TEST(RayCasterEmptySpace, BrickRangesHoldEveryVoxelASampleMayTouch) {
     const Volume volume = randomVolume<float>({17, 8, 25}, {1, 1, 1}, 6);
-    const BrickRanges ranges(filledVolume(volume));
+    const BrickRanges ranges(filledVoxels(volume), PackedPresence(volume));
     const BrickGrid& grid = ranges.grid();
     EXPECT_EQ(grid.size, (std::array<std::int64_t, 3>{3, 2, 4})) << "cubes 0 ... size";
     for (std::int64_t z = 0; z <= 25; ++z)

@@ -181,6 +181,26 @@ TEST(ScalpelCuts, StrokesTakenBackLeaveWhatWasBeforeAndCostNoPass) {
     EXPECT_EQ(cuts.cut(volume, others)->dataMask(), ScalpelCuts(volume.geometry()).cut(volume, others)->dataMask());
 }
 
+TEST(ScalpelCuts, PhasesThatHoldTheSameVoxelsShareAMask) {
+    const Volume first = noise({20, 18, 16}, {1, 1, 1});
+    std::vector<std::uint8_t> half(static_cast<std::size_t>(first.geometry().voxelCount()), 1);
+    std::fill_n(half.begin(), half.size() / 2, std::uint8_t{0});
+    const Volume second = noise({20, 18, 16}, {1, 1, 1}), third = first.withDataMask(half),
+                 fourth = second.withDataMask(half);
+    const auto strokes = strokesUnder(cameraOf(first, {.azimuthDegrees = 12}, Projection::parallel));
+    ScalpelCuts cuts(first.geometry());
+    for (const std::size_t count : {std::size_t{1}, std::size_t{3}, std::size_t{2}}) {
+        const auto some = std::span(strokes).first(count);
+        const auto mask = cuts.cut(first, some)->cut();
+        EXPECT_EQ(cuts.cut(second, some)->cut(), mask);
+        const auto held = cuts.cut(third, some)->cut();
+        EXPECT_NE(*held, *mask) << "another scan's mask is no part of it";
+        EXPECT_EQ(*held, ScalpelCuts(first.geometry()).cut(third, some)->dataMask());
+        EXPECT_EQ(cuts.cut(fourth, some)->cut(), held);
+    }
+    EXPECT_EQ(cuts.passes(), 3);
+}
+
 TEST(ScalpelCuts, MoreStrokesThanNumbersAreCutToo) {
     const Volume volume = noise({16, 16, 3}, {1, 1, 1});
     const Camera camera = cameraOf(volume, {}, Projection::parallel);

@@ -1,0 +1,74 @@
+// The presence of data in the order the kernel reads it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "processing/parallel.h"
+#include "processing/ray_caster/packed_order.h"
+#include "processing/volume/row_marks.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent::ray_casting {
+
+/// FilledVolume::presence, packed like bytes.
+class PackedPresence {
+public:
+    explicit PackedPresence(const Volume& volume);
+
+    /// Follows another cut of the same scan: `masked` are the rows that it marks otherwise (rowsMaskedOtherwise()).
+    /// Returns the rows whose presence may be another than before.
+    RowMarks follow(const Volume& volume, const RowMarks& masked);
+
+    [[nodiscard]] const PackedOrder& order() const { return m_order; }
+    /// Null where all voxels carry data.
+    [[nodiscard]] const std::uint8_t* cubes() const { return m_cubes.get(); }
+
+    /// Folds what the samples in each brick of cubes may read, for those rows of bricks along x that may read a marked
+    /// row of voxels: calls visit(y, z, columns) with the row of bricks and, of each column of cubes 0 ... size, two
+    /// bytes: folded together they are the fold over all voxels of the bricks at the cubes' lower x. Rows of bricks are
+    /// visited side by side. There must be cubes.
+    template <typename Fold, typename Visit>
+    void foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
+                    const Fold& fold, const Visit& visit) const;
+
+private:
+    void pack(const Volume& volume, const RowMarks& rows);
+
+    PackedOrder m_order;
+    std::unique_ptr<std::uint8_t[]> m_cubes;
+};
+
+template <typename Fold, typename Visit>
+void PackedPresence::foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
+                                const Fold& fold, const Visit& visit) const {
+    const auto bytes = static_cast<std::size_t>((m_order.size[0] + 1) * voxelsPerCube);
+    parallelFor(tbb::blocked_range<std::int64_t>(0, bricks[1] * bricks[2]), [&](const auto& part) {
+        std::vector<std::uint8_t> columns(bytes);
+        for (std::int64_t brick = part.begin(); brick < part.end(); ++brick) {
+            const std::int64_t y = brick % bricks[1] * edge, z = brick / bricks[1] * edge;
+            // Its cubes read voxels from one before its first to its last.
+            if (!rows.anyWithin({y - cubeShift, y + edge}, {z - cubeShift, z + edge})) continue;
+            const std::int64_t endRow = std::min(y + edge, m_order.size[1] + 1);
+            const std::int64_t endSlice = std::min(z + edge + 1, m_order.size[2] + 1);
+            std::copy_n(m_cubes.get() + m_order.first(y, z), bytes, columns.data());
+            const auto add = [&](std::int64_t row, std::int64_t slice) {
+                const std::uint8_t* from = m_cubes.get() + m_order.first(row, slice);
+                std::uint8_t* __restrict to = columns.data();
+                for (std::size_t i = 0; i < bytes; ++i) to[i] = fold(to[i], from[i]);
+            };
+            for (std::int64_t slice = z; slice < endSlice; ++slice) {
+                // A row of cubes holds two rows of voxels: every other one, and the last, hold all.
+                for (std::int64_t row = y; row < endRow - 1; row += 2) add(row, slice);
+                add(endRow - 1, slice);
+            }
+            visit(brick % bricks[1], brick / bricks[1], std::as_const(columns));
+        }
+    });
+}
+
+}  // namespace echolucent::ray_casting

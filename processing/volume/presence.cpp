@@ -1,0 +1,192 @@
+#include "processing/volume/presence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "processing/parallel.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::uint8_t whole = 255;
+/// Rows or slices that a smoothed one is made of.
+constexpr std::size_t taps = 2 * presenceReach + 1;
+using Rows = std::array<const std::uint8_t*, taps>;
+
+/// [1 4 6 4 1] / 16 of five rows of bytes.
+void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict to) {
+    const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
+    // In 16 bits, which hold the sums and make vectors twice as long as ints would.
+    const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
+        const auto inner = static_cast<std::uint16_t>(wide(b[i]) + wide(d[i]) + wide(c[i]));
+        const auto sum = static_cast<std::uint16_t>(outer + 4 * inner + 2 * wide(c[i]) + 8);
+        to[i] = static_cast<std::uint8_t>(sum >> 4);
+    }
+}
+
+/// What the mask says, the less smooth the less of the surroundings agree.
+std::uint8_t keptThin(std::uint8_t smooth, bool data) {
+    constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
+    const int agreement = data ? smooth : whole - smooth, said = data ? whole : 0;
+    const int share = std::clamp(wide - agreement, 0, wide - thin);
+    return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
+}
+
+/// keptThin() of every byte, of no data and of data.
+using KeptThin = std::array<std::array<std::uint8_t, 256>, 2>;
+KeptThin keptThinTable() {
+    KeptThin table{};
+    for (std::size_t smooth = 0; smooth < 256; ++smooth)
+        for (const bool isData : {false, true})
+            table[isData ? 1 : 0][smooth] = keptThin(static_cast<std::uint8_t>(smooth), isData);
+    return table;
+}
+
+/// Which voxels of a row are data: 255 where they are, else 0.
+template <typename Voxel>
+class DataRows {
+public:
+    DataRows(const Volume& volume, const std::vector<Voxel>& voxels)
+        : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
+
+    void write(std::int64_t y, std::int64_t z, std::uint8_t* __restrict to) const {
+        const std::int64_t first = m_geometry.offset(0, y, z), columns = m_geometry.size[0];
+        if (m_mask == nullptr) std::fill_n(to, columns, whole);
+        const std::uint8_t* marks = m_mask + first;
+        for (std::int64_t x = 0; x < columns && m_mask != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
+        if constexpr (std::is_same_v<Voxel, float>)
+            for (std::int64_t x = 0; x < columns; ++x)
+                if (!std::isfinite(m_voxels[static_cast<std::size_t>(first + x)])) to[x] = 0;
+    }
+
+private:
+    const VolumeGeometry& m_geometry;
+    const std::uint8_t* m_mask;
+    const std::vector<Voxel>& m_voxels;
+};
+
+/// Smooths slices that follow each other: the smoothed slices around the newest one are at hand.
+template <typename Voxel>
+class SliceSmoother {
+public:
+    SliceSmoother(const Volume& volume, const std::vector<Voxel>& voxels, const RowMarks& rows, const KeptThin& kept)
+        : m_data(volume, voxels),
+          m_rows(rows),
+          m_kept(kept),
+          m_columns(volume.geometry().size[0]),
+          m_asked(askedAt(rows.rows()) + static_cast<std::size_t>(presenceReach)),
+          m_room(static_cast<std::size_t>(m_columns + 2 * presenceReach)),
+          m_marks(static_cast<std::size_t>(m_columns)),
+          m_alongX(static_cast<std::size_t>(m_columns * rows.rows())),
+          m_presence(m_alongX.size()) {
+        for (auto& slice : m_smooth) slice.resize(m_alongX.size());
+    }
+
+    /// The presence of a slice; slices are asked for one after another.
+    const std::uint8_t* at(std::int64_t z) {
+        for (m_next = std::max(m_next, z - presenceReach); m_next <= z + presenceReach; ++m_next)
+            if (m_next >= 0 && m_next < m_rows.slices()) smoothWithin(m_next);
+        for (std::int64_t y = 0; y < m_rows.rows(); ++y)
+            if (m_rows.at(y, z)) smoothAcross(y, z);
+        return m_presence.data();
+    }
+
+private:
+    /// Along x and y, the rows that a slice around asks for.
+    void smoothWithin(std::int64_t z) {
+        std::ranges::fill(m_asked, std::uint8_t{0});
+        for (std::int64_t slice = std::max<std::int64_t>(z - presenceReach, 0);
+             slice < std::min(z + presenceReach + 1, m_rows.slices()); ++slice)
+            for (std::int64_t y = 0; y < m_rows.rows(); ++y) m_asked[askedAt(y)] |= m_rows.at(y, slice) ? 1 : 0;
+        for (std::int64_t y = 0; y < m_rows.rows(); ++y) {
+            const std::uint8_t* asked = &m_asked[askedAt(y - presenceReach)];
+            if ((asked[0] | asked[1] | asked[2] | asked[3] | asked[4]) != 0) smoothAlong(y, z);
+        }
+        std::vector<std::uint8_t>& slice = m_smooth[static_cast<std::size_t>(z) % taps];
+        for (std::int64_t y = 0; y < m_rows.rows(); ++y)
+            if (m_asked[askedAt(y)] != 0)
+                smoothRows(around(y, m_rows.rows(), [&](std::int64_t row) { return &m_alongX[place(row)]; }), m_columns,
+                           &slice[place(y)]);
+    }
+
+    /// What lies beyond a row's ends is as its ends.
+    void smoothAlong(std::int64_t y, std::int64_t z) {
+        m_data.write(y, z, m_room.data() + presenceReach);
+        std::fill_n(m_room.begin(), presenceReach, m_room[presenceReach]);
+        std::fill_n(m_room.end() - presenceReach, presenceReach, *(m_room.end() - presenceReach - 1));
+        const std::uint8_t* room = m_room.data();
+        smoothRows({room, room + 1, room + 2, room + 3, room + 4}, m_columns, &m_alongX[place(y)]);
+    }
+
+    void smoothAcross(std::int64_t y, std::int64_t z) {
+        std::uint8_t* smooth = &m_presence[place(y)];
+        smoothRows(around(z, m_rows.slices(),
+                          [&](std::int64_t slice) {
+                              return m_smooth[static_cast<std::size_t>(slice) % taps].data() + place(y);
+                          }),
+                   m_columns, smooth);
+        m_data.write(y, z, m_marks.data());
+        // Most places lie deep in data or far from it, where all is as the mask says.
+        constexpr std::int64_t block = 64;
+        for (std::int64_t x = 0; x < m_columns; x += block) {
+            const std::int64_t end = std::min(x + block, m_columns);
+            std::uint8_t apart = 0;
+            for (std::int64_t i = x; i < end; ++i) apart |= static_cast<std::uint8_t>(smooth[i] ^ m_marks[i]);
+            for (std::int64_t i = x; i < end && apart != 0; ++i) smooth[i] = m_kept[m_marks[i] != 0 ? 1 : 0][smooth[i]];
+        }
+    }
+
+    /// The rows or slices around one; beyond the grid its outermost one.
+    template <typename RowOf>
+    static Rows around(std::int64_t middle, std::int64_t count, const RowOf& rowOf) {
+        Rows rows{};
+        for (std::size_t i = 0; i < taps; ++i)
+            rows[i] =
+                rowOf(std::clamp<std::int64_t>(middle + static_cast<std::int64_t>(i) - presenceReach, 0, count - 1));
+        return rows;
+    }
+    [[nodiscard]] static std::size_t askedAt(std::int64_t y) { return static_cast<std::size_t>(y + presenceReach); }
+    [[nodiscard]] std::size_t place(std::int64_t y) const { return static_cast<std::size_t>(y * m_columns); }
+
+    DataRows<Voxel> m_data;
+    const RowMarks& m_rows;
+    const KeptThin& m_kept;
+    std::int64_t m_columns, m_next = 0;  ///< the slice that is smoothed next
+    std::vector<std::uint8_t> m_asked;   ///< by row, with presenceReach more on both sides
+    std::vector<std::uint8_t> m_room, m_marks, m_alongX, m_presence;
+    std::array<std::vector<std::uint8_t>, taps> m_smooth;  ///< along x and y: the newest slices, by z
+};
+
+}  // namespace
+
+bool lacksData(const Volume& volume) {
+    const std::vector<std::uint8_t>& mask = volume.dataMask();
+    if (std::ranges::find(mask, std::uint8_t{0}) != mask.end()) return true;
+    const auto* floats = std::get_if<std::vector<float>>(&volume.voxels());
+    return floats != nullptr && !std::ranges::all_of(*floats, [](float value) { return std::isfinite(value); });
+}
+
+void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take) {
+    const KeptThin kept = keptThinTable();
+    std::visit(
+        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+            // A part also smooths the slices around it.
+            constexpr std::int64_t part = 16;
+            parallelFor(tbb::blocked_range<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
+                if (!rows.anyWithin({0, rows.rows()}, {slices.begin(), slices.end()})) return;
+                SliceSmoother<Voxel> smoother(volume, voxels, rows, kept);
+                for (std::int64_t z = slices.begin(); z < slices.end(); ++z)
+                    if (rows.anyWithin({0, rows.rows()}, {z, z + 1})) take(z, smoother.at(z));
+            });
+        },
+        volume.voxels());
+}
+
+}  // namespace echolucent
