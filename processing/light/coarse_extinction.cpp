@@ -93,8 +93,7 @@ void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, const Ro
     std::array<std::uint8_t, 256> levelOfByte{};
     for (std::size_t byte = 0; byte < levelOfByte.size(); ++byte)
         levelOfByte[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhite);
-    const std::int64_t count = geometry.size[0];
-    const auto fillRow = [&](std::int64_t first) {
+    const auto fillRow = [&](std::int64_t first, std::int64_t count) {
         const Voxel* from = voxels.data() + first;
         std::uint8_t* to = levels.data() + first;
         for (std::int64_t i = 0; i < count; ++i) {
@@ -109,7 +108,8 @@ void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, const Ro
     };
     parallelFor(std::int64_t{0}, rows.slices(), [&](std::int64_t z) {
         for (std::int64_t y = 0; y < rows.rows(); ++y)
-            if (rows.at(y, z)) fillRow(geometry.offset(0, y, z));
+            if (const RowPart& part = rows.at(y, z); part.any())
+                fillRow(geometry.offset(part.first, y, z), part.count());
     });
 }
 
@@ -130,7 +130,6 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
                             const LightGrid& grid, const Progress& progress) const {
     const LevelOpacities opacities = levelOpacities(curve);
     const ExtinctionTable table(m_unit);
-    const auto columns = static_cast<std::size_t>(grid.size[0]);
     const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
     parallelFor(0, grid.size[2], [&](int z) {
         if (progress.cancelled()) return;
@@ -138,14 +137,18 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
             const std::int64_t firstY = y * std::int64_t{grid.voxels[1]}, firstZ = z * std::int64_t{grid.voxels[2]};
             const std::int64_t lastY = std::min<std::int64_t>(m_size[1], firstY + grid.voxels[1]),
                                lastZ = std::min<std::int64_t>(m_size[2], firstZ + grid.voxels[2]);
-            if (!rows.anyWithin({firstY, lastY}, {firstZ, lastZ})) continue;
-            float* row = extinctions.data() + (static_cast<std::size_t>(z) * static_cast<std::size_t>(grid.size[1]) +
-                                               static_cast<std::size_t>(y)) *
-                                                  columns;
+            const RowPart part = rows.partWithin({firstY, lastY}, {firstZ, lastZ});
+            if (!part.any()) continue;
+            const std::int64_t firstX = part.first / grid.voxels[0], lastX = (part.last - 1) / grid.voxels[0] + 1;
+            const std::int64_t first = firstX * grid.voxels[0],
+                               count = std::min(lastX * grid.voxels[0], m_size[0]) - first;
+            const auto columns = static_cast<std::size_t>(lastX - firstX);
+            float* row =
+                extinctions.data() + (std::int64_t{z} * grid.size[1] + std::int64_t{y}) * grid.size[0] + firstX;
             std::fill_n(row, columns, 0.0f);
             for (std::int64_t k = firstZ; k < lastZ; ++k)
                 for (std::int64_t j = firstY; j < lastY; ++j)
-                    addRow(m_levels.data() + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(m_size[0]),
+                    addRow(m_levels.data() + first + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(count),
                            static_cast<std::size_t>(grid.voxels[0]), opacities, row);
             for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
         }

@@ -35,11 +35,11 @@ bool BorderSpace::findBorders(const PackedPresence& presence, const RowMarks& ro
     const std::int64_t lastCube = presence.order().size[0];
     std::atomic<bool> changed = false;
     const auto least = [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); };
-    presence.foldBricks(edge, m_size, rows, least, [&](std::int64_t y, std::int64_t z, const auto& columns) {
-        std::uint64_t* row = m_borders.row(y, z);
-        for (std::int64_t x = 0; x < m_size[0]; ++x) {
-            const auto first = columns.begin() + x * edge * voxelsPerCube;
-            const auto end = columns.begin() + (std::min(x * edge + edge, lastCube) + 1) * voxelsPerCube;
+    presence.foldBricks(edge, m_size, rows, least, [&](const PackedPresence::FoldedBricks& bricks) {
+        std::uint64_t* row = m_borders.row(bricks.y, bricks.z);
+        for (std::int64_t x = bricks.first; x < bricks.last; ++x) {
+            const auto first = bricks.columns.begin() + x * edge * voxelsPerCube;
+            const auto end = bricks.columns.begin() + (std::min(x * edge + edge, lastCube) + 1) * voxelsPerCube;
             const bool borders = std::any_of(first, end, [](auto here) { return here < PresenceUse::allFrom; });
             const std::uint64_t bit = std::uint64_t{1} << (x % 64), before = row[x / 64];
             row[x / 64] = borders ? before | bit : before & ~bit;

@@ -111,19 +111,18 @@ void BrickRanges::follow(const PackedPresence& presence, const RowMarks& rows) {
     }
     const std::int64_t lastCube = presence.order().size[0];
     const auto most = [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); };
-    presence.foldBricks(
-        BrickGrid::edge, m_grid.size, rows, most, [&](std::int64_t y, std::int64_t z, const auto& columns) {
-            for (std::int64_t x = 0; x < m_grid.size[0]; ++x) {
-                const auto first = columns.begin() + x * BrickGrid::edge * voxelsPerCube;
-                const auto end =
-                    columns.begin() + (std::min(x * BrickGrid::edge + BrickGrid::edge, lastCube) + 1) * voxelsPerCube;
-                // Samples in a brick show nothing of its voxels where none of them is covered.
-                const bool shown = std::any_of(first, end, [](auto here) { return here > PresenceUse::noneUpTo; });
-                const std::size_t brick = m_grid.offset(x, y, z);
-                m_lowest[brick] = shown ? m_lowestHeld[brick] : 1.0f;
-                m_highest[brick] = shown ? m_highestHeld[brick] : 0.0f;
-            }
-        });
+    presence.foldBricks(BrickGrid::edge, m_grid.size, rows, most, [&](const PackedPresence::FoldedBricks& bricks) {
+        for (std::int64_t x = bricks.first; x < bricks.last; ++x) {
+            const auto first = bricks.columns.begin() + x * BrickGrid::edge * voxelsPerCube;
+            const auto end = bricks.columns.begin() +
+                             (std::min(x * BrickGrid::edge + BrickGrid::edge, lastCube) + 1) * voxelsPerCube;
+            // Samples in a brick show nothing of its voxels where none of them is covered.
+            const bool shown = std::any_of(first, end, [](auto here) { return here > PresenceUse::noneUpTo; });
+            const std::size_t brick = m_grid.offset(x, bricks.y, bricks.z);
+            m_lowest[brick] = shown ? m_lowestHeld[brick] : 1.0f;
+            m_highest[brick] = shown ? m_highestHeld[brick] : 0.0f;
+        }
+    });
 }
 
 EmptySpace::EmptySpace(const BrickGrid& grid)

@@ -46,22 +46,23 @@ struct PackedOrder {
     [[nodiscard]] std::int64_t upper(std::int64_t cube, std::size_t axis) const { return lower(cube + 1, axis); }
 };
 
-/// Writes one row of cubes from the two rows of voxels whose voxels each cube holds.
+/// Writes what holds voxels [first, last) of one row of cubes, from the two rows of voxels whose voxels each cube
+/// holds.
 template <typename Out, typename Voxel, typename Convert>
-void packRow(const PackedOrder& order, const Voxel* upper, const Voxel* lower, Out* __restrict out,
-             const Convert& convert) {
+void packRow(const PackedOrder& order, const Voxel* upper, const Voxel* lower, std::int64_t first, std::int64_t last,
+             Out* __restrict out, const Convert& convert) {
     const std::int64_t size = order.size[0];
     const auto write = [&](std::int64_t cube, std::int64_t x) {
         out[cube * voxelsPerCube] = convert(upper[x]);
         out[cube * voxelsPerCube + 1] = convert(lower[x]);
     };
-    write(0, 0);
-    for (std::int64_t x = 0; x < size; ++x) {
+    if (first == 0) write(0, 0);
+    for (std::int64_t x = first; x < last; ++x) {
         out[(x + cubeShift) * voxelsPerCube] = convert(upper[x]);
         out[(x + cubeShift) * voxelsPerCube + 1] = convert(lower[x]);
     }
     // The row's rest is read by no sample.
-    for (std::int64_t cube = size + 1; cube < order.rowStride; ++cube) write(cube, size - 1);
+    for (std::int64_t cube = size + 1; cube < order.rowStride && last == size; ++cube) write(cube, size - 1);
 }
 
 }  // namespace echolucent::ray_casting

@@ -22,23 +22,24 @@ RowMarks PackedPresence::follow(const Volume& volume, const RowMarks& masked) {
             std::fill(m_cubes.get() + part.begin(), m_cubes.get() + part.end(), std::uint8_t{255});
         });
     }
-    RowMarks rows = masked.widened(presenceReach, presenceReach);
+    RowMarks rows = masked.widened({presenceReach, presenceReach, presenceReach});
     pack(volume, rows);
     return rows;
 }
 
 void PackedPresence::pack(const Volume& volume, const RowMarks& rows) {
     // A row of cubes holds the row of voxels beside the one that changed too.
-    makePresence(volume, rows.widened(1, 0), [&](std::int64_t z, const std::uint8_t* voxels) {
+    makePresence(volume, rows.widened({0, 1, 0}), [&](std::int64_t z, const std::uint8_t* voxels) {
         const auto rowOf = [&](std::int64_t y) { return voxels + m_order.size[0] * y; };
         // The outermost slices repeat.
         for (std::int64_t slice = z == 0 ? 0 : z + cubeShift;
              slice < (z + 1 == m_order.size[2] ? m_order.slices : z + cubeShift + 1); ++slice)
             for (std::int64_t row = 0; row < m_order.rows; ++row) {
                 const std::int64_t upper = m_order.lower(row, 1), lower = m_order.upper(row, 1);
-                if (!rows.at(upper, z) && !rows.at(lower, z)) continue;
-                packRow(m_order, rowOf(upper), rowOf(lower), m_cubes.get() + m_order.first(row, slice),
-                        [](std::uint8_t presence) { return presence; });
+                const RowPart part = rows.at(upper, z).joined(rows.at(lower, z));
+                if (!part.any()) continue;
+                packRow(m_order, rowOf(upper), rowOf(lower), part.first, part.last,
+                        m_cubes.get() + m_order.first(row, slice), [](std::uint8_t presence) { return presence; });
             }
     });
 }

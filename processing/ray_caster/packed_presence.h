@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "processing/parallel.h"
@@ -28,10 +27,15 @@ public:
     /// Null where all voxels carry data.
     [[nodiscard]] const std::uint8_t* cubes() const { return m_cubes.get(); }
 
-    /// Folds what the samples in each brick of cubes may read, for those rows of bricks along x that may read a marked
-    /// row of voxels: calls visit(y, z, columns) with the row of bricks and, of each column of cubes 0 ... size, two
-    /// bytes: folded together they are the fold over all voxels of the bricks at the cubes' lower x. Rows of bricks are
-    /// visited side by side. There must be cubes.
+    /// Bricks [first, last) of a row of bricks along x, and what is folded in them.
+    struct FoldedBricks {
+        std::int64_t first, last, y, z;
+        /// Of each column of cubes two bytes: folded together they are the fold over all voxels around the row of
+        /// bricks at the cubes' lower x. It holds what the samples in these bricks may read.
+        const std::vector<std::uint8_t>& columns;
+    };
+    /// Folds what the samples in those bricks may read that may read a marked voxel. Rows of bricks are visited side by
+    /// side. There must be cubes.
     template <typename Fold, typename Visit>
     void foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
                     const Fold& fold, const Visit& visit) const;
@@ -46,27 +50,35 @@ private:
 template <typename Fold, typename Visit>
 void PackedPresence::foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
                                 const Fold& fold, const Visit& visit) const {
-    const auto bytes = static_cast<std::size_t>((m_order.size[0] + 1) * voxelsPerCube);
-    parallelFor(tbb::blocked_range<std::int64_t>(0, bricks[1] * bricks[2]), [&](const auto& part) {
-        std::vector<std::uint8_t> columns(bytes);
-        for (std::int64_t brick = part.begin(); brick < part.end(); ++brick) {
+    const std::int64_t bytes = (m_order.size[0] + 1) * voxelsPerCube;
+    parallelFor(tbb::blocked_range<std::int64_t>(0, bricks[1] * bricks[2]), [&](const auto& range) {
+        std::vector<std::uint8_t> columns(static_cast<std::size_t>(bytes));
+        for (std::int64_t brick = range.begin(); brick < range.end(); ++brick) {
             const std::int64_t y = brick % bricks[1] * edge, z = brick / bricks[1] * edge;
             // Its cubes read voxels from one before its first to its last.
-            if (!rows.anyWithin({y - cubeShift, y + edge}, {z - cubeShift, z + edge})) continue;
+            const RowPart part = rows.partWithin({y - cubeShift, y + edge}, {z - cubeShift, z + edge});
+            if (!part.any()) continue;
+            const FoldedBricks folded{part.first / edge, std::min(part.last / edge + 1, bricks[0]), brick % bricks[1],
+                                      brick / bricks[1], columns};
+            const std::int64_t begin = folded.first * edge * voxelsPerCube,
+                               end = std::min(folded.last * edge * voxelsPerCube + voxelsPerCube, bytes);
             const std::int64_t endRow = std::min(y + edge, m_order.size[1] + 1);
             const std::int64_t endSlice = std::min(z + edge + 1, m_order.size[2] + 1);
-            std::copy_n(m_cubes.get() + m_order.first(y, z), bytes, columns.data());
+            const auto from = [&](std::int64_t row, std::int64_t slice) {
+                return m_cubes.get() + m_order.first(row, slice);
+            };
+            std::copy(from(y, z) + begin, from(y, z) + end, columns.begin() + begin);
             const auto add = [&](std::int64_t row, std::int64_t slice) {
-                const std::uint8_t* from = m_cubes.get() + m_order.first(row, slice);
+                const std::uint8_t* bytesOfRow = from(row, slice);
                 std::uint8_t* __restrict to = columns.data();
-                for (std::size_t i = 0; i < bytes; ++i) to[i] = fold(to[i], from[i]);
+                for (std::int64_t i = begin; i < end; ++i) to[i] = fold(to[i], bytesOfRow[i]);
             };
             for (std::int64_t slice = z; slice < endSlice; ++slice) {
                 // A row of cubes holds two rows of voxels: every other one, and the last, hold all.
                 for (std::int64_t row = y; row < endRow - 1; row += 2) add(row, slice);
                 add(endRow - 1, slice);
             }
-            visit(brick % bricks[1], brick / bricks[1], std::as_const(columns));
+            visit(folded);
         }
     });
 }

@@ -47,7 +47,7 @@ PackedVoxels<Voxel>::PackedVoxels(const Volume& filled) : m_order(filled.geometr
             const auto rowOf = [&](std::int64_t y) {
                 return voxels + m_order.size[0] * (y + m_order.size[1] * m_order.lower(slice, 2));
             };
-            packRow(m_order, rowOf(m_order.lower(row, 1)), rowOf(m_order.upper(row, 1)),
+            packRow(m_order, rowOf(m_order.lower(row, 1)), rowOf(m_order.upper(row, 1)), 0, m_order.size[0],
                     m_cubes.get() + m_order.first(row, slice), packing);
         }
     });

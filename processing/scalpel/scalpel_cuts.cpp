@@ -71,10 +71,10 @@ public:
         m_sure = 1e-6 * cells * first < 0.1 && !(m_parallel && camera.heightMm < m_leastHeight);
     }
 
-    /// Writes `number` into a row of first cuts wherever the stroke cuts a voxel that holds 0; says whether it does so
-    /// anywhere. `places` is room for a row.
-    bool cutRow(std::int64_t y, std::int64_t z, std::uint8_t number, std::uint8_t* row,
-                std::vector<std::int32_t>& places) const {
+    /// Writes `number` into a row of first cuts wherever the stroke cuts a voxel that holds 0; returns a part of the
+    /// row beside which it does not. `places` is room for a row.
+    RowPart cutRow(std::int64_t y, std::int64_t z, std::uint8_t number, std::uint8_t* row,
+                   std::vector<std::int32_t>& places) const {
         const Camera& camera = m_stroke.camera;
         const std::int64_t count = m_geometry.size[0];
         const Vec3 start = m_geometry.gridMmFromVoxel({0.0, static_cast<double>(y), static_cast<double>(z)});
@@ -95,19 +95,24 @@ public:
             asked = common(asked, partAbove(before, -m_depthError, -1.0, count));
         }
         sure = common(sure, asked);
-        bool any = false;
+        RowPart changed;
+        const auto joinChanged = [&](std::int64_t first, std::int64_t last) {
+            changed = changed.joined({static_cast<std::int32_t>(first), static_cast<std::int32_t>(last)});
+        };
         const auto exactly = [&](std::int64_t x) {
             if (row[x] == 0 && cutsExactly(m_geometry.gridMmFromVoxel(
                                    {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)}))) {
                 row[x] = number;
-                any = true;
+                joinChanged(x, x + 1);
             }
         };
         const auto wholly = [&](std::int64_t first, std::int64_t last) {
+            std::uint8_t fresh = 0;
             for (std::int64_t x = first; x < last; ++x) {
-                any = any || row[x] == 0;
+                fresh |= row[x] == 0 ? std::uint8_t{1} : std::uint8_t{0};
                 row[x] = row[x] != 0 ? row[x] : number;
             }
+            if (fresh != 0) joinChanged(first, last);
         };
         const auto inCells = [&](const Vec3& direction, std::size_t axis) {
             return (along(direction, camera.focalPoint) - height * m_cells.first[axis]) * m_cells.perHeight[axis];
@@ -121,7 +126,7 @@ public:
         cutNear(across, near, places, wholly, exactly);
         if (beside) wholly(near.last, sure.last);
         for (std::int64_t x = std::max(sure.last, asked.first); x < asked.last; ++x) exactly(x);
-        return any;
+        return changed;
     }
 
 private:
@@ -215,12 +220,12 @@ private:
     bool m_parallel = true, m_sure = false;
 };
 
-/// Calls visit(offset of the first voxel) for marked rows, side by side.
+/// Calls visit(offset of the first voxel, count) for marked parts of rows, side by side.
 template <typename Visit>
 void forEachMarked(const VolumeGeometry& geometry, const RowMarks& rows, const Visit& visit) {
     parallelFor(std::int64_t{0}, geometry.size[2], [&](std::int64_t z) {
         for (std::int64_t y = 0; y < geometry.size[1]; ++y)
-            if (rows.at(y, z)) visit(geometry.offset(0, y, z));
+            if (const RowPart& part = rows.at(y, z); part.any()) visit(geometry.offset(part.first, y, z), part.count());
     });
 }
 
@@ -241,9 +246,9 @@ void ScalpelCuts::forgetFrom(std::size_t kept) {
     }
     if (m_made) m_made->strokes = std::min(m_made->strokes, kept);
     m_carried.erase(m_carried.begin() + static_cast<std::ptrdiff_t>(kept), m_carried.end());
-    forEachMarked(m_geometry, rows, [&](std::int64_t first) {
+    forEachMarked(m_geometry, rows, [&](std::int64_t first, std::int64_t count) {
         std::uint8_t* row = m_firstCut.data() + first;
-        for (std::int64_t x = 0; x < m_geometry.size[0]; ++x) row[x] = row[x] > kept ? std::uint8_t{0} : row[x];
+        for (std::int64_t x = 0; x < count; ++x) row[x] = row[x] > kept ? std::uint8_t{0} : row[x];
     });
 }
 
@@ -263,7 +268,7 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
         if (progress.cancelled()) return;
         std::vector<std::int32_t> places(static_cast<std::size_t>(m_geometry.size[0]));
         for (std::int64_t y = 0; y < m_geometry.size[1]; ++y)
-            if (cutter.cutRow(y, z, number, m_firstCut.data() + m_geometry.offset(0, y, z), places)) rows.mark(y, z);
+            rows.mark(y, z, cutter.cutRow(y, z, number, m_firstCut.data() + m_geometry.offset(0, y, z), places));
         count.oneDone();
     });
     if (!progress.cancelled()) return true;
@@ -296,8 +301,7 @@ Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes)
     } else {
         mask = std::make_shared<std::vector<std::uint8_t>>(m_firstCut.size());
     }
-    forEachMarked(m_geometry, rows, [&](std::int64_t start) {
-        const std::int64_t count = m_geometry.size[0];
+    forEachMarked(m_geometry, rows, [&](std::int64_t start, std::int64_t count) {
         const std::uint8_t* __restrict first = m_firstCut.data() + start;
         std::uint8_t* __restrict marks = mask->data() + start;
         // 0, which is cut by none, becomes the largest number.

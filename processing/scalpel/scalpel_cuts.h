@@ -15,8 +15,8 @@ namespace echolucent {
 
 /// Cuts volumes of one grid, such as the phases of a study, by lists of strokes. A voxel is cut where a stroke cuts its
 /// centre (cutsAway()). For each voxel the first stroke that cuts it is kept, one byte each, and for each stroke the
-/// rows that it cuts: a stroke more is carried through the rows that it reaches, a stroke less, or one of them again,
-/// changes rows of the mask alone. Only one thread at a time may use it.
+/// parts of rows that it cuts: a stroke more is carried through what it reaches, a stroke less, or one of them again,
+/// changes these parts of the mask alone. Only one thread at a time may use it.
 class ScalpelCuts {
 public:
     explicit ScalpelCuts(const VolumeGeometry& geometry);

@@ -56,13 +56,14 @@ public:
     DataRows(const Volume& volume, const std::vector<Voxel>& voxels)
         : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
 
-    void write(std::int64_t y, std::int64_t z, std::uint8_t* __restrict to) const {
-        const std::int64_t first = m_geometry.offset(0, y, z), columns = m_geometry.size[0];
-        if (m_mask == nullptr) std::fill_n(to, columns, whole);
+    /// A part of a row; `to` holds the part alone.
+    void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
+        const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
+        if (m_mask == nullptr) std::fill_n(to, count, whole);
         const std::uint8_t* marks = m_mask + first;
-        for (std::int64_t x = 0; x < columns && m_mask != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
+        for (std::int64_t x = 0; x < count && m_mask != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
         if constexpr (std::is_same_v<Voxel, float>)
-            for (std::int64_t x = 0; x < columns; ++x)
+            for (std::int64_t x = 0; x < count; ++x)
                 if (!std::isfinite(m_voxels[static_cast<std::size_t>(first + x)])) to[x] = 0;
     }
 
@@ -94,49 +95,59 @@ public:
         for (m_next = std::max(m_next, z - presenceReach); m_next <= z + presenceReach; ++m_next)
             if (m_next >= 0 && m_next < m_rows.slices()) smoothWithin(m_next);
         for (std::int64_t y = 0; y < m_rows.rows(); ++y)
-            if (m_rows.at(y, z)) smoothAcross(y, z);
+            if (m_rows.at(y, z).any()) smoothAcross(y, z);
         return m_presence.data();
     }
 
 private:
-    /// Along x and y, the rows that a slice around asks for.
+    /// Along x and y, the parts of rows that a slice around asks for.
     void smoothWithin(std::int64_t z) {
-        std::ranges::fill(m_asked, std::uint8_t{0});
+        std::ranges::fill(m_asked, RowPart{});
         for (std::int64_t slice = std::max<std::int64_t>(z - presenceReach, 0);
              slice < std::min(z + presenceReach + 1, m_rows.slices()); ++slice)
-            for (std::int64_t y = 0; y < m_rows.rows(); ++y) m_asked[askedAt(y)] |= m_rows.at(y, slice) ? 1 : 0;
+            for (std::int64_t y = 0; y < m_rows.rows(); ++y)
+                m_asked[askedAt(y)] = m_asked[askedAt(y)].joined(m_rows.at(y, slice));
         for (std::int64_t y = 0; y < m_rows.rows(); ++y) {
-            const std::uint8_t* asked = &m_asked[askedAt(y - presenceReach)];
-            if ((asked[0] | asked[1] | asked[2] | asked[3] | asked[4]) != 0) smoothAlong(y, z);
+            RowPart part;
+            for (std::size_t i = 0; i < taps; ++i) part = part.joined(m_asked[askedAt(y - presenceReach) + i]);
+            if (part.any()) smoothAlong(y, z, part);
         }
         std::vector<std::uint8_t>& slice = m_smooth[static_cast<std::size_t>(z) % taps];
-        for (std::int64_t y = 0; y < m_rows.rows(); ++y)
-            if (m_asked[askedAt(y)] != 0)
-                smoothRows(around(y, m_rows.rows(), [&](std::int64_t row) { return &m_alongX[place(row)]; }), m_columns,
-                           &slice[place(y)]);
+        for (std::int64_t y = 0; y < m_rows.rows(); ++y) {
+            const RowPart& part = m_asked[askedAt(y)];
+            if (!part.any()) continue;
+            smoothRows(around(y, m_rows.rows(), [&](std::int64_t row) { return &m_alongX[place(row, part)]; }),
+                       part.count(), &slice[place(y, part)]);
+        }
     }
 
     /// What lies beyond a row's ends is as its ends.
-    void smoothAlong(std::int64_t y, std::int64_t z) {
-        m_data.write(y, z, m_room.data() + presenceReach);
-        std::fill_n(m_room.begin(), presenceReach, m_room[presenceReach]);
-        std::fill_n(m_room.end() - presenceReach, presenceReach, *(m_room.end() - presenceReach - 1));
-        const std::uint8_t* room = m_room.data();
-        smoothRows({room, room + 1, room + 2, room + 3, room + 4}, m_columns, &m_alongX[place(y)]);
+    void smoothAlong(std::int64_t y, std::int64_t z, const RowPart& part) {
+        constexpr auto reach = static_cast<std::int32_t>(presenceReach);
+        const auto columns = static_cast<std::int32_t>(m_columns);
+        const RowPart read{std::max(part.first - reach, 0), std::min(part.last + reach, columns)};
+        std::uint8_t* row = m_room.data() + reach;
+        m_data.write(y, z, read, row + read.first);
+        if (read.first == 0) std::fill_n(row - reach, reach, row[0]);
+        if (read.last == columns) std::fill_n(row + columns, reach, row[columns - 1]);
+        const std::uint8_t* from = row + part.first;
+        smoothRows({from - 2, from - 1, from, from + 1, from + 2}, part.count(), &m_alongX[place(y, part)]);
     }
 
     void smoothAcross(std::int64_t y, std::int64_t z) {
-        std::uint8_t* smooth = &m_presence[place(y)];
+        const RowPart& part = m_rows.at(y, z);
+        const std::int64_t count = part.count();
+        std::uint8_t* smooth = &m_presence[place(y, part)];
         smoothRows(around(z, m_rows.slices(),
                           [&](std::int64_t slice) {
-                              return m_smooth[static_cast<std::size_t>(slice) % taps].data() + place(y);
+                              return m_smooth[static_cast<std::size_t>(slice) % taps].data() + place(y, part);
                           }),
-                   m_columns, smooth);
-        m_data.write(y, z, m_marks.data());
+                   count, smooth);
+        m_data.write(y, z, part, m_marks.data());
         // Most places lie deep in data or far from it, where all is as the mask says.
         constexpr std::int64_t block = 64;
-        for (std::int64_t x = 0; x < m_columns; x += block) {
-            const std::int64_t end = std::min(x + block, m_columns);
+        for (std::int64_t x = 0; x < count; x += block) {
+            const std::int64_t end = std::min(x + block, count);
             std::uint8_t apart = 0;
             for (std::int64_t i = x; i < end; ++i) apart |= static_cast<std::uint8_t>(smooth[i] ^ m_marks[i]);
             for (std::int64_t i = x; i < end && apart != 0; ++i) smooth[i] = m_kept[m_marks[i] != 0 ? 1 : 0][smooth[i]];
@@ -153,13 +164,15 @@ private:
         return rows;
     }
     [[nodiscard]] static std::size_t askedAt(std::int64_t y) { return static_cast<std::size_t>(y + presenceReach); }
-    [[nodiscard]] std::size_t place(std::int64_t y) const { return static_cast<std::size_t>(y * m_columns); }
+    [[nodiscard]] std::size_t place(std::int64_t y, const RowPart& part) const {
+        return static_cast<std::size_t>(y * m_columns + part.first);
+    }
 
     DataRows<Voxel> m_data;
     const RowMarks& m_rows;
     const KeptThin& m_kept;
     std::int64_t m_columns, m_next = 0;  ///< the slice that is smoothed next
-    std::vector<std::uint8_t> m_asked;   ///< by row, with presenceReach more on both sides
+    std::vector<RowPart> m_asked;        ///< by row, with presenceReach more on both sides
     std::vector<std::uint8_t> m_room, m_marks, m_alongX, m_presence;
     std::array<std::vector<std::uint8_t>, taps> m_smooth;  ///< along x and y: the newest slices, by z
 };
@@ -180,10 +193,10 @@ void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence
             // A part also smooths the slices around it.
             constexpr std::int64_t part = 16;
             parallelFor(tbb::blocked_range<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
-                if (!rows.anyWithin({0, rows.rows()}, {slices.begin(), slices.end()})) return;
+                if (!rows.partWithin({0, rows.rows()}, {slices.begin(), slices.end()}).any()) return;
                 SliceSmoother<Voxel> smoother(volume, voxels, rows, kept);
                 for (std::int64_t z = slices.begin(); z < slices.end(); ++z)
-                    if (rows.anyWithin({0, rows.rows()}, {z, z + 1})) take(z, smoother.at(z));
+                    if (rows.partWithin({0, rows.rows()}, {z, z + 1}).any()) take(z, smoother.at(z));
             });
         },
         volume.voxels());

@@ -17,11 +17,11 @@ inline constexpr std::int64_t presenceReach = 2;  ///< voxels along each axis fr
 /// Whether any voxel carries no data.
 [[nodiscard]] bool lacksData(const Volume& volume);
 
-/// Takes a slice's presence: its z and its first byte, rows of voxels one after another. Only the rows that were asked
-/// for hold something.
+/// Takes a slice's presence: its z and its first byte, rows of voxels one after another. Only the parts of rows that
+/// were asked for hold something.
 using TakePresence = std::function<void(std::int64_t z, const std::uint8_t* slice)>;
-/// Makes the presence of rows. Slices without such a row are left out; the others are taken once each, side by side, in
-/// no order.
+/// Makes the presence of parts of rows. Slices without any are left out; the others are taken once each, side by side,
+/// in no order.
 void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take);
 
 }  // namespace echolucent

@@ -1,6 +1,7 @@
-// Which rows of a volume are meant, such as those that a stroke of the scalpel changed.
+// Which parts of a volume's rows are meant, such as those that a stroke of the scalpel changed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,24 +11,42 @@
 
 namespace echolucent {
 
-/// A set of a grid's rows along x.
+/// Voxels [first, last) of a row along x; none where first is not below last.
+struct RowPart {
+    std::int32_t first = 0, last = 0;
+
+    [[nodiscard]] bool any() const { return first < last; }
+    [[nodiscard]] std::int64_t count() const { return any() ? last - first : 0; }
+    /// The smallest part that holds both.
+    [[nodiscard]] RowPart joined(const RowPart& other) const {
+        if (!any() || !other.any()) return any() ? *this : other;
+        return {std::min(first, other.first), std::max(last, other.last)};
+    }
+};
+
+/// A part of each of a grid's rows along x.
 class RowMarks {
 public:
     explicit RowMarks(const std::array<std::int64_t, 3>& size, bool all = false)
-        : m_rows(size[1]), m_slices(size[2]), m_marks(static_cast<std::size_t>(m_rows * m_slices), all ? 1 : 0) {}
+        : m_columns(static_cast<std::int32_t>(size[0])),
+          m_rows(size[1]),
+          m_slices(size[2]),
+          m_parts(static_cast<std::size_t>(m_rows * m_slices), all ? RowPart{0, m_columns} : RowPart{}) {}
 
     [[nodiscard]] std::int64_t rows() const { return m_rows; }      ///< in a slice, along y
     [[nodiscard]] std::int64_t slices() const { return m_slices; }  ///< along z
-    [[nodiscard]] bool at(std::int64_t y, std::int64_t z) const { return m_marks[index(y, z)] != 0; }
-    /// Different rows may be marked side by side.
-    void mark(std::int64_t y, std::int64_t z) { m_marks[index(y, z)] = 1; }
-    [[nodiscard]] bool any() const { return anyWithin({0, m_rows}, {0, m_slices}); }
-    /// Whether a row of [first, second) along y and along z is marked; rows beyond the grid are not.
+    [[nodiscard]] const RowPart& at(std::int64_t y, std::int64_t z) const { return m_parts[index(y, z)]; }
+    /// Adds to a row's part. Different rows may be marked side by side.
+    void mark(std::int64_t y, std::int64_t z, const RowPart& part) {
+        m_parts[index(y, z)] = m_parts[index(y, z)].joined(part);
+    }
+    [[nodiscard]] bool any() const { return partWithin({0, m_rows}, {0, m_slices}).any(); }
+    /// What the rows [first, second) along y and along z have together; rows beyond the grid have nothing.
     using Range = std::array<std::int64_t, 2>;
-    [[nodiscard]] bool anyWithin(const Range& along, const Range& slices) const;
-    /// The rows, and those up to so many rows and slices beside them.
-    [[nodiscard]] RowMarks widened(std::int64_t rows, std::int64_t slices) const;
-    /// Adds the rows of another set of the same grid.
+    [[nodiscard]] RowPart partWithin(const Range& along, const Range& slices) const;
+    /// The parts, and what lies up to so many voxels beside them along x, y and z.
+    [[nodiscard]] RowMarks widened(const std::array<std::int64_t, 3>& voxels) const;
+    /// Adds the parts of another set of the same grid.
     void add(const RowMarks& other);
 
 private:
@@ -35,12 +54,13 @@ private:
         return static_cast<std::size_t>(y + m_rows * z);
     }
 
+    std::int32_t m_columns;
     std::int64_t m_rows, m_slices;
-    std::vector<std::uint8_t> m_marks;
+    std::vector<RowPart> m_parts;
 };
 
-/// The rows in which two volumes of one grid mark other voxels as data (Volume::dataMask()). One pass over both masks,
-/// none where they are the same.
+/// The parts of rows in which two volumes of one grid mark other voxels as data (Volume::dataMask()). One pass over
+/// both masks, none where they are the same.
 [[nodiscard]] RowMarks rowsMaskedOtherwise(const Volume& before, const Volume& after);
 
 }  // namespace echolucent
