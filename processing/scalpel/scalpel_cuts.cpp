@@ -159,12 +159,15 @@ private:
                                          least;
         const StrokeRaster::Cell cut =
             m_stroke.side == ScalpelSide::inside ? StrokeRaster::inside : StrokeRaster::outside;
+        // Divisions would be most of the work.
+        const double voxelsPerCell = 1.0 / stride, perLeast = 1.0 / least;
         constexpr std::int64_t chunk = 8;
         for (std::int64_t x = near.first; x < near.last;) {
-            const double at = static_cast<double>(x), height = across.height.at(at);
+            const auto at = static_cast<double>(x);
+            const double perHeight = m_parallel ? perLeast : 1.0 / across.height.at(at);
             const StrokeRaster::Stretch stretch =
-                m_raster.around(across.column.at(at) / height, across.line.at(at) / height);
-            const auto voxels = 1 + static_cast<std::int64_t>(stretch.cells / stride);
+                m_raster.around(across.column.at(at) * perHeight, across.line.at(at) * perHeight);
+            const auto voxels = 1 + static_cast<std::int64_t>(stretch.cells * voxelsPerCell);
             if (stretch.cells > 0 && voxels >= chunk / 2) {
                 const std::int64_t last = std::min(x + voxels, near.last);
                 if (stretch.cell == cut) wholly(x, last);
