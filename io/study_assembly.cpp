@@ -126,7 +126,10 @@ bool normalizeDirection(Mat3& direction) {
     return std::abs(cv::determinant(direction)) > 1e-3;
 }
 
-bool saysMoreThanItsAxes(const Mat3& direction) { return cv::norm(direction - Mat3::eye()) > 1e-6; }
+bool saysMoreThanItsAxes(const Mat3& direction) {
+    const Mat3 axesOfRas = Mat3::diag({-1, -1, 1});
+    return cv::norm(direction - Mat3::eye()) > 1e-6 && cv::norm(direction - axesOfRas) > 1e-6;
+}
 
 std::string skewWarning(const Mat3& direction) {
     const Mat3 products = direction.t() * direction;

@@ -53,8 +53,8 @@ struct StudyParts {
 
 /// Makes the columns of `direction` unit vectors. False where one has no length or the three do not span space.
 [[nodiscard]] bool normalizeDirection(Mat3& direction);
-/// Whether directions of MetaImage and NRRD say anything of the patient: programs that know none write the frame's own
-/// axes.
+/// Whether directions (LPS) of MetaImage and NRRD say anything of the patient: programs that know none write the axes
+/// of LPS or of RAS.
 [[nodiscard]] bool saysMoreThanItsAxes(const Mat3& direction);
 /// A sentence where the columns of `direction` (unit vectors) are not perpendicular to each other; else empty.
 [[nodiscard]] std::string skewWarning(const Mat3& direction);

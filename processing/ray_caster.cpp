@@ -67,7 +67,7 @@ public:
         kept.forget();
         const RowMarks masked = rowsMaskedOtherwise(*volume, *given);
         volume = std::move(given);
-        if (!masked.any()) return;
+        if (!masked.any()) return m_reaching.setCut(volume, masked);
         const RowMarks present = m_presence.follow(*volume, masked);
         // Side by side: a part of the borders' work is one thread's.
         parallelFor(0, 3, [&](int which) {

@@ -51,8 +51,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
     /// Casts from now on through the same scan, of which a scalpel cut other voxels. No voxel is packed anew, and only
     /// what lies around changed rows of the mask is worked out anew; pictures are those of a RayCaster made for it, to
-    /// the bit. Throws std::invalid_argument for another scan
-    /// (Volume::isSameScanAs()).
+    /// the bit. Where it throws for want of memory, the object is to be made anew. Throws std::invalid_argument for
+    /// another scan (Volume::isSameScanAs()).
     void setCut(std::shared_ptr<const Volume> volume);
     /// As castRays(). Where all but the curve and the colour map is as in the call before, the samples of that view are
     /// kept (see sampleMemoryLimit) and from then on only classified and composited anew.

@@ -15,7 +15,8 @@ namespace echolucent {
 namespace {
 
 /// What computes for seconds gives way to what a hand waits for: the GUI thread, and the threads of a software OpenGL
-/// that draw for it. Threads that a job starts, oneTBB's too, inherit this.
+/// that draw for it. Threads that a job starts inherit this; those of oneTBB do
+/// where a job is the first to ask for them.
 void giveWay() {
 #ifdef Q_OS_LINUX
     constexpr int steps = 5;  // a third of the GUI thread's share where both want one core

@@ -1,7 +1,9 @@
 #include "app/picture/preset_controls.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
 #include <utility>
 
 #include "app/window/save_dialog.h"
@@ -38,23 +40,32 @@ PresetControls::PresetControls(const Parts& parts, QObject* parent)
     connect(panel, &PresetsPanel::importRequested, this, &PresetControls::chooseAndImport);
     connect(&m_pictures, &PresetPictures::made, this,
             [this](int preset) { m_parts.panel.setPicture(preset, m_pictures.picture(preset)); });
-    connect(&m_parts.model, &DocumentModel::changed, this, &PresetControls::showCurrent);
+    const DocumentModel* model = &m_parts.model;
+    connect(model, &DocumentModel::looksChanged, this, &PresetControls::showCurrent);
+    connect(model, &DocumentModel::curvesChanged, this, &PresetControls::showCurrent);
+    connect(model, &DocumentModel::viewsChanged, this, &PresetControls::showCurrent);
+    connect(model, &DocumentModel::methodChanged, this, &PresetControls::showCurrent);
     showPresets();
 }
 
 void PresetControls::restore() {
-    m_unreadable.reset();
-    const QString file = m_parts.settings.presetsFile();
-    if (QFileInfo::exists(file)) {
-        auto own = readPresets(file.toStdString());
-        if (own)
-            m_own = std::move(*own);
-        else
-            m_unreadable = own.error();
-        if (m_unreadable) report(tl::unexpected(*m_unreadable));
-    }
+    readOwn();
     showPresets();
     m_parts.panel.setOpen(m_parts.settings.presetsOpen());
+}
+
+/// What the file holds now, which another window of the program may have written. False, with a message, where it
+/// cannot be read.
+bool PresetControls::readOwn() {
+    const QString file = m_parts.settings.presetsFile();
+    if (!QFileInfo::exists(file)) {
+        m_own.clear();
+        return true;
+    }
+    auto own = readPresets(file.toStdString());
+    if (!own) return report(tl::unexpected(own.error()));
+    m_own = std::move(*own);
+    return true;
 }
 
 void PresetControls::keep() { m_parts.settings.setPresetsOpen(m_parts.panel.isOpen()); }
@@ -88,7 +99,7 @@ void PresetControls::showCurrent() {
     const std::vector<Preset> presets = all();
     int current = -1;
     for (int i = 0; current < 0 && i < static_cast<int>(presets.size()); ++i)
-        if (withPreset(document, m_parts.view, presets[static_cast<std::size_t>(i)]) == document) current = i;
+        if (isMadeBy(document, m_parts.view, presets[static_cast<std::size_t>(i)])) current = i;
     m_parts.panel.setCurrent(current);
 }
 
@@ -98,46 +109,53 @@ void PresetControls::choose(int preset) {
                        tr("preset %1").arg(textOf(chosen.name)));
 }
 
-/// Takes other presets as the person's own, where they can be written; else nothing changes.
-bool PresetControls::setOwn(std::vector<Preset> own) {
-    if (m_unreadable) {
-        showPresets();
-        return report(tl::unexpected(*m_unreadable));
+/// Changes the person's own presets as they stand in the file now; where that cannot be read or written, nothing
+/// changes.
+bool PresetControls::changeOwn(const std::function<void(std::vector<Preset>& own)>& change) {
+    bool done = readOwn();
+    if (done) {
+        std::vector<Preset> own = m_own;
+        change(own);
+        const QFileInfo file(m_parts.settings.presetsFile());
+        QDir().mkpath(file.absolutePath());
+        done = report(writePresets(file.filePath().toStdString(), own));
+        if (done) m_own = std::move(own);
     }
-    const bool written = report(writePresets(m_parts.settings.presetsFile().toStdString(), own));
-    if (written) m_own = std::move(own);
     showPresets();
-    return written;
+    return done;
 }
 
 void PresetControls::save() {
-    std::vector<Preset> own = m_own;
-    own.push_back(
-        presetOf(m_parts.model.document(), m_parts.view, freePresetName(tr("My preset").toStdString(), names())));
-    if (setOwn(std::move(own))) m_parts.panel.editName(static_cast<int>(all().size()) - 1);
+    const bool saved = changeOwn([this](std::vector<Preset>& own) {
+        own.push_back(
+            presetOf(m_parts.model.document(), m_parts.view, freePresetName(tr("My preset").toStdString(), names())));
+    });
+    if (saved) m_parts.panel.editName(static_cast<int>(all().size()) - 1);
 }
 
 void PresetControls::rename(int preset, const QString& name) {
-    const std::size_t index = static_cast<std::size_t>(preset) - standardPresets().size();
-    std::vector<std::string> taken = names();
-    taken.erase(taken.begin() + preset);
-    std::vector<Preset> own = m_own;
-    if (!name.trimmed().isEmpty()) own.at(index).name = freePresetName(name.toStdString(), taken);
-    setOwn(std::move(own));
+    const std::string before = all().at(static_cast<std::size_t>(preset)).name;
+    changeOwn([&, this](std::vector<Preset>& own) {
+        const auto renamed = std::ranges::find(own, before, &Preset::name);
+        if (renamed == own.end() || name.trimmed().isEmpty()) return;
+        std::vector<std::string> taken = names();
+        std::erase(taken, before);
+        renamed->name = freePresetName(name.toStdString(), taken);
+    });
 }
 
 void PresetControls::remove(int preset) {
-    const std::size_t index = static_cast<std::size_t>(preset) - standardPresets().size();
-    std::vector<Preset> own = m_own;
-    const Preset removed = own.at(index);
-    own.erase(own.begin() + static_cast<std::ptrdiff_t>(index));
-    if (!setOwn(std::move(own))) return;
+    const Preset removed = all().at(static_cast<std::size_t>(preset));
+    if (!changeOwn([&](std::vector<Preset>& own) {
+            std::erase_if(own, [&](const Preset& each) { return each.name == removed.name; });
+        }))
+        return;
     m_parts.messages.showMessage(MessageKind::info, tr("The preset “%1” was removed.").arg(textOf(removed.name)),
                                  {{tr("Take it back"), [this, removed] {
-                                       std::vector<Preset> with = m_own;
-                                       with.push_back(removed);
-                                       with.back().name = freePresetName(removed.name, names());
-                                       setOwn(std::move(with));
+                                       changeOwn([&, this](std::vector<Preset>& own) {
+                                           own.push_back(removed);
+                                           own.back().name = freePresetName(removed.name, names());
+                                       });
                                    }}});
 }
 
@@ -151,8 +169,9 @@ void PresetControls::chooseAndExport(int preset) {
 }
 
 bool PresetControls::exportTo(const QString& path, int preset) {
-    if (m_parts.session.study() && !report(refuseToOverwrite(m_parts.session.study()->files, {path.toStdString()})))
-        return false;
+    std::vector<std::string> kept{m_parts.settings.presetsFile().toStdString()};
+    if (const Study* study = m_parts.session.study()) kept.insert(kept.end(), study->files.begin(), study->files.end());
+    if (!report(refuseToOverwrite(kept, {path.toStdString()}))) return false;
     const Preset exported = all().at(static_cast<std::size_t>(preset));
     if (!report(writePresets(path.toStdString(), {exported}))) return false;
     m_parts.messages.showMessage(
@@ -162,23 +181,28 @@ bool PresetControls::exportTo(const QString& path, int preset) {
 }
 
 void PresetControls::chooseAndImport() {
-    const QString path =
-        QFileDialog::getOpenFileName(&m_parts.window, tr("Import presets"), m_parts.settings.lastSaveFolder(),
-                                     tr("Presets (*.json);;All files (*)"));
+    QFileDialog dialog(&m_parts.window, tr("Import presets"), m_parts.settings.lastSaveFolder(),
+                       tr("Presets (*.json);;All files (*)"));
+    dialog.setObjectName("importPresets");
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().value(0);
+    m_parts.settings.setLastSaveFolder(QFileInfo(path).absolutePath());
     if (!path.isEmpty()) importFrom(path);
 }
 
 bool PresetControls::importFrom(const QString& path) {
     const auto read = readPresets(path.toStdString());
     if (!read) return report(tl::unexpected(read.error()));
-    std::vector<Preset> own = m_own;
-    std::vector<std::string> taken = names();
-    for (Preset preset : *read) {
-        preset.name = freePresetName(preset.name, taken);
-        taken.push_back(preset.name);
-        own.push_back(std::move(preset));
-    }
-    if (!setOwn(std::move(own))) return false;
+    const bool kept = changeOwn([&, this](std::vector<Preset>& own) {
+        std::vector<std::string> taken = names();
+        for (Preset preset : *read) {
+            preset.name = freePresetName(preset.name, taken);
+            taken.push_back(preset.name);
+            own.push_back(std::move(preset));
+        }
+    });
+    if (!kept) return false;
     m_parts.panel.setOpen(true);
     m_parts.messages.showMessage(MessageKind::info, read->size() == 1
                                                         ? tr("1 preset was imported.")

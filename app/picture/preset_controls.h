@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <vector>
 
 #include "app/document/document_model.h"
@@ -53,7 +54,8 @@ private:
     void remove(int preset);
     void chooseAndExport(int preset);
     void chooseAndImport();
-    bool setOwn(std::vector<Preset> own);
+    bool readOwn();
+    bool changeOwn(const std::function<void(std::vector<Preset>& own)>& change);
     void showPresets();
     void showCurrent();
     [[nodiscard]] std::vector<Preset> all() const;
@@ -62,7 +64,6 @@ private:
 
     Parts m_parts;
     std::vector<Preset> m_own;
-    std::optional<Failure> m_unreadable;  ///< why the person's own presets could not be read
     PresetPictures m_pictures;
 };
 

@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "app/study/freed_elsewhere.h"
+
 namespace echolucent {
 
 namespace {
@@ -19,7 +21,8 @@ QImage imageOf(const Picture& picture) {
 /// depends on the curve that is rendered, and the adaptive one on that which the method begins with.
 Document pictured(Document document, int view) {
     document.planes = {{viewOf(document, view).planes, {}}};
-    document.motion = {};
+    // An angle of the motion turns the pose about the motion's axis.
+    if (document.motionAngle == 0.0) document.motion = {};
     const Preset rendered = presetOf(document, view, {});
     document.curves = rendered.curves;
     if (lookOf(document, view).mode != RenderMode::direct) {
@@ -55,7 +58,7 @@ void PresetPictures::setPresets(std::vector<Preset> presets) {
 void PresetPictures::setSeen(bool seen) {
     if (seen == m_seen) return;
     m_seen = seen;
-    if (seen) m_caster = std::make_shared<PresetCaster>();
+    if (seen) m_caster = freedElsewhere(std::make_shared<PresetCaster>());
     follow();
     if (!seen) m_caster.reset();
 }
@@ -78,8 +81,11 @@ std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& prese
 
 /// Something changed that pictures may depend on.
 void PresetPictures::follow() {
-    if (m_seen)
-        for (Entry& entry : m_entries) entry.wanted = askedOf(entry.preset);
+    for (Entry& entry : m_entries) {
+        entry.wanted = m_seen ? askedOf(entry.preset) : std::nullopt;
+        // What nobody sees keeps no volume that is gone from the window.
+        if (!m_seen && entry.made && entry.made->voxels.shown != m_session.newestVoxels()) entry.made.reset();
+    }
     const bool current =
         std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });
     if (!m_seen || !current) drop();
@@ -106,7 +112,8 @@ void PresetPictures::makeNext() {
             if (!picture) return {};
             image = imageOf(*picture);
         } catch (const std::bad_alloc&) {
-            // The gallery shows the name alone; the 3D view says what lacks memory.
+            // The gallery shows the name alone; the 3D view says what lacks memory. What was left half done goes.
+            *caster = PresetCaster();
         }
         return [this, asked, image] { take(asked, image); };
     });

@@ -16,7 +16,8 @@
 namespace echolucent {
 
 /// Makes pictures one after the other while somebody sees them and nothing else is being computed, and makes only those
-/// anew of which anything changed. While they are seen, twice the memory of the volume is taken for them.
+/// anew of which anything changed. While they are seen, a ray caster of their own is kept (RayCaster says how large it
+/// is).
 class PresetPictures : public QObject {
     Q_OBJECT
 

@@ -80,7 +80,10 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
         stroke.side = settings.side;
     if (settings.depthMm) {
         const auto nearest = nearestShownMm(stroke);
-        if (!nearest) return;  // nothing shows there: there is nothing to cut
+        if (!nearest) {
+            emit nothingToCut();
+            return;
+        }
         stroke.depthMm = *nearest + *settings.depthMm;
     }
     if (!problemOf(stroke).empty()) return;  // nothing was drawn

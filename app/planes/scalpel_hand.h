@@ -35,6 +35,8 @@ public:
 
 signals:
     void toolChanged();
+    /// A stroke down to a depth was drawn where nothing shows, from which the depth could be counted.
+    void nothingToCut();
 
 private:
     void showDrawing(const std::vector<PicturePlace>& places);

@@ -72,6 +72,7 @@ void CutPhases::makeNext() {
                     makeNext();
                 };
             } catch (const std::bad_alloc&) {
+                *cuts = ScalpelCuts(scan->geometry());  // a stroke may have been left half done
                 return [this] {
                     for (Cut& cut : m_cut) cut.current = true;  // it would fail again
                     emit failed(tr("Cutting with the scalpel needs more memory than this machine has."));

@@ -172,6 +172,11 @@ void MainWindow::connectUnits() {
     });
     connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
             &CurveAndPictureFiles::chooseAndSavePicture);
+    const QString nothingToCut = tr("Nothing shows where you drew, so nothing was cut. Draw over the picture.");
+    connect(m_room.get(), &ReviewRoom::nothingToCut, m_widgets.messages,
+            [this, nothingToCut] { m_widgets.messages->showMessage(MessageKind::info, nothingToCut); });
+    connect(&m_document, &DocumentModel::strokesChanged, m_widgets.messages,
+            [this, nothingToCut] { m_widgets.messages->takeBack(nothingToCut); });
     connect(m_opening.get(), &StudyOpening::curveChosen, m_files.get(), &CurveAndPictureFiles::openCurveOfPerson);
     connect(m_opening.get(), &StudyOpening::presetsChosen, m_presets.get(), &PresetControls::importFrom);
 }

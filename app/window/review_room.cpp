@@ -22,6 +22,7 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
+    connect(&m_scalpel, &ScalpelHand::nothingToCut, this, &ReviewRoom::nothingToCut);
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
                 [&panes = m_parts.panes, i] { panes.toggleMaximised(i); });

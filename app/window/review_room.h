@@ -49,6 +49,8 @@ public:
 
 signals:
     void busyChanged(bool busy);
+    /// As ScalpelHand::nothingToCut.
+    void nothingToCut();
     /// As DocumentPlanes::pointed.
     void pointed(std::optional<double> intensity);
 

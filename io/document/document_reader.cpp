@@ -1,6 +1,6 @@
 #include "io/document/document_file.h"
-#include "io/document/document_values.h"
 #include "io/input_file.h"
+#include "io/json_document.h"
 #include "io/json_values.h"
 
 namespace echolucent {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document/document_file.h"
-#include "io/document/document_values.h"
+#include "io/json_document.h"
 #include "io/json_values.h"
 #include "io/output/atomic_file.h"
 

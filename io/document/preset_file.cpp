@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/document/document_values.h"
 #include "io/input_file.h"
+#include "io/json_document.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent {

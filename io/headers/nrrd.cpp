@@ -281,12 +281,12 @@ Result<void> NrrdHeader::applySpace() {
              space != "3d-right-handed" && space != "3d-left-handed")
         return wrong("space", "is " + quotedText(*text) + ", which is not a known frame",
                      "Use left-posterior-superior, right-anterior-superior or left-anterior-superior.");
-    const bool frameOfPatient = space != "scanner-xyz" && !space.starts_with("3d-");
-    m_stored.geometry.patientFrameKnown = frameOfPatient && saysMoreThanItsAxes(m_stored.geometry.direction);
     for (int row = 0; row < 3; ++row) {
         m_stored.geometry.origin[row] *= sign[row];
         for (int axis = 0; axis < 3; ++axis) m_stored.geometry.direction(row, axis) *= sign[row];
     }
+    const bool frameOfPatient = space != "scanner-xyz" && !space.starts_with("3d-");
+    m_stored.geometry.patientFrameKnown = frameOfPatient && saysMoreThanItsAxes(m_stored.geometry.direction);
     m_stored.facts.push_back({"patient frame", space, "space"});
     return {};
 }

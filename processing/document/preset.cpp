@@ -73,14 +73,24 @@ Document withPreset(Document document, int view, const Preset& preset) {
     return document;
 }
 
+bool isMadeBy(const Document& document, int view, const Preset& preset) {
+    // The parts that a preset touches, without what may be large.
+    Document parts;
+    lookOf(parts, 1) = lookOf(document, view);
+    viewOf(parts, 1).curve = viewOf(document, view).curve;
+    parts.curves = document.curves;
+    parts.method = document.method;
+    return withPreset(parts, 1, preset) == parts;
+}
+
 std::string freePresetName(std::string name, const std::vector<std::string>& taken) {
-    name = shortened(trimmed(name), longestPresetName);
+    name = trimmed(shortened(trimmed(name), longestPresetName));
     if (name.empty()) name = "Preset";
     const auto isTaken = [&taken](const std::string& each) { return std::ranges::find(taken, each) != taken.end(); };
     std::string numbered = name;
     for (int number = 2; isTaken(numbered); ++number) {
         const std::string suffix = " (" + std::to_string(number) + ")";
-        numbered = shortened(name, longestPresetName - suffix.size()) + suffix;
+        numbered = trimmed(shortened(name, longestPresetName - suffix.size())) + suffix;
     }
     return numbered;
 }

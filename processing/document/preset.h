@@ -33,6 +33,9 @@ inline constexpr std::size_t longestPresetName = 60;
 /// curves; in another mode than direct every curve; the method where the curve is not the adaptive one.
 [[nodiscard]] Document withPreset(Document document, int view, const Preset& preset);
 
+/// Whether a view's picture is made as a preset says: whether withPreset() would change nothing.
+[[nodiscard]] bool isMadeBy(const Document& document, int view, const Preset& preset);
+
 /// What the program comes with; the first is the look and the curve that the program starts with.
 [[nodiscard]] std::span<const Preset> standardPresets();
 

@@ -12,7 +12,7 @@
 
 namespace echolucent::ray_casting {
 
-/// A grid of bricks of 4 x 4 x 4 cubes (see packed_voxels.h); brick b holds cubes 4b ... 4b+3 on each axis. They are
+/// A grid of bricks of 4 x 4 x 4 cubes (see packed_order.h); brick b holds cubes 4b ... 4b+3 on each axis. They are
 /// smaller than those of empty space, so that few samples ask for the presence of data.
 class BorderSpace {
 public:

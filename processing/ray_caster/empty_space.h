@@ -12,7 +12,7 @@
 
 namespace echolucent::ray_casting {
 
-/// A grid of bricks of 8 x 8 x 8 cubes (see packed_voxels.h); brick b holds cubes 8b ... 8b+7 on each axis.
+/// A grid of bricks of 8 x 8 x 8 cubes (see packed_order.h); brick b holds cubes 8b ... 8b+7 on each axis.
 struct BrickGrid {
     static constexpr int edge = 8, shift = 3;
     std::array<std::int64_t, 3> size{};

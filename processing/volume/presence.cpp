@@ -60,8 +60,8 @@ public:
     void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
         const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
         if (m_mask == nullptr) std::fill_n(to, count, whole);
-        const std::uint8_t* marks = m_mask + first;
-        for (std::int64_t x = 0; x < count && m_mask != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
+        const std::uint8_t* marks = m_mask == nullptr ? nullptr : m_mask + first;
+        for (std::int64_t x = 0; x < count && marks != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
         if constexpr (std::is_same_v<Voxel, float>)
             for (std::int64_t x = 0; x < count; ++x)
                 if (!std::isfinite(m_voxels[static_cast<std::size_t>(first + x)])) to[x] = 0;

@@ -6,10 +6,10 @@
 
 namespace echolucent {
 
-RowPart RowMarks::partWithin(const Range& along, const Range& slices) const {
+RowPart RowMarks::partWithin(const Range& rows, const Range& slices) const {
     RowPart part;
     for (std::int64_t z = std::max<std::int64_t>(slices[0], 0); z < std::min(slices[1], m_slices); ++z)
-        for (std::int64_t y = std::max<std::int64_t>(along[0], 0); y < std::min(along[1], m_rows); ++y)
+        for (std::int64_t y = std::max<std::int64_t>(rows[0], 0); y < std::min(rows[1], m_rows); ++y)
             part = part.joined(at(y, z));
     return part;
 }

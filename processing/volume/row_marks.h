@@ -43,7 +43,7 @@ public:
     [[nodiscard]] bool any() const { return partWithin({0, m_rows}, {0, m_slices}).any(); }
     /// What the rows [first, second) along y and along z have together; rows beyond the grid have nothing.
     using Range = std::array<std::int64_t, 2>;
-    [[nodiscard]] RowPart partWithin(const Range& along, const Range& slices) const;
+    [[nodiscard]] RowPart partWithin(const Range& rows, const Range& slices) const;
     /// The parts, and what lies up to so many voxels beside them along x, y and z.
     [[nodiscard]] RowMarks widened(const std::array<std::int64_t, 3>& voxels) const;
     /// Adds the parts of another set of the same grid.

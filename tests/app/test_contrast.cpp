@@ -1,9 +1,12 @@
-// Whether every text of the window can be read: the contrast between its colour and what it stands on, measured in what
-// the window draws, is at least 4.5 : 1 (WCAG 2.1, 1.4.3). Controls that cannot be used now need none.
+// Whether the texts of panels, menus, tabs, messages and status line can be read: the contrast between their colour and
+// what they stand on, measured in what the window draws, is at least 4.5 : 1 (WCAG 2.1, 1.4.3). Controls that cannot be
+// used now need none; texts over pictures have a dark rim of their own.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -126,7 +129,12 @@ private:
             QRect place = widget->rect();
             QString text;
             if (const auto* label = qobject_cast<QLabel*>(widget)) text = label->text();
-            if (const auto* box = qobject_cast<QComboBox*>(widget)) text = box->currentText();
+            if (const auto* box = qobject_cast<QComboBox*>(widget)) {
+                text = box->currentText();
+                place.adjust(0, 0, -24, 0);  // its arrow is no text
+            }
+            if (const auto* field = qobject_cast<QLineEdit*>(widget)) text = field->text();
+            if (const auto* list = qobject_cast<QListWidget*>(widget)) measureList(part, image, *list);
             if (const auto* button = qobject_cast<QAbstractButton*>(widget)) {
                 text = button->text();
                 if (button->isCheckable() && widget->inherits("QAbstractButton") && !widget->inherits("QPushButton") &&
@@ -139,6 +147,15 @@ private:
             if (seen.height() < place.height() || widget->visibleRegion().boundingRect().height() < widget->height())
                 continue;
             measure(image, seen, text);
+        }
+    }
+    /// The names below the pictures.
+    void measureList(const QWidget& part, const QImage& image, const QListWidget& list) {
+        const QPoint corner = list.viewport()->mapTo(&part, QPoint(0, 0));
+        for (int row = 0; row < list.count(); ++row) {
+            const QRect place = list.visualItemRect(list.item(row)).adjusted(0, list.iconSize().height(), 0, 0);
+            if (QRegion(list.viewport()->rect()).contains(place) && part.rect().contains(place.translated(corner)))
+                measure(image, place.translated(corner), list.item(row)->text());
         }
     }
     void measureTable(const QWidget& part, const QImage& image, const QTableWidget& table) {

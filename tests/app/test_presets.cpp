@@ -172,6 +172,53 @@ private slots:
                 QVERIFY(std::abs(qGray(one.pixel(x, y)) - qGray(other.pixel(x, y))) <= 2);
     }
 
+    void aFrameOfTheMotionIsPicturedAsItIsSeen() {
+        click("presets.open");
+        Document next = document();
+        next.motion.axis = MotionAxis::x;
+        window().document().edit(next, "axis");
+        window().document().showMotionAngle(40);
+        waitUntilIdle();
+        click("presets.open");
+        waitForPictures();
+        const QImage turned = pictureOf(0);
+        // The same view without the motion.
+        Document posed = document();
+        poseOf(posed, 1) = shownPose(posed, 1);
+        posed.motionAngle = 0;
+        window().document().edit(posed, "pose");
+        window().document().showMotionAngle(0);
+        waitForPictures();
+        const QImage still = pictureOf(0);
+        double apart = 0;
+        for (int y = 0; y < still.height(); ++y)
+            for (int x = 0; x < still.width(); ++x)
+                apart += std::abs(qGray(still.pixel(x, y)) - qGray(turned.pixel(x, y)));
+        // The OTF's direction may differ, the place of nothing does.
+        QVERIFY2(apart / (still.width() * still.height()) < 4.0, qPrintable(QString::number(apart)));
+    }
+
+    void closedTheGalleryKeepsNoVolume() {
+        const std::weak_ptr<const Volume> before = window().session().volume();
+        click("presets.open");
+        window().openSimulatedScan();
+        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QTRY_VERIFY(before.expired());
+    }
+
+    void theFirstIsKeptInAFolderThatIsNotThereYet() {
+        const QString folder = m_out.filePath("account/new");
+        MainWindow fresh(folder + "/settings.ini");
+        fresh.findChild<QAbstractButton*>("presets.save")->click();
+        QVERIFY2(QFile::exists(folder + "/settings-presets.json"),
+                 qPrintable(fresh.findChild<MessageBar*>("message")->text()));
+        // Another window has saved one meanwhile: both are kept.
+        MainWindow other(folder + "/settings.ini");
+        fresh.findChild<QAbstractButton*>("presets.save")->click();
+        other.findChild<QAbstractButton*>("presets.save")->click();
+        QCOMPARE(readPresets((folder + "/settings-presets.json").toStdString())->size(), 3U);
+    }
+
     void aFileThatCannotBeReadIsLeftAsItIs() {
         QFile broken(presetsFile());
         QVERIFY(broken.open(QIODevice::WriteOnly));

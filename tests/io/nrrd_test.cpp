@@ -106,6 +106,9 @@ TEST(Nrrd, ThePatientsFrameIsKnownWhereDirectionsSayMoreThanTheAxes) {
     EXPECT_TRUE(geometryOf("space: right-anterior-superior\n" + turned).patientFrameKnown);
     EXPECT_FALSE(geometryOf("space: LPS\n" + axes).patientFrameKnown);
     EXPECT_FALSE(geometryOf("space: RAS\n" + axes).patientFrameKnown);
+    // The axes of RAS, as written by programs that work in RAS and know no patient.
+    EXPECT_FALSE(geometryOf("space: LPS\nspace directions: (-2,0,0) (0,-3,0) (0,0,4)\n").patientFrameKnown);
+    EXPECT_TRUE(geometryOf("space: LPS\nspace directions: (-2,0,0) (0,3,0) (0,0,4)\n").patientFrameKnown);
     EXPECT_FALSE(geometryOf("space: scanner-xyz\n" + turned).patientFrameKnown);
     EXPECT_FALSE(geometryOf("space dimension: 3\n" + turned).patientFrameKnown);
     EXPECT_FALSE(geometryOf("spacings: 1 2 -3\n").patientFrameKnown);

@@ -61,7 +61,7 @@ private slots:
         }
     }
 
-    void aPlaneThatGoesBackToWhatItShowsIsMadeAgainOnlyWhereItHasChanged() {
+    void aPlaneThatGoesBackEndsAsWhatWasWantedLast() {
         const auto volume = someVolume();
         PlaneResampler resampler;
         std::array<std::optional<PlaneRequest>, 3> shown;

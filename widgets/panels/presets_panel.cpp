@@ -39,7 +39,8 @@ PresetsPanel::PresetsPanel(QWidget* parent) : QWidget(parent) {
     m_open->setArrowType(Qt::RightArrow);
     m_open->setCheckable(true);
     m_open->setFocusPolicy(Qt::StrongFocus);
-    m_currentName = named(secondaryLabel(), "presets.current", tr("Preset that is shown"));
+    m_currentName = secondaryLabel();
+    m_currentName->setObjectName("presets.current");
     m_gallery = new QWidget;
     createList();
     auto* save = named(new QPushButton(tr("Save as preset")), "presets.save", tr("Save as preset"),

@@ -39,7 +39,7 @@ void paintText(QPainter& painter, const QPointF& baseline, const QString& text, 
     constexpr double margin = 3.0;
     const double ratio = painter.device()->devicePixelRatioF();
     const QString key =
-        QStringLiteral("planes/%1/%2/%3/%4").arg(painter.font().key(), colour.name()).arg(ratio).arg(text);
+        QStringLiteral("planes/%1/%2/%3/%4").arg(painter.font().key(), colour.name(QColor::HexArgb)).arg(ratio).arg(text);
     QPixmap pixmap;
     if (!QPixmapCache::find(key, &pixmap)) {
         pixmap = rimmedText(painter.font(), text, colour, margin, ratio);

@@ -4,6 +4,7 @@
 #include <QToolButton>
 
 #include "tests/app/planes/room_fixture.h"
+#include "widgets/panels/message_bar.h"
 #include "widgets/volume_view/lasso_pointer.h"
 
 using namespace echolucent;
@@ -87,6 +88,14 @@ private slots:
         // What shows in the middle may lie behind the nearest that shows, by no more than the volume is deep.
         QVERIFY(behind <= limit + 2.0);
         QVERIFY(behind > limit - length(dataBox().sizeMm()));
+        // Beside the data nothing shows from which a depth could be counted, and the window says so.
+        auto* message = child<MessageBar>("message");
+        QVERIFY(!message->text().contains("Nothing shows where you drew"));
+        dragIn3d({4, centre.y()}, {24, centre.y() + 20});
+        QCOMPARE(strokes().size(), 1u);
+        QVERIFY2(message->text().contains("Nothing shows where you drew"), qPrintable(message->text()));
+        window().document().steps().undo();
+        QVERIFY(!message->text().contains("Nothing shows where you drew"));
     }
 
     void escapeDropsAStrokeThenTheScalpelThenTheRoom() {

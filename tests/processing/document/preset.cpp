@@ -34,6 +34,8 @@ TEST(Preset, GivesBackThePictureItWasMadeOf) {
             document.method.initial = initial;
             const Preset preset = presetOf(document, 1, "mine");
             EXPECT_EQ(withPreset(document, 1, preset), document) << nameOf(kind);
+            EXPECT_TRUE(isMadeBy(document, 1, preset));
+            EXPECT_FALSE(isMadeBy(Document{}, 1, preset));
             const Document other = withPreset(Document{}, 1, preset);
             const SampledCurve adaptive{{0.0, 0.5, 1.0}};
             EXPECT_EQ(curveOf(other, 1, adaptive), curveOf(document, 1, adaptive)) << nameOf(kind);
@@ -108,6 +110,7 @@ TEST(Preset, FreeNamesAreTrimmedNumberedAndWholeCharacters) {
     for (int i = 0; i < 40; ++i) umlauts += "ü";  // two bytes each
     const std::string first = freePresetName("x" + umlauts, {});
     EXPECT_EQ(first.size(), 59U);
+    EXPECT_EQ(freePresetName(std::string(59, 'x') + " y", {}), std::string(59, 'x'));
     const std::string second = freePresetName("x" + umlauts, {first});
     EXPECT_LE(second.size(), longestPresetName);
     EXPECT_TRUE(second.ends_with("ü (2)")) << second;

@@ -1,4 +1,4 @@
-#include "io/document/document_values.h"
+#include "io/json_document.h"
 
 #include "io/json_values.h"
 #include "processing/adaptive/method_parameters.h"
