@@ -124,13 +124,13 @@ void OtfEditor::makeActions() {
 }
 
 void OtfEditor::makePresets() {
-    m_presets = new QMenu(tr("Presets"), this);
+    m_presets = new QMenu(tr("Begin with"), this);
     m_presets->setObjectName("otfEditor.presets.menu");
     for (const CurvePreset& preset : curvePresets()) {
         QAction* action = m_presets->addAction(preset.name);
         action->setObjectName("otfEditor.presets." + preset.key);
         connect(action, &QAction::triggered, &m_model,
-                [this, preset] { m_model.replaceManual(preset.curve, tr("preset %1").arg(preset.name)); });
+                [this, preset] { m_model.replaceManual(preset.curve, tr("begin with %1").arg(preset.name)); });
     }
 }
 
@@ -142,8 +142,8 @@ QLayout* OtfEditor::makeToolRow() {
     auto* presets = new QToolButton;
     presets->setObjectName("otfEditor.presets");
     presets->setText(m_presets->title());
-    presets->setAccessibleName(tr("Presets of the manual curve"));
-    presets->setToolTip(tr("Begin the manual curve from a preset"));
+    presets->setAccessibleName(tr("Curves that the manual curve begins with"));
+    presets->setToolTip(tr("Begins the manual curve with one of these"));
     presets->setMenu(m_presets);
     presets->setPopupMode(QToolButton::InstantPopup);
     presets->setFocusPolicy(Qt::StrongFocus);
