@@ -21,7 +21,9 @@ std::vector<Preset> unusual() {
     presets.push_back(preset);
     preset.name = "with a method";
     preset.curve = CurveKind::adaptive;
-    preset.method = MethodChoice{.initial = InitialKind::manual, .initialScale = 1.0 / 7.0};
+    preset.method = MethodChoice{};
+    preset.method->initial = InitialKind::manual;
+    preset.method->initialScale = 1.0 / 7.0;
     preset.method->config.curve = ProductRule{.strength = 20.0 / 3.0};
     presets.push_back(preset);
     return presets;
