@@ -16,9 +16,9 @@ namespace echolucent {
 /// Cuts volumes of one grid, such as the phases of a study, by lists of strokes. A voxel is cut where a stroke cuts its
 /// centre (cutsAway()). For each voxel the first stroke that cuts it is kept, one byte each, and for each stroke the
 /// parts of rows that it cuts: a stroke more is carried through what it reaches, a stroke less, or one of them again,
-/// changes these parts of the mask alone. Kept are a byte a voxel, and 8 bytes a row of voxels for each stroke (2 MiB in a
-/// volume of 512 x 512 x 512). Where a call throws for want of memory, the object is to be made anew. Only one thread at
-/// a time may use it.
+/// changes these parts of the mask alone. Kept are a byte a voxel, and 8 bytes a row of voxels for each stroke (2 MiB
+/// in a volume of 512 x 512 x 512). Where a call throws for want of memory, the object is to be made anew. Only one
+/// thread at a time may use it.
 class ScalpelCuts {
 public:
     explicit ScalpelCuts(const VolumeGeometry& geometry);
@@ -26,9 +26,10 @@ public:
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
     /// The scan, of which other strokes may have been cut before, with these strokes cut. Voxels that the scan does not
     /// hold stay no data, and the data box stays the scan's. The result is empty only where progress.cancel was raised
-    /// (it is polled in every slice of a new stroke), and has the same bits for any number of threads and whatever was cut before.
-    /// Scans that hold the same voxels share one mask of the same strokes, where they are cut one after another.
-    /// Throws std::invalid_argument for a volume of another size and for a stroke that has a problem (problemOf()).
+    /// (it is polled in every slice of a new stroke), and has the same bits for any number of threads and whatever was
+    /// cut before. Scans that hold the same voxels share one mask of the same strokes, where they are cut one after
+    /// another. Throws std::invalid_argument for a volume of another size and for a stroke that has a problem
+    /// (problemOf()).
     [[nodiscard]] std::optional<Volume> cut(const Volume& scan, std::span<const ScalpelStroke> strokes,
                                             const Progress& progress = {});
 
