@@ -38,8 +38,10 @@ QPixmap rimmedText(const QFont& font, const QString& text, const QColor& colour,
 void paintText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour) {
     constexpr double margin = 3.0;
     const double ratio = painter.device()->devicePixelRatioF();
-    const QString key =
-        QStringLiteral("planes/%1/%2/%3/%4").arg(painter.font().key(), colour.name(QColor::HexArgb)).arg(ratio).arg(text);
+    const QString key = QStringLiteral("planes/%1/%2/%3/%4")
+                            .arg(painter.font().key(), colour.name(QColor::HexArgb))
+                            .arg(ratio)
+                            .arg(text);
     QPixmap pixmap;
     if (!QPixmapCache::find(key, &pixmap)) {
         pixmap = rimmedText(painter.font(), text, colour, margin, ratio);
@@ -152,8 +154,7 @@ void PlanePane::paintWords(QPainter& painter) const {
     painter.setFont(font);
     const QFontMetricsF metrics(font);
     const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
-    const QString place =
-        (m_scene->lengthsKnown ? tr("%1 mm") : tr("%1 mm (guess)")).arg(mm, 0, 'f', 1);
+    const QString place = (m_scene->lengthsKnown ? tr("%1 mm") : tr("%1 mm (guess)")).arg(mm, 0, 'f', 1);
     paintText(painter, {10, height() - 10.0}, QString(place).replace(QLatin1Char('-'), QChar(0x2212)), words);
     const std::array<QPointF, 4> places{
         QPointF(8, height() / 2.0),
