@@ -34,42 +34,36 @@ Result<void> requireMemory(const std::string& file, const std::string& element, 
                 "Open it on a larger machine, or a smaller part of it.");
 }
 
-InputFile::InputFile(std::string path, int descriptor, std::uint64_t size)
-    : m_path(std::move(path)), m_descriptor(descriptor), m_size(size) {}
+/// Closes what it owns.
+struct InputFile::Descriptor {
+    explicit Descriptor(int owned) : number(owned) {}
+    ~Descriptor() { close(number); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number;
+};
 
-InputFile::InputFile(InputFile&& other) noexcept
-    : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)), m_size(other.m_size) {}
-
-InputFile& InputFile::operator=(InputFile&& other) noexcept {
-    std::swap(m_path, other.m_path);
-    std::swap(m_descriptor, other.m_descriptor);
-    std::swap(m_size, other.m_size);
-    return *this;
-}
-
-InputFile::~InputFile() {
-    if (m_descriptor >= 0) close(m_descriptor);
-}
+InputFile::InputFile(std::string path, std::shared_ptr<const Descriptor> descriptor, std::uint64_t size)
+    : m_path(std::move(path)), m_descriptor(std::move(descriptor)), m_size(size) {}
 
 Result<InputFile> InputFile::open(const std::string& path) {
     // O_NONBLOCK keeps a named pipe without a writer from holding the program; regular files ignore it.
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
+    const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (number < 0)
         return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),
                     "Check the name and the permissions.");
-    InputFile file(path, descriptor, 0);
+    auto descriptor = std::make_shared<const Descriptor>(number);
     struct stat status {};
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    if (fstat(number, &status) != 0 || !S_ISREG(status.st_mode))
         return fail(FailureKind::unreadable, path, "", "is not a file that can be read", "Check the name.");
-    file.m_size = static_cast<std::uint64_t>(status.st_size);
-    return file;
+    return InputFile(path, std::move(descriptor), static_cast<std::uint64_t>(status.st_size));
 }
 
 Result<void> InputFile::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
     std::size_t done = 0;
     while (done < bytes.size()) {
         const ssize_t count =
-            pread(m_descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+            pread(m_descriptor->number, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0)
             return fail(FailureKind::unreadable, m_path, "", std::string("could not be read: ") + std::strerror(errno));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,17 +22,11 @@ namespace echolucent {
 /// `bytes` is more than this machine's memory.
 [[nodiscard]] Result<void> requireMemory(const std::string& file, const std::string& element, std::uint64_t bytes);
 
-/// A regular file opened for reading.
+/// A regular file opened for reading. Copies share what is open.
 class InputFile {
 public:
     /// Opens the file at `path`. Fails (unreadable) where it cannot be opened or is no regular file.
     [[nodiscard]] static Result<InputFile> open(const std::string& path);
-    InputFile(InputFile&& other) noexcept;
-    InputFile& operator=(InputFile&& other) noexcept;
-    InputFile(const InputFile&) = delete;
-    InputFile& operator=(const InputFile&) = delete;
-    ~InputFile();
-
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     /// Fills `bytes` with what the file holds from byte `offset` on. Fails where the file ends before. May be called
@@ -41,9 +36,10 @@ public:
     [[nodiscard]] Result<std::string> beginning(std::size_t limit) const;
 
 private:
-    InputFile(std::string path, int descriptor, std::uint64_t size);
+    struct Descriptor;
+    InputFile(std::string path, std::shared_ptr<const Descriptor> descriptor, std::uint64_t size);
     std::string m_path;
-    int m_descriptor = -1;
+    std::shared_ptr<const Descriptor> m_descriptor;
     std::uint64_t m_size = 0;
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include <fmt/format.h>
 
+#include "processing/beam/probe_view.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {
@@ -55,9 +57,40 @@ ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warni
     return whiteFromData(measured, warnings);
 }
 
-Volume withGuess(Volume volume, const ReadOptions& options) {
-    if (!options.guessNoData) return volume;
-    return volume.withDataMask(guessDataMask(volume));
+/// The volume with the mask that its format knows, else with a guess where one is wanted. What is not finite is no data
+/// in any case.
+Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
+    if (parts.dataMask) {
+        if (volume.dataMask().empty()) return volume.withDataMask(parts.dataMask);
+        std::vector<std::uint8_t> both = volume.dataMask();
+        std::transform(both.begin(), both.end(), parts.dataMask->begin(), both.begin(), std::bit_and<>());
+        return volume.withDataMask(std::move(both));
+    }
+    return options.guessNoData ? volume.withDataMask(guessDataMask(volume)) : volume;
+}
+
+std::string maskSource(const StudyParts& parts, const ReadOptions& options) {
+    if (parts.dataMask) return parts.dataMaskSource + "; or not finite";
+    return options.guessNoData ? "guess: 0 and connected to the border; or not finite"
+                               : "only voxels that are not finite";
+}
+
+std::string vectorText(const Vec3& vector) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", vector[0], vector[1], vector[2]);
+}
+
+/// What the file says of the probe, in words. What the echo says is found after reading.
+void addProbeFacts(const StudyParts& parts, Study& study) {
+    if (!parts.probe) return;
+    const Viewpoint view = viewFromProbe(*parts.probe);
+    const bool leans = view.azimuthDegrees != 0.0 || view.elevationDegrees != 0.0;
+    study.facts.push_back({"beam",
+                           std::string(nameOf(view.beamAxis)) + " of the voxel grid" +
+                               (leans ? ", leaning: direction " + vectorText(parts.probe->forward) : ""),
+                           parts.probeSource});
+    if (parts.probe->apexMm)
+        study.facts.push_back(
+            {"apex of the beams", vectorText(*parts.probe->apexMm) + " mm from the first voxel", parts.probeSource});
 }
 
 /// One box for all phases, so that the picture of a beating heart keeps still.
@@ -182,11 +215,12 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.facts = std::move(parts.facts);
     study.warnings = std::move(parts.warnings);
 
+    if (parts.probe) parts.geometry.probe = parts.probe;
     const ChosenWhite white = chooseWhite(parts, study.warnings);
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
-        study.phases.push_back(
-            std::make_shared<const Volume>(withGuess(Volume(parts.geometry, std::move(voxels), white.level), options)));
+        study.phases.push_back(std::make_shared<const Volume>(
+            withMask(Volume(parts.geometry, std::move(voxels), white.level), parts, options)));
         progress.at(0.9 +
                     0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
     }
@@ -196,8 +230,8 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
     addPhaseFacts(parts, study);
     study.facts.push_back({"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
-                           options.guessNoData ? "guess: 0 and connected to the border; or not finite"
-                                               : "only voxels that are not finite"});
+                           maskSource(parts, options)});
+    addProbeFacts(parts, study);
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
     if (!parts.geometry.spacingKnown)
         study.warnings.push_back("The spacing of the voxels is unknown; " + spacingText(parts.geometry.spacing) +

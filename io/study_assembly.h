@@ -27,6 +27,12 @@ struct StudyParts {
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;       ///< key or tag that gave whiteLevel
     std::optional<WindowWhite> window;  ///< asked where whiteLevel is not given and voxels have more than 8 bits
+    /// Which voxels are data (one byte a voxel, 1 is data), for all phases, where the format knows what was scanned: no
+    /// guess is made then. Null where it does not.
+    Volume::SharedMask dataMask;
+    std::string dataMaskSource;        ///< what gave dataMask: "geometry of the sweep"
+    std::optional<StatedProbe> probe;  ///< where the file says where the probe was
+    std::string probeSource;           ///< tags or items that gave it
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< key or tag of the time between phases
     bool lossyCompressed = false;

@@ -104,7 +104,7 @@ Result<Study> readFile(const std::string& path, const ReadOptions& options, cons
             if (!stored) return tl::unexpected(stored.error());
             return readStoredVolume(std::move(*stored), options, progress);
         }
-        case Format::dicom: return readDicom(path, options, progress);
+        case Format::dicom: return readDicom(*file, options, progress);
         case Format::unknown: break;
     }
     return readUnknown(path, *beginning, options, progress);
@@ -119,7 +119,7 @@ Result<Study> readStudy(const std::string& path, const ReadOptions& options, con
         if (!std::filesystem::exists(path, error))
             return fail(FailureKind::unreadable, path, "", "does not exist", "Check the name.");
         if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
-        return std::filesystem::is_directory(path, error) ? readDicom(path, options, progress)
+        return std::filesystem::is_directory(path, error) ? readDicomFolder(path, options, progress)
                                                           : readFile(path, options, progress);
     } catch (const std::bad_alloc&) {
         return fail(FailureKind::unreadable, path, "", "needs more memory than there is",

@@ -18,6 +18,7 @@ QString beamLine(const Beam& beam, bool simulated) {
         case BeamSource::assumed: return tr("beam %1, assumed").arg(axis);
         case BeamSource::sectorShape: return tr("beam %1, from the shape of the sector").arg(axis);
         case BeamSource::echo: return tr("beam %1, from the echo").arg(axis);
+        case BeamSource::file: return tr("beam %1, seen from the probe as the file says").arg(axis);
         case BeamSource::person: break;
     }
     return tr("beam %1").arg(axis);

@@ -102,7 +102,7 @@ void PictureControls::setBeamAxis(BeamAxis axis) {
 
 void PictureControls::resetView() {
     edit(tr("reset view"), [this](Document& next) {
-        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = next.beam.axis});
+        poseOf(next, view()) = m_parts.picture.wholeVolume(viewAlongBeam(next.beam));
     });
 }
 
@@ -118,7 +118,7 @@ void PictureControls::resetAll(const Document& opened) {
         boxOf(next, view()) = boxOf(opened, view());
         planesOf(next, view()) = planesOf(opened, view());
         strokesOf(next, view()) = strokesOf(opened, view());
-        const Viewpoint alongBeam{.beamAxis = next.beam.axis};
+        const Viewpoint alongBeam = viewAlongBeam(next.beam);
         const VolumeViewWidget& picture = m_parts.picture;
         poseOf(next, view()) = picture.volume() ? picture.wholeVolume(alongBeam, picture.volume()->dataBox())
                                                 : picture.wholeVolume(alongBeam);

@@ -47,7 +47,7 @@ Session::Session(QObject* parent)
 }
 
 void Session::open(const QString& path, const ReadOptions& options) {
-    const StudyFile file{.path = path.toStdString(), .series = {}, .options = options, .checksum = {}};
+    const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
     load(file, [file](const Progress& progress) { return readStudy(file.path, file.options, progress); });
 }
 

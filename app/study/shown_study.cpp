@@ -84,7 +84,7 @@ void ShownStudy::takeVolume() {
         Document opened = openedDocument(m_parts.model.document(), session.reference());
         const DataBox& box = session.volume()->dataBox();
         const auto showWhole = [&](Document& document) {
-            const Viewpoint alongBeam{.beamAxis = document.beam.axis};
+            const Viewpoint alongBeam = viewAlongBeam(document.beam);
             for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
         };
         showWhole(opened);

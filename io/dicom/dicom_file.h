@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/dicom/dicom_scan.h"
+#include "io/input_file.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 
@@ -16,9 +17,11 @@ namespace echolucent {
 /// A file as DCMTK has parsed it, and what the scan before that has seen.
 class DicomFile {
 public:
-    /// Scans and parses the file at `path`; where `headerOnly` is set, parsing stops before the pixel data. `progress`
+    /// Scans and parses an opened file; where `headerOnly` is set, parsing stops before the pixel data. `progress`
     /// is polled for cancel between elements. Fails where the file is damaged, is no image that can be read, or where
     /// the person cancelled.
+    [[nodiscard]] static Result<DicomFile> load(const InputFile& input, bool headerOnly, const Progress& progress);
+    /// The same for the file at `path`, which it opens.
     [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly, const Progress& progress);
     DicomFile(DicomFile&&) noexcept;
     DicomFile& operator=(DicomFile&&) noexcept;

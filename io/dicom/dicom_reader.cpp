@@ -3,7 +3,6 @@
 #include <pthread.h>
 
 #include <exception>
-#include <filesystem>
 #include <functional>
 
 #include "io/dicom/dicom_study.h"
@@ -64,17 +63,18 @@ bool looksLikeDicom(std::string_view beginning) {
     return little && byte(3) <= 0x01 && byte(5) == 0 && byte(6) == 0 && byte(7) == 0 && byte(4) > 0 && byte(4) % 2 == 0;
 }
 
-Result<Study> readDicom(const std::string& path, const ReadOptions& options, const Progress& progress) {
-    Result<Study> study = fail(FailureKind::unreadable, path, "", "was not read");
+Result<Study> readDicom(const InputFile& file, const ReadOptions& options, const Progress& progress) {
+    Result<Study> study = fail(FailureKind::unreadable, file.path(), "", "was not read");
     runWithLargeStack([&] {
-        std::error_code error;
-        if (std::filesystem::is_directory(path, error)) {
-            study = readSeriesFolder(path, options, progress);
-            return;
-        }
-        const auto file = DicomFile::load(path, false, progress);
-        study = file ? readMultiframe(*file, options, progress) : Result<Study>(tl::unexpected(file.error()));
+        const auto loaded = DicomFile::load(file, false, progress);
+        study = loaded ? readMultiframe(*loaded, options, progress) : Result<Study>(tl::unexpected(loaded.error()));
     });
+    return study;
+}
+
+Result<Study> readDicomFolder(const std::string& path, const ReadOptions& options, const Progress& progress) {
+    Result<Study> study = fail(FailureKind::unreadable, path, "", "was not read");
+    runWithLargeStack([&] { study = readSeriesFolder(path, options, progress); });
     return study;
 }
 

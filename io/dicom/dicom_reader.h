@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/input_file.h"
 #include "io/study.h"
 
 namespace echolucent {
@@ -11,8 +12,11 @@ namespace echolucent {
 /// Whether the beginning of a file looks like DICOM, with or without preamble and meta header.
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
 
-/// Reads the DICOM file at `path`, or the series with most slices in the folder at `path`. No type of the DICOM library
+/// Reads an opened DICOM file. No type of the DICOM library
 /// crosses this line. `progress` is polled for cancel between files, elements and frames.
-[[nodiscard]] Result<Study> readDicom(const std::string& path, const ReadOptions& options, const Progress& progress);
+[[nodiscard]] Result<Study> readDicom(const InputFile& file, const ReadOptions& options, const Progress& progress);
+/// Reads the series that the options name, else the one with most slices, of the folder at `path`.
+[[nodiscard]] Result<Study> readDicomFolder(const std::string& path, const ReadOptions& options,
+                                            const Progress& progress);
 
 }  // namespace echolucent

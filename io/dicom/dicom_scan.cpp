@@ -318,12 +318,11 @@ bool Walk::enterIfItem(std::uint32_t length) {
 
 }  // namespace
 
-Result<DicomScan> scanDicom(const std::string& path, const Progress& progress) {
-    const auto file = InputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
+Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress) {
+    const std::string& path = file.path();
     DicomScan scan;
-    scan.fileSize = file->size();
-    if (!Walk(*file, scan).run(progress))
+    scan.fileSize = file.size();
+    if (!Walk(file, scan).run(progress))
         return fail(
             FailureKind::unreadable, path, "",
             fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence),

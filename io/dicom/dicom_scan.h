@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "io/input_file.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 
@@ -23,9 +24,9 @@ struct DicomScan {
 /// level and runs out of stack in the thousands.
 constexpr int deepestSequence = 64;
 
-/// Walks the file's elements. Fails only where sequences are nested too deep, where the file cannot be opened, or where
-/// the person cancelled, for which `progress` is polled at every element. Whatever else is wrong with the file is left
-/// for the DICOM library to name.
-[[nodiscard]] Result<DicomScan> scanDicom(const std::string& path, const Progress& progress);
+/// Walks the elements of an opened file. Fails only where sequences are nested too deep, or where the person cancelled,
+/// for which `progress` is polled at every element. Whatever else is wrong with the file is left for the DICOM library
+/// to name.
+[[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress);
 
 }  // namespace echolucent

@@ -23,7 +23,7 @@ StudyReference studyIn(JsonFields root) {
     JsonFields fields = study.object("file");
     StudyFile file;
     file.path = fields.text("path");
-    file.series = fields.text("series");
+    file.options.series = fields.text("series");
     if (!fields.isNull("raw_layout")) {
         JsonFields layout = fields.object("raw_layout");
         file.options.raw = rawLayoutIn(layout);
@@ -147,6 +147,8 @@ Document documentIn(JsonFields root) {
     document.study = studyIn(root);
     JsonFields beam = root.object("beam");
     document.beam = {beam.choice("axis", &beamAxisFromName), beam.choice("source", &beamSourceFromName)};
+    // Documents of the first weeks know no lean.
+    if (beam.has("lean")) document.beam.lean = directionIn(beam.object("lean"));
     document.views = viewsIn(root);
     document.poses = listIn(root, "poses", &poseIn);
     document.cuts = listIn(root, "cuts", &cutIn);

@@ -19,7 +19,7 @@ ordered_json studyJson(const StudyReference& study) {
         if (file->options.raw) raw = rawLayoutJson(*file->options.raw);
         return {{"file",
                  {{"path", file->path},
-                  {"series", file->series},
+                  {"series", file->options.series},
                   {"raw_layout", raw},
                   {"frames_as_slices", file->options.framesAsSlices},
                   {"guess_no_data", file->options.guessNoData},
@@ -146,7 +146,9 @@ ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
 std::string jsonOf(const Document& document) {
     ordered_json object{{"format", "echolucent-document"}, {"version", 1}};
     object["study"] = studyJson(document.study);
-    object["beam"] = {{"axis", nameOf(document.beam.axis)}, {"source", nameOf(document.beam.source)}};
+    object["beam"] = {{"axis", nameOf(document.beam.axis)},
+                      {"source", nameOf(document.beam.source)},
+                      {"lean", directionJson(document.beam.lean)}};
     object["views"] = viewsJson(document.views);
     object["poses"] = listJson(document.poses, &poseJson);
     object["cuts"] = listJson(document.cuts, &cutJson);

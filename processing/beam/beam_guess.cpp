@@ -6,6 +6,7 @@
 
 #include "processing/beam/coarse_echo.h"
 #include "processing/beam/echo_along_axes.h"
+#include "processing/beam/probe_view.h"
 #include "processing/beam/sector_shape.h"
 #include "processing/choice_names.h"
 
@@ -13,7 +14,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr ChoiceNames<3> evidenceNames{"none", "sector shape", "echo"};
+constexpr ChoiceNames<4> evidenceNames{"none", "sector shape", "echo", "file"};
 
 // The thresholds stand between what scans with a known beam reach and what scans without any trace of it reach;
 // docs/beam.md has both.
@@ -117,6 +118,9 @@ std::optional<BeamEvidence> beamEvidenceFromName(std::string_view name) {
 }
 
 std::optional<BeamGuess> guessBeamAxis(const Volume& volume, const Progress& progress) {
+    if (const auto& probe = volume.geometry().probe)
+        return sureGuess({viewFromProbe(*probe).beamAxis, 1.0, true, "the file says where the probe was"},
+                         BeamEvidence::file);
     const auto coarse = coarseEchoOf(volume, progress);
     if (!coarse) return std::nullopt;
     const Lead shape = leadOfShape(*coarse);

@@ -1,4 +1,5 @@
-// Where the probe was, where no file says it: the beam axis from the shape of the scanned sector, else from the echo.
+// Along which grid axis sound travelled: what the file says, else what the shape of the scanned sector says, else what
+// the echo says.
 #pragma once
 
 #include <optional>
@@ -11,13 +12,14 @@
 
 namespace echolucent {
 
-/// What a guess of the beam axis rests on.
+/// What a beam axis rests on.
 enum class BeamEvidence {
     none,         ///< nothing speaks clearly for one axis
     sectorShape,  ///< the data widen away from the probe between straight edges
     echo,         ///< the echo of one tissue falls with depth, or shadows lie behind bright places
+    file,         ///< the file says where the probe was (VolumeGeometry::probe): nothing was guessed
 };
-/// "none", "sector shape", "echo".
+/// "none", "sector shape", "echo", "file".
 [[nodiscard]] std::string_view nameOf(BeamEvidence evidence);
 [[nodiscard]] std::optional<BeamEvidence> beamEvidenceFromName(std::string_view name);
 
@@ -31,7 +33,8 @@ struct BeamGuess {
     friend bool operator==(const BeamGuess&, const BeamGuess&) = default;
 };
 
-/// Guesses the beam axis of a volume (docs/beam.md says how, and when it is unsure). It costs about one pass over the
+/// The beam axis of a volume: the one nearest to what its file says of the probe, else a guess (docs/beam.md says how,
+/// and when it is unsure). A guess costs about one pass over the
 /// voxels, and is the same for any number of threads. The result is empty only where the run was cancelled.
 [[nodiscard]] std::optional<BeamGuess> guessBeamAxis(const Volume& volume, const Progress& progress = {});
 

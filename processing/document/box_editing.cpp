@@ -41,7 +41,7 @@ Document withBox(Document document, int view, const Box& box) {
     if (box.on && (!before.on || looksInAnew)) document.method.direction = directionFrom(box.front, box, beam);
     // Without a box the tube cores look along the beam again, unless a person has chosen another way since.
     if (!box.on && before.on && document.method.direction == directionFrom(before.front, before, beam))
-        document.method.direction = ViewDirection{};
+        document.method.direction = document.beam.lean;
     return document;
 }
 

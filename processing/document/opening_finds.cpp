@@ -3,12 +3,20 @@
 #include <cmath>
 #include <utility>
 
+#include "processing/beam/probe_view.h"
+
 namespace echolucent {
 
 namespace {
 
 BeamSource sourceOf(BeamEvidence evidence) {
-    return evidence == BeamEvidence::sectorShape ? BeamSource::sectorShape : BeamSource::echo;
+    switch (evidence) {
+        case BeamEvidence::file: return BeamSource::file;
+        case BeamEvidence::sectorShape: return BeamSource::sectorShape;
+        case BeamEvidence::echo:
+        case BeamEvidence::none: break;
+    }
+    return BeamSource::echo;
 }
 
 }  // namespace
@@ -17,15 +25,17 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
     auto beam = guessBeamAxis(volume, progress);
     if (!beam) return std::nullopt;
     OpeningFinds finds{.beam = std::move(*beam)};
+    if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
     if (!finds.beam.sure) return finds;
-    finds.cut = findNearCut(volume, Viewpoint{.beamAxis = finds.beam.axis}, progress);
+    finds.cut = findNearCut(volume, viewpointOf(finds.beam.axis, finds.lean, 0.0), progress);
     if (!finds.cut) return std::nullopt;
     return finds;
 }
 
 Document withFinds(Document document, const OpeningFinds& finds) {
     if (!finds.beam.sure) return document;
-    document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence)};
+    document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
+    document.method.direction = finds.lean;
     if (!finds.cut || !finds.cut->sure || finds.cut->answer != NearCutAnswer::wallBeforeFluid) return document;
     for (Shared<Cut>& cut : document.cuts)
         cut.value = {.nearCutMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = CutSource::found};

@@ -14,6 +14,7 @@ namespace echolucent {
 /// Each with its own confidence.
 struct OpeningFinds {
     BeamGuess beam;
+    ViewDirection lean{};                 ///< of the beam against its axis, where the file says so
     std::optional<NearCutFinding> cut{};  ///< looked for along a sure beam only: nobody cuts along another
 };
 
@@ -22,7 +23,7 @@ struct OpeningFinds {
 [[nodiscard]] std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress = {});
 
 /// The document with the finds that are sure: the beam, and along a sure beam the flat cut (rounded to 0.1 mm, as
-/// people set it). Its poses stay as they are. What is not sure stays as it is.
+/// people set it). Tube cores look along the beam; poses stay as they are. What is not sure stays as it is.
 [[nodiscard]] Document withFinds(Document document, const OpeningFinds& finds);
 
 }  // namespace echolucent

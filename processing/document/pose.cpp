@@ -5,7 +5,7 @@
 namespace echolucent {
 
 namespace {
-constexpr ChoiceNames<4> beamSourceNames{"assumed", "sector shape", "echo", "person"};
+constexpr ChoiceNames<5> beamSourceNames{"assumed", "sector shape", "echo", "person", "file"};
 
 /// Height of the picture at magnification 1, mm.
 double fittedHeightMm(const DataBox& box, BeamAxis beam, double aspect) {
@@ -23,6 +23,8 @@ std::optional<BeamSource> beamSourceFromName(std::string_view name) {
 Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm) {
     return {beam, direction.azimuth, direction.elevation, direction.roll, nearCutMm};
 }
+
+Viewpoint viewAlongBeam(const Beam& beam) { return viewpointOf(beam.axis, beam.lean, 0.0); }
 
 ViewDirection directionOf(const Viewpoint& viewpoint) {
     return {viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};

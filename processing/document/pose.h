@@ -16,20 +16,14 @@ enum class BeamSource {
     sectorShape,  ///< found on opening: the scanned sector widens along it
     echo,         ///< found on opening: the echo falls along it, or shadows lie along it behind bright places
     person,       ///< chosen in the program
+    file,         ///< the file says where the probe was
 };
-/// "assumed", "sector shape", "echo", "person".
+/// "assumed", "sector shape", "echo", "person", "file".
 [[nodiscard]] std::string_view nameOf(BeamSource source);
 [[nodiscard]] std::optional<BeamSource> beamSourceFromName(std::string_view name);
 
-/// The way along which sound travelled: the default view direction.
-struct Beam {
-    BeamAxis axis = BeamAxis::plusZ;
-    BeamSource source = BeamSource::assumed;
-    friend bool operator==(const Beam&, const Beam&) = default;
-};
-
-/// A direction of looking, relative to the beam: the angles of Viewpoint, degrees. Where all are 0, it is along the
-/// beam.
+/// A direction of looking, relative to the beam axis: the angles of Viewpoint, degrees. Where all are 0, it is along
+/// that axis.
 struct ViewDirection {
     double azimuth = 0.0;
     double elevation = 0.0;  ///< [-90, 90]
@@ -37,8 +31,16 @@ struct ViewDirection {
     friend bool operator==(const ViewDirection&, const ViewDirection&) = default;
 };
 
-/// A camera. The default shows all data, seen along the beam. What is data is a box (Volume::dataBox()), and not the
-/// whole grid: a sector often leaves much of its grid empty.
+/// The way along which sound travelled: the default view direction, seen from the probe.
+struct Beam {
+    BeamAxis axis = BeamAxis::plusZ;
+    BeamSource source = BeamSource::assumed;
+    ViewDirection lean{};  ///< of the beam itself, where a file says that it leans against its axis
+    friend bool operator==(const Beam&, const Beam&) = default;
+};
+
+/// A camera. The default shows all data, seen along the beam axis. What is data is a box (Volume::dataBox()), and not
+/// the whole grid: a sector often leaves much of its grid empty.
 struct Pose {
     ViewDirection direction;
     Vec3 offsetMm{0, 0, 0};      ///< from the data box's centre to the point seen at the picture's centre, grid mm
@@ -46,6 +48,8 @@ struct Pose {
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// The view from the probe, whole and uncut.
+[[nodiscard]] Viewpoint viewAlongBeam(const Beam& beam);
 /// A view's direction, beam and near cut (mm behind the volume's foremost point along the view, >= 0) in one value.
 [[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm);
 [[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);

@@ -27,6 +27,7 @@ struct ReadOptions {
     std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
     bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
     bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
+    std::string series{};  ///< DICOM series instance UID of the series to be read; empty: the one with most slices
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

@@ -14,7 +14,6 @@ namespace echolucent {
 /// A study in a file, or in a folder of DICOM slices.
 struct StudyFile {
     std::string path;
-    std::string series;  ///< DICOM series instance UID; empty where the file or folder holds one series
     ReadOptions options;
     std::string checksum;  ///< of the bytes that were read, with its algorithm in front; empty where it is not known
     friend bool operator==(const StudyFile&, const StudyFile&) = default;

@@ -87,10 +87,14 @@ double Volume::normalisedIntensity(std::int64_t offset) const {
 }
 
 Volume Volume::withDataMask(std::vector<std::uint8_t> mask) const {
-    if (!mask.empty() && mask.size() != static_cast<std::size_t>(m_geometry.voxelCount()))
+    return withDataMask(std::make_shared<const std::vector<std::uint8_t>>(std::move(mask)));
+}
+
+Volume Volume::withDataMask(SharedMask mask) const {
+    if (!mask->empty() && mask->size() != static_cast<std::size_t>(m_geometry.voxelCount()))
         throw std::invalid_argument("Volume: the data mask does not match the size");
     Volume marked = *this;
-    marked.m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(std::move(mask));
+    marked.m_dataMask = std::move(mask);
     marked.m_scannedMask = marked.m_dataMask;
     marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
     return marked;

@@ -14,6 +14,7 @@
 
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
+#include "processing/volume/stated_probe.h"
 #include "processing/volume/voxels.h"
 
 namespace echolucent {
@@ -28,6 +29,7 @@ struct VolumeGeometry {
     bool spacingKnown = true;  ///< where false, the spacing is a guess: the picture must say so, and no length in mm
                                ///< may be shown as a fact
     bool patientFrameKnown = false;  ///< whether `direction` was stated for a patient; else it is the grid's own frame
+    std::optional<StatedProbe> probe{};  ///< where the file says where the probe was
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
     /// Offset of voxel (x,y,z) in the voxel array.
@@ -120,6 +122,8 @@ public:
     [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
     /// One byte a voxel, shared.
     using SharedMask = std::shared_ptr<const std::vector<std::uint8_t>>;
+    /// The same with a mask that the phases of a study share; it is not null.
+    [[nodiscard]] Volume withDataMask(SharedMask mask) const;
     /// A volume that shares these voxels, of which a scalpel left as data what the mask marks: one byte a voxel, and
     /// none marked that scannedMask() does not mark. Null takes the cut back. The scan's own mask and the data box
     /// stay, so that the picture keeps still.

@@ -210,7 +210,7 @@ TEST(DicomLimits, CancelEndsScanAndParsing) {
     writeDicom(folder.file("v"), cine(2));
     std::atomic<bool> cancel{true};
     const Progress progress{{}, &cancel};
-    const auto scan = scanDicom(folder.file("v"), progress);
+    const auto scan = scanDicom(*InputFile::open(folder.file("v")), progress);
     ASSERT_FALSE(scan);
     EXPECT_EQ(scan.error().kind, FailureKind::cancelled);
     const auto file = DicomFile::load(folder.file("v"), false, progress);

@@ -29,7 +29,7 @@ std::vector<ScalpelStroke> unusualStrokes() {
 Document unusual() {
     Document document;
     StudyFile file{
-        .path = "/data/a \"study\" \\ with ümlauts.dcm", .series = "1.2.840.1", .options = {}, .checksum = "x"};
+        .path = "/data/a \"study\" \\ with ümlauts.dcm", .options = {.series = "1.2.840.1"}, .checksum = "x"};
     file.options.raw = RawLayout{{20, 21, 22}, "int16", true, 352, {0.1, 1.0 / 3.0, 2e-7}, true};
     file.options.framesAsSlices = true;
     file.options.guessNoData = false;

@@ -1,0 +1,18 @@
+// Where the probe was, where a file says it.
+#pragma once
+
+#include <optional>
+
+#include "processing/volume/geometry.h"
+
+namespace echolucent {
+
+/// What a file says of the probe, in grid mm (ARCHITECTURE.md, "Coordinates and units").
+struct StatedProbe {
+    Vec3 forward{0, 0, 1};         ///< mean direction of sound, a unit vector
+    Vec3 down{0, 1, 0};            ///< what points down in the picture seen from the probe: unit, not along forward
+    std::optional<Vec3> apexMm{};  ///< where the beams meet; it may lie outside the grid; none where they are parallel
+    friend bool operator==(const StatedProbe&, const StatedProbe&) = default;
+};
+
+}  // namespace echolucent
