@@ -60,7 +60,7 @@ struct VolumeOptions {
 /// The beam axis of a command, and where it is from.
 struct ChosenBeam {
     BeamAxis axis = BeamAxis::plusZ;
-    std::string source = "assumed";    ///< "option", "sector shape", "echo" or "assumed"
+    std::string source = "assumed";    ///< "option", "file", "sector shape", "echo" or "assumed"
     std::optional<double> confidence;  ///< [0,1] of a guess; no value where nothing was guessed
     std::string sentence;              ///< of a guess; else it is empty
 };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "io/import_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/beam/beam_guess.h"
 
@@ -71,7 +72,7 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
                       {"confidence", guess.confidence},
                       {"sentence", guess.sentence}};
     object["facts"] = ordered_json::array();
-    for (const ImportFact& fact : study.facts)
+    for (const ImportFact& fact : importReport(study, guess))
         object["facts"].push_back({{"name", fact.name}, {"value", fact.value}, {"source", fact.source}});
     object["warnings"] = study.warnings;
     return object;
@@ -83,16 +84,11 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     const auto line = [&](const std::string& name, const std::string& value, const std::string& source) {
         text += fmt::format("  {:<28} {}{}\n", name, value, source.empty() ? "" : "  [" + source + "]");
     };
-    for (const ImportFact& fact : study.facts) line(fact.name, fact.value, fact.source);
+    const BeamGuess guess = *guessBeamAxis(volume);
+    for (const ImportFact& fact : importReport(study, guess)) line(fact.name, fact.value, fact.source);
     if (study.phases.size() > 1) line("phase shown below", std::to_string(phase), "--phase");
     line("stored values", range.dataVoxels > 0 ? fmt::format("{} to {}", range.low, range.high) : "none",
          "data voxels");
-    const BeamGuess guess = *guessBeamAxis(volume);
-    line("default view direction", std::string(nameOf(guess.axis)) + " of the voxel grid",
-         guess.sure
-             ? fmt::format("{}, confidence {:.2f}; --beam-axis changes it", nameOf(guess.evidence), guess.confidence)
-             : "assumed; --beam-axis changes it");
-    if (!guess.sure) text += "  Note: " + guess.sentence + "\n";
     for (const std::string& warning : study.warnings) text += "  Note: " + warning + "\n";
     for (char& character : text)
         if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "processing/beam/beam_guess.h"
+#include "processing/beam/probe_view.h"
 #include "processing/near_cut.h"
 
 namespace echolucent::cli {
@@ -79,6 +80,12 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam)
     auto chosen = get();
     if (!chosen) return chosen;
     chosen->beamAxis = beam.axis;
+    const bool untouched = chosen->azimuthDegrees == 0.0 && chosen->elevationDegrees == 0.0;
+    if (const auto& probe = volume.geometry().probe; probe && beamAxis.empty() && untouched) {
+        const double nearCutMm = chosen->nearCutMm;
+        chosen = viewFromProbe(*probe);
+        chosen->nearCutMm = nearCutMm;
+    }
     if (beam.source != "assumed" && !beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
     if (!nearCutSuggested()) return chosen;
     const auto found = findNearCut(volume, *chosen);

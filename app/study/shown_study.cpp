@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include "io/import_report.h"
 #include "processing/box_section.h"
 #include "processing/picture/empty_picture.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -47,7 +48,8 @@ void ShownStudy::tellFacts() {
     m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")));
 
     QList<StudyFactRow> facts;
-    for (const ImportFact& fact : study.facts)
+    const auto& finds = m_parts.session.finds();
+    for (const ImportFact& fact : finds ? importReport(study, finds->beam) : study.facts)
         facts << StudyFactRow{QString::fromStdString(fact.name), QString::fromStdString(fact.value),
                               QString::fromStdString(fact.source)};
     QStringList warnings;

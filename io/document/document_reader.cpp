@@ -146,9 +146,8 @@ Document documentIn(JsonFields root) {
     Document document;
     document.study = studyIn(root);
     JsonFields beam = root.object("beam");
-    document.beam = {beam.choice("axis", &beamAxisFromName), beam.choice("source", &beamSourceFromName)};
-    // Documents of the first weeks know no lean.
-    if (beam.has("lean")) document.beam.lean = directionIn(beam.object("lean"));
+    document.beam = {beam.choice("axis", &beamAxisFromName), beam.choice("source", &beamSourceFromName),
+                     directionIn(beam.object("lean"))};
     document.views = viewsIn(root);
     document.poses = listIn(root, "poses", &poseIn);
     document.cuts = listIn(root, "cuts", &cutIn);

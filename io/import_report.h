@@ -1,0 +1,15 @@
+// The import report as a person reads it: what the reader says, and which way sound travelled.
+#pragma once
+
+#include <vector>
+
+#include "io/study.h"
+#include "processing/beam/beam_guess.h"
+
+namespace echolucent {
+
+/// The facts of a study, followed by its beam axis and why that was taken. Where the file says where the probe was, the
+/// facts hold the beam already.
+[[nodiscard]] std::vector<ImportFact> importReport(const Study& study, const BeamGuess& beam);
+
+}  // namespace echolucent
