@@ -1,50 +1,12 @@
 #include "io/dicom/dicom_reader.h"
 
-#include <pthread.h>
-
-#include <exception>
-#include <functional>
-
 #include "io/dicom/dicom_study.h"
+#include "io/dicom/large_stack.h"
+#include "io/series_list.h"
 
 namespace echolucent {
 
 namespace {
-
-// DCMTK recurses where data sets nest and when it frees them. The scan refuses deep nesting; this is the second net,
-// for files that DCMTK reads in another way than the scan does. Only touched pages cost memory.
-constexpr std::size_t stackBytes = std::size_t{256} << 20;
-
-/// Runs `work` in a thread of its own with a large stack and waits for it; exceptions come back to the caller.
-void runWithLargeStack(const std::function<void()>& work) {
-    struct Job {
-        const std::function<void()>& work;
-        std::exception_ptr thrown;
-    } job{work, nullptr};
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, stackBytes);
-    pthread_t thread{};
-    const int started = pthread_create(
-        &thread, &attributes,
-        [](void* argument) -> void* {
-            auto& own = *static_cast<Job*>(argument);
-            try {
-                own.work();
-            } catch (...) {
-                own.thrown = std::current_exception();
-            }
-            return nullptr;
-        },
-        &job);
-    pthread_attr_destroy(&attributes);
-    if (started != 0) {
-        work();
-        return;
-    }
-    pthread_join(thread, nullptr);
-    if (job.thrown) std::rethrow_exception(job.thrown);
-}
 
 bool isVrLetter(char character) { return character >= 'A' && character <= 'Z'; }
 
@@ -73,9 +35,11 @@ Result<Study> readDicom(const InputFile& file, const ReadOptions& options, const
 }
 
 Result<Study> readDicomFolder(const std::string& path, const ReadOptions& options, const Progress& progress) {
-    Result<Study> study = fail(FailureKind::unreadable, path, "", "was not read");
-    runWithLargeStack([&] { study = readSeriesFolder(path, options, progress); });
-    return study;
+    const auto list = listSeries(path, progress);
+    if (!list) return tl::unexpected(list.error());
+    const auto entry = findSeries(*list, options.series);
+    if (!entry) return tl::unexpected(entry.error());
+    return readSeries(*list, **entry, options, progress);
 }
 
 }  // namespace echolucent

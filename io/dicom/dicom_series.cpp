@@ -1,6 +1,5 @@
 #include <algorithm>
-#include <filesystem>
-#include <map>
+#include <cmath>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -9,108 +8,14 @@
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_pixels.h"
-#include "io/dicom/dicom_reader.h"
 #include "io/dicom/dicom_study.h"
+#include "io/dicom/large_stack.h"
 #include "io/input_file.h"
+#include "io/series_list.h"
 
 namespace echolucent {
 
 namespace {
-
-constexpr int deepestFolder = 4;
-constexpr std::size_t mostFiles = 50000;
-constexpr const char* positionName = "(0020,0032) Image Position";
-
-/// What the header of one file in the folder says.
-struct FileHeader {
-    std::string path;
-    std::string series;  // series and size: files that differ in it do not belong together
-    std::int64_t frames = 1;
-    std::int64_t instance = 0;
-    std::optional<FramePlacement> placement;
-};
-
-/// Files of one series; a multi-frame file is a series of its own.
-struct Series {
-    std::vector<FileHeader> files;
-    [[nodiscard]] std::int64_t slices() const {
-        return files.front().frames > 1 ? files.front().frames : static_cast<std::int64_t>(files.size());
-    }
-};
-
-std::vector<std::string> filesBelow(const std::string& folder, const Progress& progress) {
-    std::vector<std::string> files;
-    std::error_code error;
-    std::filesystem::recursive_directory_iterator entry(
-        folder, std::filesystem::directory_options::skip_permission_denied, error);
-    for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
-         entry.increment(error)) {
-        if (entry.depth() >= deepestFolder) entry.disable_recursion_pending();
-        if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
-        error.clear();
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-bool isDicomFile(const std::string& path) {
-    const auto file = InputFile::open(path);
-    if (!file) return false;
-    const auto beginning = file->beginning(4096);
-    return beginning && looksLikeDicom(*beginning);
-}
-
-/// The header of an image; no value for DICOM files that are no images.
-Result<std::optional<FileHeader>> headerOf(const std::string& path, const Progress& progress) {
-    auto file = DicomFile::load(path, true, progress);
-    if (!file) return tl::unexpected(file.error());
-    if (!file->scan().hasPixelData) return std::optional<FileHeader>();
-    DcmItem& dataset = file->dataset();
-    const auto rows = dicomWholeNumber(dataset, {0x0028, 0x0010});
-    const auto columns = dicomWholeNumber(dataset, {0x0028, 0x0011});
-    if (!rows || !columns) return std::optional<FileHeader>();
-    FileHeader header;
-    header.path = path;
-    header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
-    header.instance = dicomWholeNumber(dataset, {0x0020, 0x0013}).value_or(0);
-    header.placement = topLevelPlacement(dataset);
-    header.series = fmt::format("{} {} {} {}", dicomText(dataset, {0x0020, 0x000e}), *rows, *columns,
-                                header.frames > 1 ? path : "");
-    return std::optional(std::move(header));
-}
-
-/// The images of a folder, most slices first, and what could not be read.
-struct FolderContents {
-    std::vector<std::string> files;  ///< all DICOM files, those of other series and unreadable ones among them
-    std::vector<Series> series;
-    std::size_t unreadable = 0;
-    std::optional<Failure> firstFailure;
-};
-
-Result<FolderContents> contentsOf(const std::string& folder, const Progress& progress) {
-    FolderContents contents;
-    std::map<std::string, Series> series;
-    const auto files = filesBelow(folder, progress);
-    if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
-        progress.at(0.3 * static_cast<double>(i) / static_cast<double>(files.size()));
-        if (!isDicomFile(files[i])) continue;
-        contents.files.push_back(files[i]);
-        auto header = headerOf(files[i], progress);
-        if (header && *header) {
-            series[(*header)->series].files.push_back(std::move(**header));
-        } else if (!header && nameFromPath(files[i]) != "DICOMDIR") {
-            ++contents.unreadable;
-            if (!contents.firstFailure) contents.firstFailure = header.error();
-        }
-    }
-    if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not read: cancelled");
-    for (auto& [key, one] : series) contents.series.push_back(std::move(one));
-    std::stable_sort(contents.series.begin(), contents.series.end(),
-                     [](const Series& a, const Series& b) { return a.slices() > b.slices(); });
-    return contents;
-}
 
 /// Slices in order, with the geometry they share.
 struct SliceOrder {
@@ -120,38 +25,27 @@ struct SliceOrder {
     std::vector<std::string> warnings;
 };
 
-Result<SliceOrder> orderByPosition(const std::string& folder, const Series& series) {
-    std::vector<SlicePlane> planes;
-    for (const FileHeader& file : series.files)
-        planes.push_back({*file.placement->position, (*file.placement->orientation)[0],
-                          (*file.placement->orientation)[1], file.path});
-    auto stack = stackSlices(folder, positionName, planes);
-    if (!stack) return tl::unexpected(stack.error());
+/// The order of the entry's files, which stand in the order of slices already.
+Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options) {
+    if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
+        return tl::unexpected(*entry.whyNot);
     SliceOrder order;
-    for (const std::size_t index : stack->order) order.paths.push_back(series.files[index].path);
+    for (const SeriesFile& file : entry.files) order.paths.push_back(file.path);
+    if (entry.whyNot) {
+        order.geometry.spacingKnown = false;
+        order.warnings.emplace_back(
+            "Pictures without position are taken as slices, in the order of their instance numbers.");
+        return order;
+    }
+    std::vector<SlicePlane> planes;
+    for (const SeriesFile& file : entry.files) planes.push_back(*file.plane);
+    auto stack = stackSlices(list.path, imagePositionName, planes);
+    if (!stack) return tl::unexpected(stack.error());
     order.geometry.origin = stack->origin;
     order.geometry.direction = stack->direction;
-    order.geometry.patientFrameKnown = series.files.front().placement->orientationInPatient;
+    order.geometry.patientFrameKnown = true;  // Image Position (Patient) says where the slices lie
     order.geometry.spacing[2] = stack->spacing;
     order.warnings = stack->warnings;
-    return order;
-}
-
-Result<SliceOrder> orderSlices(const std::string& folder, const Series& series, const ReadOptions& options) {
-    const bool placed = std::all_of(series.files.begin(), series.files.end(),
-                                    [](const FileHeader& file) { return file.placement.has_value(); });
-    if (placed) return orderByPosition(folder, series);
-    if (!options.framesAsSlices)
-        return framesWithoutGeometry(
-            folder,
-            fmt::format("holds {} 2D pictures without position and orientation, no volume", series.files.size()));
-    SliceOrder order;
-    auto files = series.files;
-    std::stable_sort(files.begin(), files.end(),
-                     [](const FileHeader& a, const FileHeader& b) { return a.instance < b.instance; });
-    for (const FileHeader& file : files) order.paths.push_back(file.path);
-    order.geometry.spacingKnown = false;
-    order.warnings.push_back("Pictures without position are taken as slices, in the order of their instance numbers.");
     return order;
 }
 
@@ -244,7 +138,7 @@ private:
         if (const auto spacing = pixelSpacingOf(dataset, source)) {
             m_order.geometry.spacing[0] = (*spacing)[0];
             m_order.geometry.spacing[1] = (*spacing)[1];
-            m_order.spacingSource = source + ", slice positions " + positionName;
+            m_order.spacingSource = source + ", slice positions " + imagePositionName;
         } else {
             m_order.geometry.spacing = {1, 1, 1};
             m_order.geometry.spacingKnown = false;
@@ -262,38 +156,77 @@ private:
     std::vector<std::uint8_t> m_voxels;
 };
 
+/// The grey values of one frame as doubles.
+std::vector<double> valuesOf(const std::vector<std::uint8_t>& bytes, StoredType type) {
+    std::vector<std::vector<std::uint8_t>> one{bytes};
+    const ConvertedVoxels converted = convertVoxels(std::move(one), type);
+    return std::visit([](const auto& voxels) { return std::vector<double>(voxels.begin(), voxels.end()); },
+                      converted.phases.front());
+}
+
+/// Means over the pixels that fall into each of the small picture's.
+SmallPicture reduced(const std::vector<double>& values, std::int64_t columns, std::int64_t rows, int longestEdge) {
+    SmallPicture small;
+    const double factor = std::min(1.0, longestEdge / static_cast<double>(std::max(columns, rows)));
+    small.width = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(columns))));
+    small.height = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(rows))));
+    std::vector<double> sums(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
+    std::vector<double> counts(sums.size());
+    for (std::int64_t row = 0; row < rows; ++row)
+        for (std::int64_t column = 0; column < columns; ++column) {
+            const auto place =
+                static_cast<std::size_t>(row * small.height / rows * small.width + column * small.width / columns);
+            sums[place] += values[static_cast<std::size_t>(row * columns + column)];
+            counts[place] += 1.0;
+        }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+    const double white = *std::max_element(sums.begin(), sums.end());
+    small.grey.resize(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        small.grey[i] = white > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::max(0.0, sums[i]) / white)) : 0;
+    return small;
+}
+
+Result<SmallPicture> readMiddle(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
+    const SeriesFile& middle = entry.files[entry.files.size() / 2];
+    const auto file = DicomFile::load(middle.path, false, progress);
+    if (!file) return tl::unexpected(file.error());
+    auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
+    if (!frames) return tl::unexpected(frames.error());
+    std::vector<std::uint8_t> grey(static_cast<std::size_t>(frames->frameBytes()));
+    if (const auto read = frames->readGrey(frames->frames() / 2, grey); !read) return tl::unexpected(read.error());
+    return reduced(valuesOf(grey, frames->type()), frames->columns(), frames->rows(), longestEdge);
+}
+
 }  // namespace
 
-Result<Study> readSeriesFolder(const std::string& path, const ReadOptions& options, const Progress& progress) {
-    const auto contents = contentsOf(path, progress);
-    if (!contents) return tl::unexpected(contents.error());
-    if (contents->series.empty()) {
-        if (contents->firstFailure) return tl::unexpected(*contents->firstFailure);
-        return fail(FailureKind::unreadable, path, "", "is a folder without DICOM images",
-                    "Choose a volume file, or the folder that holds a DICOM series.");
-    }
-    const Series& largest = contents->series.front();
-    std::vector<std::string> warnings;
-    if (contents->series.size() > 1)
-        warnings.push_back(fmt::format("The folder holds {} series; the one with most slices ({}) was read.",
-                                       contents->series.size(), largest.slices()));
-    if (contents->unreadable > 0)
-        warnings.push_back(fmt::format("{} DICOM file(s) could not be read and were left out. The first: {}",
-                                       contents->unreadable, contents->firstFailure->sentence()));
-    Result<Study> study = [&]() -> Result<Study> {
-        if (largest.files.size() == 1) {
-            const auto file = DicomFile::load(largest.files.front().path, false, progress);
-            if (!file) return tl::unexpected(file.error());
-            return readMultiframe(*file, options, progress);
+Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options,
+                         const Progress& progress) {
+    Result<Study> study = fail(FailureKind::unreadable, list.path, "", "was not read");
+    runWithLargeStack([&] {
+        if (entry.multiframe) {
+            const auto file = DicomFile::load(entry.files.front().path, false, progress);
+            study = file ? readMultiframe(*file, options, progress) : Result<Study>(tl::unexpected(file.error()));
+            return;
         }
-        auto order = orderSlices(path, largest, options);
-        if (!order) return tl::unexpected(order.error());
-        return SliceReader(path, std::move(*order), options, progress).read();
-    }();
+        auto order = orderOf(list, entry, options);
+        study = order ? SliceReader(list.path, std::move(*order), options, progress).read()
+                      : Result<Study>(tl::unexpected(order.error()));
+    });
     if (!study) return study;
-    study->files = contents->files;
+    std::vector<std::string> warnings = list.warnings;
+    if (list.series.size() > 1)
+        warnings.insert(warnings.begin(), fmt::format("The folder holds {} series; one of {} slices was read.",
+                                                      list.series.size(), entry.size[2]));
+    study->files = list.files;
     study->warnings.insert(study->warnings.begin(), warnings.begin(), warnings.end());
     return study;
+}
+
+Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
+    Result<SmallPicture> picture = fail(FailureKind::unreadable, entry.files.front().path, "", "was not read");
+    runWithLargeStack([&] { picture = readMiddle(entry, longestEdge, progress); });
+    return picture;
 }
 
 }  // namespace echolucent

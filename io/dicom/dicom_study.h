@@ -1,4 +1,4 @@
-// The two shapes of a DICOM volume: a folder of slices and one multi-frame file.
+// The shapes of a DICOM volume: a folder of slices (io/series_list.h) and one multi-frame file.
 #pragma once
 
 #include "io/dicom/dicom_file.h"
@@ -12,9 +12,8 @@ namespace echolucent {
 /// Reads one file with several frames as a volume, or as the phases of one.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 
-/// Reads the series with most slices in the folder at `path` and the folders in it.
-[[nodiscard]] Result<Study> readSeriesFolder(const std::string& path, const ReadOptions& options,
-                                             const Progress& progress);
+/// What a refusal calls the attribute that says where a slice lies.
+constexpr const char* imagePositionName = "(0020,0032) Image Position";
 
 /// Modality, maker and model of the scanner for the import report; never anything about the patient.
 [[nodiscard]] std::vector<ImportFact> equipmentFacts(DcmItem& dataset);

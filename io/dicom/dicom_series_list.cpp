@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/dicom_geometry.h"
+#include "io/dicom/dicom_reader.h"
+#include "io/dicom/dicom_study.h"
+#include "io/dicom/large_stack.h"
+#include "io/headers/header_text.h"
+#include "io/input_file.h"
+#include "io/series_list.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr int deepestFolder = 4;
+constexpr std::size_t mostFiles = 50000;
+
+/// What the header of one image says.
+struct ImageHeader {
+    SeriesFile file;
+    std::string series, object;  // UIDs of series and image
+    std::string description, modality;
+    std::int64_t rows = 0, columns = 0, frames = 1;
+    std::optional<Failure> whyNot;  // of a multi-frame file
+};
+
+std::vector<std::string> filesBelow(const std::string& folder, const Progress& progress) {
+    std::vector<std::string> files;
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator entry(
+        folder, std::filesystem::directory_options::skip_permission_denied, error);
+    for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
+         entry.increment(error)) {
+        if (entry.depth() >= deepestFolder) entry.disable_recursion_pending();
+        if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
+        error.clear();
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+bool isDicomFile(const std::string& path) {
+    const auto file = InputFile::open(path);
+    if (!file) return false;
+    const auto beginning = file->beginning(132);
+    return beginning && looksLikeDicom(*beginning);
+}
+
+/// The Series Description, unless it holds a part of the patient's name or the patient's identifier.
+std::string descriptionOf(DcmItem& dataset) {
+    std::string description = dicomText(dataset, {0x0008, 0x103e});
+    const std::string small = lowerCase(description);
+    std::string person = lowerCase(dicomText(dataset, {0x0010, 0x0010}));
+    std::replace_if(
+        person.begin(), person.end(), [](char c) { return c == '^' || c == '=' || c == '\\' || c == ','; }, ' ');
+    std::vector<std::string> parts = wordsOf(person);
+    parts.push_back(lowerCase(dicomText(dataset, {0x0010, 0x0020})));
+    const bool named = std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
+        return part.size() > 2 && small.find(part) != std::string::npos;
+    });
+    return named ? std::string() : description;
+}
+
+/// Why the frames of one file are no volume, as far as the header says it.
+std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, const Progress& progress) {
+    const auto count = static_cast<std::size_t>(header.frames);
+    if (count < 2) return std::nullopt;
+    const auto placements = functionalGroupPlacements(dataset, count, progress);
+    const bool placed = placements.size() == count &&
+                        std::all_of(placements.begin(), placements.end(),
+                                    [](const auto& placement) { return placement.position && placement.orientation; });
+    if (placed || !classicPlacements(dataset, count).empty()) return std::nullopt;
+    return framesWithoutGeometry(header.file.path,
+                                 fmt::format("is a 2D cine of {} frames without volume geometry", count))
+        .value();
+}
+
+/// The header of an image; no value for DICOM files that are no images.
+Result<std::optional<ImageHeader>> headerOf(const std::string& path, const Progress& progress) {
+    auto file = DicomFile::load(path, true, progress);
+    if (!file) return tl::unexpected(file.error());
+    if (!file->scan().hasPixelData) return std::optional<ImageHeader>();
+    DcmItem& dataset = file->dataset();
+    const auto rows = dicomWholeNumber(dataset, {0x0028, 0x0010});
+    const auto columns = dicomWholeNumber(dataset, {0x0028, 0x0011});
+    if (!rows || !columns) return std::optional<ImageHeader>();
+    ImageHeader header;
+    header.file.path = path;
+    header.file.instance = dicomWholeNumber(dataset, {0x0020, 0x0013}).value_or(0);
+    if (const auto placement = topLevelPlacement(dataset))
+        header.file.plane =
+            SlicePlane{*placement->position, (*placement->orientation)[0], (*placement->orientation)[1], path};
+    header.rows = *rows;
+    header.columns = *columns;
+    header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
+    header.series = dicomText(dataset, {0x0020, 0x000e});
+    header.object = dicomText(dataset, {0x0008, 0x0018});
+    header.description = descriptionOf(dataset);
+    header.modality = dicomText(dataset, {0x0008, 0x0060});
+    header.whyNot = whyNoVolume(dataset, header, progress);
+    return std::optional(std::move(header));
+}
+
+/// What one file of the folder turned out to be.
+struct Looked {
+    bool dicom = false;
+    std::optional<ImageHeader> header;
+    std::optional<Failure> failure;
+};
+
+Looked lookAt(const std::string& path, const Progress& progress) {
+    Looked looked;
+    if (progress.cancelled() || !isDicomFile(path)) return looked;
+    looked.dicom = true;
+    auto header = headerOf(path, progress);
+    if (header)
+        looked.header = std::move(*header);
+    else if (nameFromPath(path) != "DICOMDIR")
+        looked.failure = header.error();
+    return looked;
+}
+
+/// Puts the slices of an entry in order, and says why they are no volume.
+void orderSlices(const std::string& folder, SeriesEntry& entry) {
+    auto& files = entry.files;
+    std::stable_sort(files.begin(), files.end(),
+                     [](const SeriesFile& a, const SeriesFile& b) { return a.instance < b.instance; });
+    if (files.size() < 2) {
+        entry.whyNot = fail(FailureKind::unreadable, files.front().path, "", "is a single 2D picture, not a volume",
+                            "Open the folder that holds all slices, or a multi-frame file.")
+                           .value();
+        return;
+    }
+    std::vector<SlicePlane> planes;
+    for (const SeriesFile& file : files)
+        if (file.plane) planes.push_back(*file.plane);
+    if (planes.size() < files.size()) {
+        entry.whyNot =
+            framesWithoutGeometry(
+                folder, fmt::format("holds {} 2D pictures without position and orientation, no volume", files.size()))
+                .value();
+        return;
+    }
+    const auto stack = stackSlices(folder, imagePositionName, planes);
+    if (!stack) {
+        entry.whyNot = stack.error();
+        return;
+    }
+    std::vector<SeriesFile> ordered;
+    for (const std::size_t index : stack->order) ordered.push_back(std::move(files[index]));
+    files = std::move(ordered);
+}
+
+/// Files that belong together: slices of one series and size; a multi-frame file stands alone.
+std::vector<SeriesEntry> entriesFrom(const std::string& folder, std::vector<Looked>& looked) {
+    using Key = std::tuple<std::string, std::int64_t, std::int64_t, std::string>;
+    std::map<Key, std::vector<ImageHeader>> groups;
+    for (Looked& one : looked)
+        if (one.header) {
+            ImageHeader& header = *one.header;
+            Key key{header.series, header.rows, header.columns, header.frames > 1 ? header.file.path : ""};
+            groups[std::move(key)].push_back(std::move(header));
+        }
+    std::vector<SeriesEntry> entries;
+    for (auto& [key, headers] : groups) {
+        ImageHeader& first = headers.front();
+        SeriesEntry entry;
+        entry.uid = first.series;
+        entry.multiframe = first.frames > 1;
+        entry.description = first.description;
+        entry.modality = first.modality;
+        entry.size = {first.columns, first.rows,
+                      entry.multiframe ? first.frames : static_cast<std::int64_t>(headers.size())};
+        entry.whyNot = first.whyNot;
+        const std::string object = first.object;
+        for (ImageHeader& header : headers) entry.files.push_back(std::move(header.file));
+        if (!entry.multiframe) orderSlices(folder, entry);
+        entries.push_back(std::move(entry));
+    }
+    std::stable_sort(entries.begin(), entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) {
+        return std::pair(a.whyNot.has_value(), -a.size[2]) < std::pair(b.whyNot.has_value(), -b.size[2]);
+    });
+    return entries;
+}
+
+/// Gives entries that share a Series Instance UID names of their own.
+void nameApart(std::vector<SeriesEntry>& entries) {
+    std::set<std::string> taken;
+    for (SeriesEntry& entry : entries) {
+        if (entry.uid.empty()) entry.uid = "unnamed";
+        if (taken.insert(entry.uid).second) continue;
+        entry.uid += entry.multiframe ? ":" + nameFromPath(entry.files.front().path)
+                                      : fmt::format(":{}x{}", entry.size[0], entry.size[1]);
+        const std::string name = entry.uid;
+        for (int again = 2; !taken.insert(entry.uid).second; ++again) entry.uid = fmt::format("{}:{}", name, again);
+    }
+}
+
+}  // namespace
+
+Result<SeriesList> listSeries(const std::string& path, const Progress& progress) {
+    SeriesList list;
+    list.path = path;
+    const auto files = filesBelow(path, progress);
+    std::vector<Looked> looked(files.size());
+    runEachWithLargeStack(
+        files.size(), [&](std::size_t index) { looked[index] = lookAt(files[index], progress); },
+        [&](double share) { progress.at(0.3 * share); });
+    if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
+    std::vector<Failure> failures;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (looked[i].dicom) list.files.push_back(files[i]);
+        if (looked[i].failure) failures.push_back(*looked[i].failure);
+    }
+    list.series = entriesFrom(path, looked);
+    nameApart(list.series);
+    if (list.series.empty() && !failures.empty()) return tl::unexpected(failures.front());
+    if (list.series.empty())
+        return fail(FailureKind::unreadable, path, "", "is a folder without DICOM images",
+                    "Choose a volume file, or the folder that holds a DICOM series.");
+    if (!failures.empty())
+        list.warnings.push_back(fmt::format("{} DICOM file(s) could not be read and were left out. The first: {}",
+                                            failures.size(), failures.front().sentence()));
+    return list;
+}
+
+Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string& uid) {
+    if (uid.empty()) return &list.series.front();
+    const auto found =
+        std::find_if(list.series.begin(), list.series.end(), [&](const SeriesEntry& one) { return one.uid == uid; });
+    if (found != list.series.end()) return &*found;
+    std::vector<std::string> there;
+    for (const SeriesEntry& entry : list.series)
+        if (there.size() < 10) there.push_back(quotedText(entry.uid));
+    const std::string more = list.series.size() > there.size() ? ", ..." : "";
+    return fail(FailureKind::unreadable, list.path, "", "holds no series " + quotedText(uid),
+                fmt::format("It holds {}{}.", fmt::join(there, ", "), more));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,89 @@
+#include "io/dicom/large_stack.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <list>
+#include <mutex>
+#include <thread>
+
+namespace echolucent {
+
+namespace {
+
+// The scan refuses deep nesting; this is the second net, for files that DCMTK reads in another way than the scan does.
+// Only touched pages cost memory.
+constexpr std::size_t stackBytes = std::size_t{256} << 20;
+
+/// A thread with a large stack, which ends before the object does. Where no thread can be started, the work is done by
+/// the caller.
+class LargeStackThread {
+public:
+    explicit LargeStackThread(const std::function<void()>& work) : m_work(work) {
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        pthread_attr_setstacksize(&attributes, stackBytes);
+        m_started = pthread_create(&m_thread, &attributes, &LargeStackThread::run, this) == 0;
+        pthread_attr_destroy(&attributes);
+        if (!m_started) run(this);
+    }
+    LargeStackThread(const LargeStackThread&) = delete;
+    LargeStackThread& operator=(const LargeStackThread&) = delete;
+    ~LargeStackThread() { wait(); }
+
+    void wait() {
+        if (m_started) pthread_join(m_thread, nullptr);
+        m_started = false;
+    }
+    /// What the work threw; to be asked after wait().
+    [[nodiscard]] std::exception_ptr thrown() const { return m_thrown; }
+
+private:
+    static void* run(void* argument) {
+        auto& own = *static_cast<LargeStackThread*>(argument);
+        try {
+            own.m_work();
+        } catch (...) {
+            own.m_thrown = std::current_exception();
+        }
+        return nullptr;
+    }
+
+    const std::function<void()>& m_work;
+    std::exception_ptr m_thrown;
+    pthread_t m_thread{};
+    bool m_started = false;
+};
+
+void runAndRethrow(std::size_t threads, const std::function<void()>& work) {
+    std::list<LargeStackThread> running;
+    for (std::size_t i = 0; i < threads; ++i) running.emplace_back(work);
+    for (LargeStackThread& thread : running) thread.wait();
+    for (const LargeStackThread& thread : running)
+        if (thread.thrown()) std::rethrow_exception(thread.thrown());
+}
+
+}  // namespace
+
+void runWithLargeStack(const std::function<void()>& work) { runAndRethrow(1, work); }
+
+void runEachWithLargeStack(std::size_t count, const std::function<void(std::size_t)>& work,
+                           const std::function<void(double)>& share) {
+    std::atomic<std::size_t> next{0}, done{0};
+    std::mutex reporting;
+    const std::function<void()> pieces = [&] {
+        for (std::size_t index = next.fetch_add(1); index < count; index = next.fetch_add(1)) {
+            work(index);
+            done.fetch_add(1);
+            // Nobody waits for a report; what is not said now is said after the next piece.
+            if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
+                share(static_cast<double>(done.load()) / static_cast<double>(count));
+        }
+    };
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    runAndRethrow(std::min(processors, count), pieces);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,74 @@
+// The series that a folder of DICOM files holds, as plain values to choose from, and the reading of the chosen one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/slice_stack.h"
+#include "io/study.h"
+
+namespace echolucent {
+
+/// One file of a listed series.
+struct SeriesFile {
+    std::string path;
+    std::int64_t instance = 0;        ///< Instance Number; 0 where it is missing
+    std::optional<SlicePlane> plane;  ///< where its picture lies; no value where the file does not say it
+};
+
+/// One choice: slices that make up a volume, or one multi-frame file.
+struct SeriesEntry {
+    /// Names the series in its list and in ReadOptions::series: the Series Instance UID. Where several entries share
+    /// it, the one with most slices has it; a multi-frame file beside it has its SOP Instance UID, slices of another
+    /// size have ":COLUMNSxROWS" behind it.
+    std::string uid;
+    std::string description;  ///< Series Description in UTF-8 or as stored; empty where it may name the patient
+    std::string modality;     ///< "US"; empty where the files do not say it
+    /// Columns, rows, and slices or frames.
+    std::array<std::int64_t, 3> size{0, 0, 0};
+    bool multiframe = false;        ///< whether it is one file of many frames
+    std::vector<SeriesFile> files;  ///< in the order of the slices where they can be stacked; never empty
+    /// Why it cannot be opened, as far as its headers say it; no value where nothing is against it. Where
+    /// `framesCouldBeSlices` is set, ReadOptions::framesAsSlices opens it all the same.
+    std::optional<Failure> whyNot;
+};
+
+/// What a folder holds.
+struct SeriesList {
+    std::string path;                 ///< the folder or DICOMDIR, as the person gave it
+    std::vector<SeriesEntry> series;  ///< most slices first; never empty once listed
+    std::vector<std::string> files;   ///< all DICOM files found, those that cannot be read among them
+    std::vector<std::string> warnings;
+};
+
+/// Reads the headers (not the pixels) of all DICOM files in the folder at `path` and the folders in it, four deep, each
+/// once and on all processors; of a DICOMDIR those that it names in or below its own folder. `progress` is polled for
+/// cancel between files and between elements. Fails (unreadable) where there is no DICOM image, (cancelled) where the
+/// person ended it.
+[[nodiscard]] Result<SeriesList> listSeries(const std::string& path, const Progress& progress = {});
+
+/// The entry named `uid`; the first where `uid` is empty. Fails (unreadable, naming those that there are) where the
+/// list holds no such series.
+[[nodiscard]] Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string& uid);
+
+/// Reads a listed series without looking at the folder again: `options.series` is not asked. Study::files are the
+/// list's.
+[[nodiscard]] Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry,
+                                       const ReadOptions& options = {}, const Progress& progress = {});
+
+/// A small picture in grey: row after row, one byte a pixel, 0 is black.
+struct SmallPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> grey;
+};
+
+/// The middle slice or frame of a series, made so small that no edge is longer than `longestEdge` pixels (above 0);
+/// small pictures stay as they are. Its largest value is white. Fails where that picture cannot be read.
+[[nodiscard]] Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge,
+                                                 const Progress& progress = {});
+
+}  // namespace echolucent
