@@ -32,6 +32,7 @@ using Action = std::function<Result<void>()>;
 
 /// Each adds one subcommand with its options, help and example, and sets `action` when it was chosen.
 void addInfoCommand(CLI::App& program, Action& action);
+void addFilesCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
 void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);

@@ -68,6 +68,7 @@ int main(int count, char** arguments) {
 
     Action action;
     addInfoCommand(program, action);
+    addFilesCommand(program, action);
     addOtfCommand(program, action);
     addParametersCommand(program, action);
     addRenderCommand(program, action);

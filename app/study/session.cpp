@@ -1,5 +1,7 @@
 #include "app/study/session.h"
 
+#include <QFileInfo>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -46,14 +48,53 @@ Session::Session(QObject* parent)
     });
 }
 
+Session::Read Session::readerOf(const StudyFile& file) {
+    return [file](const Progress& progress) -> Result<Opening> {
+        const QFileInfo info(QString::fromStdString(file.path));
+        const bool mayHoldSeries = info.isDir() || info.fileName().startsWith(QLatin1String("DICOMDIR"));
+        if (!mayHoldSeries || !file.options.series.empty()) {
+            auto study = readStudy(file.path, file.options, progress);
+            if (!study) return tl::unexpected(study.error());
+            return Opening{std::move(*study), nullptr};
+        }
+        auto listed = listSeries(file.path, progress);
+        if (!listed) return tl::unexpected(listed.error());
+        const auto list = std::make_shared<const SeriesList>(std::move(*listed));
+        const auto isVolume = [](const SeriesEntry& entry) { return !entry.whyNot; };
+        const auto volumes = std::count_if(list->series.begin(), list->series.end(), isVolume);
+        // A single volume among pictures and cines is what a person means who opens the folder.
+        const bool clear = volumes == 1 || list->series.size() == 1;
+        if (!clear) return Opening{std::nullopt, list};
+        const auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
+        auto study =
+            readSeries(*list, chosen == list->series.end() ? list->series.front() : *chosen, file.options, progress);
+        if (!study) return tl::unexpected(study.error());
+        return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
+    };
+}
+
 void Session::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
-    load(file, [file](const Progress& progress) { return readStudy(file.path, file.options, progress); });
+    load(file, options, readerOf(file));
+}
+
+void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
+    options.series = list->series.at(entry).uid;
+    load(StudyFile{.path = list->path, .options = options, .checksum = {}}, options,
+         [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
+             auto study = readSeries(*list, list->series[entry], options, progress);
+             if (!study) return tl::unexpected(study.error());
+             return Opening{std::move(*study), list};
+         });
 }
 
 void Session::openSimulatedScan() {
     const SimulatedScan scan;
-    load(scan, [scan](const Progress& progress) { return simulated(scan, progress); });
+    load(scan, {}, [scan](const Progress& progress) -> Result<Opening> {
+        auto study = simulated(scan, progress);
+        if (!study) return tl::unexpected(study.error());
+        return Opening{std::move(*study), nullptr};
+    });
 }
 
 QString Session::path() const {
@@ -63,20 +104,21 @@ QString Session::path() const {
 
 void Session::cancelLoading() { m_loader.cancel(); }
 
-void Session::load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read) {
+void Session::load(const StudyReference& reference, const ReadOptions& options, Read read) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const QString path = file ? QString::fromStdString(file->path) : QString();
-    m_loader.submit([this, reference, path,
+    m_loader.submit([this, reference, path, options,
                      read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
         std::vector<IntensityHistogram> histograms;
         std::optional<OpeningFinds> finds;
-        Result<Study> study = [&]() -> Result<Study> {
+        Result<Opening> opening = [&]() -> Result<Opening> {
             try {
-                Result<Study> opened = read(progress);
-                if (!opened) return opened;
+                Result<Opening> opened = read(progress);
+                if (!opened || !opened->study) return opened;
+                const auto& phases = opened->study->phases;
                 // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
-                for (const auto& phase : opened->phases) histograms.push_back(intensityHistogram(*phase));
-                if (!path.isEmpty()) finds = findOnOpening(*opened->phases.front(), {nullptr, progress.cancel});
+                for (const auto& phase : phases) histograms.push_back(intensityHistogram(*phase));
+                if (!path.isEmpty()) finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});
                 return opened;
             } catch (const std::bad_alloc&) {
                 return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
@@ -84,16 +126,19 @@ void Session::load(const StudyReference& reference, std::function<Result<Study>(
             }
         }();
         if (progress.cancelled()) return {};
-        if (!study) {
-            return [this, path, failure = study.error()] {
+        if (!opening) {
+            return [this, path, failure = opening.error()] {
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
             };
         }
-        for (auto& phase : study->phases) phase = freedElsewhere(std::move(phase));
-        auto shared = std::make_shared<const Study>(std::move(*study));
-        return [this, reference, shared, finds = std::move(finds), histograms = std::move(histograms)] {
+        const auto series = opening->series;
+        if (!opening->study) return [this, series, options] { emit seriesFound(series, options); };
+        for (auto& phase : opening->study->phases) phase = freedElsewhere(std::move(phase));
+        auto shared = std::make_shared<const Study>(std::move(*opening->study));
+        return [this, reference, shared, series, finds = std::move(finds), histograms = std::move(histograms)] {
             m_reference = reference;
             m_study = shared;
+            m_seriesBeside = series;
             m_histograms = histograms;
             m_finds = finds;
             m_kept.clear();

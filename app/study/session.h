@@ -10,6 +10,7 @@
 #include "app/study/cut_phases.h"
 #include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
+#include "io/series_list.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
@@ -28,7 +29,12 @@ public:
     explicit Session(QObject* parent = nullptr);
 
     /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
+    /// Where a folder holds several series that could be opened and the options name none, seriesFound() asks.
     void open(const QString& path, const ReadOptions& options = {});
+    /// Loads a series of a list.
+    void openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options = {});
+    /// The series beside the study that is open; null where it was not opened from a folder of several.
+    [[nodiscard]] std::shared_ptr<const SeriesList> seriesBeside() const { return m_seriesBeside; }
     /// Makes and opens the simulated scan a newcomer sees first.
     void openSimulatedScan();
     void cancelLoading();
@@ -113,6 +119,8 @@ signals:
     void loadingChanged(bool loading);
     void loadingProgressed(double share);
     void studyOpened();
+    /// A folder holds several series; what was open before is unchanged.
+    void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read; what was open before is unchanged.
     void openFailed(const QString& path, const echolucent::Failure& failure);
     /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed().
@@ -133,7 +141,14 @@ signals:
     void nearCutFound(const echolucent::NearCutFinding& finding);
 
 private:
-    void load(const StudyReference& reference, std::function<Result<Study>(const Progress&)> read);
+    /// What reading gave: a study, with the series beside it where there are several, or a list to choose from.
+    struct Opening {
+        std::optional<Study> study;
+        std::shared_ptr<const SeriesList> series;
+    };
+    using Read = std::function<Result<Opening>(const Progress&)>;
+    static Read readerOf(const StudyFile& file);
+    void load(const StudyReference& reference, const ReadOptions& options, Read read);
     void show(int phase);
     void takeQuietVoxels(int phase);
     void takeCut(int phase);
@@ -144,6 +159,7 @@ private:
     NearCutSearch m_nearCutSearch;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
+    std::shared_ptr<const SeriesList> m_seriesBeside;
     std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes
     std::optional<OpeningFinds> m_finds;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase

@@ -23,7 +23,14 @@ QString shownName(const QString& opened, const QString& concerned) {
 }  // namespace
 
 StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages)
-    : QObject(&window), m_window(window), m_session(session), m_settings(settings), m_messages(messages) {
+    : QObject(&window),
+      m_window(window),
+      m_session(session),
+      m_settings(settings),
+      m_messages(messages),
+      m_series(window) {
+    connect(&m_session, &Session::seriesFound, this, &StudyOpening::askForSeries);
+    connect(&m_series, &SeriesChoice::busyChanged, this, &StudyOpening::busyChanged);
     connect(&m_session, &Session::openFailed, this, &StudyOpening::tellFailure);
     connect(&m_session, &Session::studyOpened, this, [this] {
         if (m_session.isSimulatedScan()) return;
@@ -38,9 +45,10 @@ void StudyOpening::open(const QString& path, const ReadOptions& options) {
 }
 
 void StudyOpening::chooseFile() {
-    open(QFileDialog::getOpenFileName(
-        &m_window, tr("Open volume"), m_settings.lastFolder(),
-        tr("3D ultrasound volumes (*.mha *.mhd *.nrrd *.nhdr *.dcm *.raw);;All files (*)")));
+    open(QFileDialog::getOpenFileName(&m_window, tr("Open volume"), m_settings.lastFolder(),
+                                      tr("3D ultrasound volumes (*.dcm *.vol *.v0? *.mha *.mhd *.nrrd *.nhdr *.nii "
+                                         "*.hdr *.img *.raw *.gz DICOMDIR*);;"
+                                         "All files (*)")));
 }
 
 void StudyOpening::chooseFolder() {
@@ -50,6 +58,19 @@ void StudyOpening::chooseFolder() {
 void StudyOpening::chooseRawFile() {
     const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open raw volume"), m_settings.lastFolder());
     if (!path.isEmpty()) openRaw(path);
+}
+
+void StudyOpening::chooseSeries() {
+    if (const auto list = m_session.seriesBeside()) askForSeries(list, {});
+}
+
+void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options) {
+    m_series.ask(list, [this, list, options](std::size_t entry) {
+        ReadOptions wanted = options;
+        // The dialog has said that these are no slices.
+        wanted.framesAsSlices = list->series[entry].whyNot.has_value();
+        m_session.openSeries(list, entry, wanted);
+    });
 }
 
 void StudyOpening::openRaw(const QString& path) {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "app/study/series_choice.h"
 #include "app/study/session.h"
 #include "app/window/settings.h"
 
@@ -25,10 +26,16 @@ public:
     void chooseFile();
     void chooseFolder();
     void chooseRawFile();
+    /// Asks again which series of the folder is to be opened; does nothing where the study lies beside no other.
+    void chooseSeries();
     /// Fills a menu with the files opened last.
     void fillRecentFiles(QMenu& menu);
 
+    /// True while the small pictures of series are being read.
+    [[nodiscard]] bool busy() const { return m_series.busy(); }
+
 signals:
+    void busyChanged();
     /// The person wants to open this file as a curve.
     void curveChosen(const QString& path);
     /// The person wants the presets of a file that is no volume.
@@ -36,12 +43,14 @@ signals:
 
 private:
     void openRaw(const QString& path);
+    void askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options);
     void tellFailure(const QString& path, const Failure& failure);
 
     QWidget& m_window;
     Session& m_session;
     Settings& m_settings;
     MessageBar& m_messages;
+    SeriesChoice m_series;
 };
 
 }  // namespace echolucent

@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -235,6 +236,7 @@ void MainWindow::createActions() {
     WindowCommands commands;
     commands.openFile = [this] { m_opening->chooseFile(); };
     commands.openFolder = [this] { m_opening->chooseFolder(); };
+    commands.chooseSeries = [this] { m_opening->chooseSeries(); };
     commands.openRawFile = [this] { m_opening->chooseRawFile(); };
     commands.openSimulatedScan = [this] { openSimulatedScan(); };
     commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
@@ -257,6 +259,9 @@ void MainWindow::createActions() {
         m_widgets.explainDock->raise();
     };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+    connect(m_session.get(), &Session::studyOpened, this,
+            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_session->seriesBeside() != nullptr); });
+    connect(m_opening.get(), &StudyOpening::busyChanged, this, &MainWindow::updateIdle);
     m_room->createMenu(*this);
 }
 
@@ -305,7 +310,7 @@ bool MainWindow::idle() const { return atRest() && !m_presets->pictures().busy()
 
 bool MainWindow::atRest() const {
     return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
-           !m_widgets.picture->busy() && !m_room->busy() && !m_motionPlayer.isPlaying();
+           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

@@ -30,6 +30,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("&Open volume…"), "file.open", commands.openFile);
     addAction(file, tr("Open &folder of DICOM slices…"), "file.openFolder", commands.openFolder);
     addAction(file, tr("Open &raw volume…"), "file.openRaw", commands.openRawFile);
+    addAction(file, tr("Other &series of this folder…"), "file.chooseSeries", commands.chooseSeries)->setEnabled(false);
     QMenu* recent = file->addMenu(tr("Recent files"));
     recent->setObjectName("file.recent");
     QObject::connect(recent, &QMenu::aboutToShow, recent, [recent, fill = commands.fillRecentFiles] { fill(*recent); });

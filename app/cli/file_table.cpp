@@ -1,0 +1,85 @@
+#include "app/cli/file_table.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/study.h"
+#include "io/study_assembly.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+/// A text as the cell of a Markdown table.
+std::string cell(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
+    return text;
+}
+
+std::string valueOf(const Study& study, const std::string& name) {
+    const auto fact = std::find_if(study.facts.begin(), study.facts.end(),
+                                   [&](const ImportFact& candidate) { return candidate.name == name; });
+    return fact == study.facts.end() ? std::string() : fact->value;
+}
+
+std::string summaryOf(const Study& study) {
+    const Volume& volume = *study.phases.front();
+    const VolumeGeometry& geometry = volume.geometry();
+    std::string text =
+        fmt::format("{}; {} {}; {}", valueOf(study, "format"), sizeText(geometry.size), volume.typeName(),
+                    geometry.spacingKnown ? spacingText(geometry.spacing)
+                                          : "spacing unknown, " + spacingText(geometry.spacing) + " assumed");
+    if (study.phases.size() > 1) text += fmt::format("; {} phases", study.phases.size());
+    if (const std::string without = valueOf(study, "voxels without data"); without != "0.0 %")
+        text += "; " + without + " without data";
+    if (study.lossyCompressed) text += "; lossy compression";
+    return text;
+}
+
+/// The sentence of a failure, of which the row's file needs no name.
+std::string sentenceOf(Failure failure, const std::string& path) {
+    failure.file = failure.file == path ? std::string() : nameFromPath(failure.file);
+    return failure.sentence();
+}
+
+std::string asSlices(const std::string& path) {
+    ReadOptions options;
+    options.framesAsSlices = true;
+    const auto study = readStudy(path, options);
+    return " **As slices:** " + (study ? summaryOf(*study) + "." : sentenceOf(study.error(), path));
+}
+
+}  // namespace
+
+std::string fileRow(const std::string& path, const std::string& shownName) {
+    const auto study = readStudy(path);
+    const std::string start = "| `" + shownName + "` | ";
+    if (study) return start + "opens | " + cell(summaryOf(*study)) + " |";
+    std::string why = sentenceOf(study.error(), path);
+    if (study.error().framesCouldBeSlices) why += asSlices(path);
+    return start + "refused | " + cell(why) + " |";
+}
+
+Result<std::string> fileTable(const std::string& folder, const Progress& progress) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator entry(folder, error);
+    for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error))
+        if (entry->is_regular_file() && !entry->path().filename().string().starts_with('.'))
+            files.push_back(entry->path());
+    if (error)
+        return fail(FailureKind::unreadable, folder, "", "is no folder that can be read: " + error.message(),
+                    "Check the name and the permissions.");
+    std::sort(files.begin(), files.end());
+    std::string table = "| file | | what was read, or why not |\n|---|---|---|\n";
+    for (const std::filesystem::path& file : files) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not looked through: cancelled");
+        table += fileRow(file.string(), file.lexically_relative(folder).string()) + "\n";
+    }
+    return table;
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,66 @@
+#include "app/study/series_choice.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "widgets/panels/series_dialog.h"
+
+namespace echolucent {
+
+namespace {
+
+SeriesRow rowOf(const SeriesEntry& entry, std::size_t number) {
+    SeriesRow row;
+    row.title = entry.description.empty() ? SeriesChoice::tr("Series %1").arg(number)
+                                          : QString::fromStdString(entry.description);
+    const QString modality = entry.modality.empty() ? QString() : QString::fromStdString(entry.modality) + ", ";
+    row.facts = modality + SeriesChoice::tr(entry.multiframe ? "%1 × %2, %3 frames" : "%1 × %2, %3 slices")
+                               .arg(entry.size[0])
+                               .arg(entry.size[1])
+                               .arg(entry.size[2]);
+    if (!entry.whyNot) return row;
+    row.openable = entry.whyNot->framesCouldBeSlices;
+    row.hindrance = row.openable
+                        ? SeriesChoice::tr("The series %1. Its pictures would be taken as slices of unknown distance.")
+                        : SeriesChoice::tr("The series %1. It cannot be opened.");
+    row.hindrance = row.hindrance.arg(QString::fromStdString(entry.whyNot->problem));
+    return row;
+}
+
+}  // namespace
+
+SeriesChoice::SeriesChoice(QWidget& window)
+    : QObject(&window), m_window(window), m_pictures(QStringLiteral("pictures of series")) {
+    connect(&m_pictures, &NewestWinsThread::busyChanged, this, &SeriesChoice::busyChanged);
+}
+
+void SeriesChoice::ask(std::shared_ptr<const SeriesList> list, std::function<void(std::size_t)> chosen) {
+    delete m_dialog;
+    QList<SeriesRow> rows;
+    for (const SeriesEntry& entry : list->series) rows << rowOf(entry, static_cast<std::size_t>(rows.size()) + 1);
+    m_dialog = new SeriesDialog(QFileInfo(QString::fromStdString(list->path)).fileName(), rows, &m_window);
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_dialog, &QDialog::accepted, this, [dialog = m_dialog.data(), chosen = std::move(chosen)] {
+        chosen(static_cast<std::size_t>(dialog->selected()));
+    });
+    connect(m_dialog, &QObject::destroyed, this, [this] { m_pictures.cancel(); });
+    m_dialog->open();
+    readPicture(list, 0);
+}
+
+void SeriesChoice::readPicture(const std::shared_ptr<const SeriesList>& list, std::size_t index) {
+    if (index >= list->series.size()) return;
+    m_pictures.submit([this, list, index](const Progress& progress) -> NewestWinsThread::Deliver {
+        QImage picture;
+        if (const auto small = middlePicture(list->series[index], SeriesDialog::pictureEdge, progress))
+            picture =
+                QImage(small->grey.data(), small->width, small->height, small->width, QImage::Format_Grayscale8).copy();
+        return [this, list, index, picture] {
+            if (!m_dialog) return;
+            m_dialog->setPicture(static_cast<int>(index), picture);
+            readPicture(list, index + 1);
+        };
+    });
+}
+
+}  // namespace echolucent

@@ -1,0 +1,43 @@
+// Lets a person choose among the series of a folder, with a small picture of each.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <memory>
+
+#include "io/series_list.h"
+#include "widgets/newest_wins_thread.h"
+
+class QWidget;
+
+namespace echolucent {
+
+class SeriesDialog;
+
+/// Shows the dialog; its pictures are read in a thread of its own, one after the other.
+class SeriesChoice : public QObject {
+    Q_OBJECT
+
+public:
+    /// `window` is the parent of the dialog and must outlive this.
+    explicit SeriesChoice(QWidget& window);
+
+    /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
+    void ask(std::shared_ptr<const SeriesList> list, std::function<void(std::size_t)> chosen);
+
+    /// True while small pictures are being read.
+    [[nodiscard]] bool busy() const { return m_pictures.busy(); }
+
+signals:
+    void busyChanged();
+
+private:
+    void readPicture(const std::shared_ptr<const SeriesList>& list, std::size_t index);
+
+    QWidget& m_window;
+    QPointer<SeriesDialog> m_dialog;
+    NewestWinsThread m_pictures;
+};
+
+}  // namespace echolucent
