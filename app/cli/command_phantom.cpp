@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/phantom_output.h"
 #include "app/cli/phantom_report.h"
 #include "io/output/atomic_file.h"
-#include "io/output/meta_image_writer.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/phantom/phantom.h"
 
@@ -111,7 +111,8 @@ Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
     return {};
 }
 
-Result<void> writePhantom(const PhantomOptions& options) {
+Result<void> makeAndWrite(const PhantomOptions& options) {
+    if (auto named = checkPhantomName(options.output); !named) return named;
     if (auto checked = checkOutputs({options.output, options.truth}); !checked) return checked;
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
@@ -130,7 +131,7 @@ Result<void> writePhantom(const PhantomOptions& options) {
         phases.push_back(phase);
         volumes.push_back(std::make_shared<const Volume>(*makePhantom(phase)));
     }
-    if (auto written = writeMetaImage(options.output, volumes); !written) return written;
+    if (auto written = writePhantom(options.output, volumes); !written) return written;
     if (options.truth.empty()) return {};
     return writeFileAtomically(options.truth, truthReport(phases, *view, *tubes, options.cellSize));
 }
@@ -186,7 +187,7 @@ void addPhantomCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<PhantomOptions>();
     CLI::App& command =
         *program.add_subcommand("phantom", "Writes a simulated 3D ultrasound volume with known surfaces");
-    command.add_option("OUT", options->output, "MetaImage file to write (.mha)")->required();
+    command.add_option("OUT", options->output, "File to write: " + phantomEndings())->required();
     command.add_option("--scene", options->scene, "shapes, fetus or empty")->type_name("NAME")->capture_default_str();
     command.add_option("--phases", options->phases, "Number of phases of a moving scene; more than 1 makes a 4D file")
         ->check(CLI::Range(1, 256))
@@ -207,7 +208,7 @@ void addPhantomCommand(CLI::App& program, Action& action) {
         "Example: echolucent-cli phantom shapes.mha --scene shapes --size 160 --speckle 1 --seed 7 --truth "
         "shapes.json\n"
         "         echolucent-cli phantom heart.mha --phases 8");
-    command.callback([options, &action] { action = [options] { return writePhantom(*options); }; });
+    command.callback([options, &action] { action = [options] { return makeAndWrite(*options); }; });
 }
 
 }  // namespace echolucent::cli
