@@ -135,4 +135,19 @@ std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag) {
     return {words, words + count};
 }
 
+std::vector<std::uint32_t> dicomLongWords(DcmItem& item, DicomTag tag) {
+    const Uint32* words = nullptr;
+    unsigned long count = 0;
+    if (item.findAndGetUint32Array(DcmTagKey(tag.group, tag.element), words, &count).bad() || words == nullptr)
+        return {};
+    return {words, words + count};
+}
+
+std::optional<DicomTag> dicomPointer(DcmItem& item, DicomTag tag) {
+    DcmElement* element = elementOf(item, tag);
+    DcmTagKey named;
+    if (element == nullptr || element->ident() != EVR_AT || element->getTagVal(named, 0).bad()) return std::nullopt;
+    return DicomTag{named.getGroup(), named.getElement()};
+}
+
 }  // namespace echolucent

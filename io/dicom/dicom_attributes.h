@@ -43,4 +43,9 @@ void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(
 /// Unsigned 16-bit words of a binary attribute (palettes); empty where the attribute is missing.
 [[nodiscard]] std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag);
 
+/// Unsigned 32-bit words of a binary attribute (indices); empty where the attribute is missing or of another type.
+[[nodiscard]] std::vector<std::uint32_t> dicomLongWords(DcmItem& item, DicomTag tag);
+/// The first tag that a pointer names; no value where the attribute is missing or no pointer.
+[[nodiscard]] std::optional<DicomTag> dicomPointer(DcmItem& item, DicomTag tag);
+
 }  // namespace echolucent

@@ -1,7 +1,6 @@
 #include "io/dicom/dicom_geometry.h"
 
 #include <cmath>
-#include <initializer_list>
 
 #include "io/study_assembly.h"
 
@@ -9,20 +8,24 @@ namespace echolucent {
 
 namespace {
 
-constexpr DicomTag sharedGroups{0x5200, 0x9229};
-constexpr DicomTag perFrameGroups{0x5200, 0x9230};
 constexpr DicomTag positionPatient{0x0020, 0x0032};
 constexpr DicomTag orientationPatient{0x0020, 0x0037};
 constexpr DicomTag pixelSpacing{0x0028, 0x0030};
 
-std::optional<Vec3> pointFrom(DcmItem& item, DicomTag tag) {
+bool framesFollowInTime(DcmItem& dataset) {
+    const std::string pointer = dicomText(dataset, {0x0028, 0x0009});
+    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag) {
     const auto values = dicomNumbers(item, tag, 3);
     if (values.empty()) return std::nullopt;
     return Vec3(values[0], values[1], values[2]);
 }
 
-/// The two directions of an image orientation, made unit vectors; no value where they are missing or not perpendicular.
-std::optional<std::array<Vec3, 2>> orientationFrom(DcmItem& item, DicomTag tag) {
+std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag) {
     const auto values = dicomNumbers(item, tag, 6);
     if (values.empty()) return std::nullopt;
     const Vec3 alongRow(values[0], values[1], values[2]);
@@ -36,78 +39,25 @@ std::optional<std::array<Vec3, 2>> orientationFrom(DcmItem& item, DicomTag tag) 
     return std::array<Vec3, 2>{row, normalized(column - row * row.dot(column))};
 }
 
-std::optional<std::array<double, 2>> spacingFrom(DcmItem& item) {
+std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item) {
     const auto values = dicomNumbers(item, pixelSpacing, 2);
     if (values.empty() || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
     return std::array<double, 2>{values[1], values[0]};  // the tag holds the distance between rows first
 }
 
-/// Takes over what one item of functional groups says.
-void readGroups(DcmItem& groups, FramePlacement& placement) {
-    for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9113}, positionPatient},
-                                        std::pair{DicomTag{0x0020, 0x930e}, DicomTag{0x0020, 0x9301}}})
-        if (DcmItem* item = dicomFirstItem(groups, sequence))
-            if (const auto point = pointFrom(*item, tag)) {
-                placement.position = point;
-                placement.positionTag = tag;
-            }
-    for (const auto& [sequence, tag] : {std::pair{DicomTag{0x0020, 0x9116}, orientationPatient},
-                                        std::pair{DicomTag{0x0020, 0x930f}, DicomTag{0x0020, 0x9302}}})
-        if (DcmItem* item = dicomFirstItem(groups, sequence))
-            if (const auto orientation = orientationFrom(*item, tag)) {
-                placement.orientation = orientation;
-                placement.orientationInPatient = tag == orientationPatient;
-            }
-    if (DcmItem* item = dicomFirstItem(groups, {0x0028, 0x9110}))
-        if (const auto spacing = spacingFrom(*item)) placement.pixelSpacing = spacing;
-    if (DcmItem* item = dicomFirstItem(groups, {0x0018, 0x9807}))
-        placement.dataType = dicomText(*item, {0x0018, 0x9808});
-    if (DcmItem* item = dicomFirstItem(groups, {0x0020, 0x9111}))
-        if (const auto index = dicomWholeNumber(*item, {0x0020, 0x9128}); index && !placement.time) {
-            placement.time = static_cast<double>(*index);
-            placement.timeIsIndex = true;
-        }
-    if (DcmItem* item = dicomFirstItem(groups, {0x0020, 0x9310}))
-        if (const auto seconds = dicomNumbers(*item, {0x0020, 0x930d}, 1); !seconds.empty()) {
-            placement.time = seconds[0];
-            placement.timeIsIndex = false;
-        }
-}
-
-bool framesFollowInTime(DcmItem& dataset) {
-    const std::string pointer = dicomText(dataset, {0x0028, 0x0009});
-    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
-}
-
-}  // namespace
-
 std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
     FramePlacement placement;
-    placement.position = pointFrom(dataset, positionPatient);
+    placement.position = dicomPoint(dataset, positionPatient);
     placement.positionTag = positionPatient;
-    placement.orientation = orientationFrom(dataset, orientationPatient);
+    placement.orientation = dicomOrientation(dataset, orientationPatient);
     placement.orientationInPatient = true;
-    placement.pixelSpacing = spacingFrom(dataset);
+    placement.pixelSpacing = dicomPixelSpacing(dataset);
     if (!placement.position || !placement.orientation) return std::nullopt;
     return placement;
 }
 
-std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames, const Progress& progress) {
-    const std::size_t described = std::min(frames, dicomSequenceLength(dataset, perFrameGroups));
-    FramePlacement shared;
-    if (DcmItem* groups = dicomFirstItem(dataset, sharedGroups)) readGroups(*groups, shared);
-    std::vector<FramePlacement> placements(described, shared);
-    std::size_t frame = 0;
-    dicomVisitItems(dataset, perFrameGroups, [&](DcmItem& groups) {
-        if (frame >= described || progress.cancelled()) return false;
-        readGroups(groups, placements[frame++]);
-        return true;
-    });
-    return placements;
-}
-
 std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t frames) {
-    const auto spacing = spacingFrom(dataset);
+    const auto spacing = dicomPixelSpacing(dataset);
     if (!spacing || framesFollowInTime(dataset)) return {};
     DicomTag offsetTag{0x3004, 0x000c};
     auto offsets = dicomNumbers(dataset, offsetTag, frames);
@@ -118,9 +68,9 @@ std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t fram
         offsets.resize(frames);
         for (std::size_t frame = 0; frame < frames; ++frame) offsets[frame] = static_cast<double>(frame) * between[0];
     }
-    const auto stated = orientationFrom(dataset, orientationPatient);
+    const auto stated = dicomOrientation(dataset, orientationPatient);
     const auto orientation = stated.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
-    const Vec3 origin = pointFrom(dataset, positionPatient).value_or(Vec3(0, 0, 0));
+    const Vec3 origin = dicomPoint(dataset, positionPatient).value_or(Vec3(0, 0, 0));
     const Vec3 normal = orientation[0].cross(orientation[1]);
     std::vector<FramePlacement> placements(frames);
     for (std::size_t frame = 0; frame < frames; ++frame) {
@@ -134,7 +84,7 @@ std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t fram
 }
 
 std::optional<std::array<double, 2>> pixelSpacingOf(DcmItem& dataset, std::string& source) {
-    if (const auto spacing = spacingFrom(dataset)) {
+    if (const auto spacing = dicomPixelSpacing(dataset)) {
         source = tagText(pixelSpacing);
         return spacing;
     }

@@ -8,11 +8,18 @@
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/slice_stack.h"
-#include "processing/progress.h"
 
 class DcmItem;
 
 namespace echolucent {
+
+/// Three finite numbers of an attribute as a point; no value where it holds something else.
+[[nodiscard]] std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag);
+/// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors; no value
+/// where the attribute holds no directions or where they are far from perpendicular.
+[[nodiscard]] std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag);
+/// Pixel Spacing (0028,0030) of an item: mm along x (between columns) and y (between rows), both above 0.
+[[nodiscard]] std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item);
 
 /// What one frame says of its place; whatever is missing stays empty.
 struct FramePlacement {
@@ -21,20 +28,11 @@ struct FramePlacement {
     std::optional<std::array<Vec3, 2>> orientation;     ///< along a row, along a column
     bool orientationInPatient = false;                  ///< else in a frame of the volume's own
     std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
-    std::optional<double> time;                         ///< seconds, or an index where timeIsIndex
-    bool timeIsIndex = false;
-    std::string dataType;  ///< (0018,9808): TISSUE_INTENSITY, FLOW, ...
 };
 
 /// The place of a single picture, from Image Position, Image Orientation and Pixel Spacing at top level; no value where
 /// the position or the orientation is missing or makes no sense.
 [[nodiscard]] std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset);
-
-/// The places of all frames from the functional groups (shared, then per frame). There are fewer than `frames` where
-/// the sequence is short, and none where there are no functional groups. `progress` is polled for cancel between
-/// frames; the places of a cancelled call mean nothing.
-[[nodiscard]] std::vector<FramePlacement> functionalGroupPlacements(DcmItem& dataset, std::size_t frames,
-                                                                    const Progress& progress);
 
 /// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
 /// with spacing between slices (0018,0088), where frames are not said to follow each other in time. Empty where the

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
@@ -9,28 +6,21 @@
 #include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
+#include "io/dicom/frame_layout.h"
 #include "io/input_file.h"
 
 namespace echolucent {
 
 namespace {
 
-/// The name of what gave a frame its position, for messages.
-std::string positionName(const FramePlacement& placement) {
-    const char* name = placement.positionTag.group == 0x3004   ? "Grid Frame Offset Vector"
-                       : placement.positionTag.group == 0x0018 ? "Spacing Between Slices"
-                                                               : "Image Position";
-    return tagText(placement.positionTag) + " " + name;
+/// What a kind of object is called.
+const char* nameOfObject(const std::string& sopClass) {
+    if (sopClass == "1.2.840.10008.5.1.4.1.1.6.2") return "DICOM Enhanced US Volume";
+    if (sopClass == "1.2.840.10008.5.1.4.1.1.3.1" || sopClass == "1.2.840.10008.5.1.4.1.1.3")
+        return "DICOM Ultrasound Multi-frame Image";
+    if (sopClass.starts_with("1.2.840.10008.5.1.4.1.1.7")) return "DICOM Secondary Capture";
+    return "DICOM multi-frame image";
 }
-
-/// The frames of every phase in slice order, and the geometry they share.
-struct FrameLayout {
-    std::vector<std::vector<std::size_t>> phases;
-    VolumeGeometry geometry;
-    std::string spacingSource;
-    std::optional<double> phaseSeconds;
-    std::vector<std::string> warnings;
-};
 
 class MultiframeReader {
 public:
@@ -41,10 +31,7 @@ public:
 private:
     Result<FrameLayout> layOut();
     Result<FrameLayout> layOutAsSlices();
-    Result<FrameLayout> layOutPlaced(const std::vector<FramePlacement>& placements);
-    Result<FrameLayout> stackPhases(const std::map<double, std::vector<std::size_t>>& phases,
-                                    const std::vector<FramePlacement>& placements);
-    std::vector<std::size_t> framesOfOneDataType(const std::vector<FramePlacement>& placements, FrameLayout& layout);
+    [[nodiscard]] std::string formatInWords(const FrameLayout& layout) const;
     Result<std::vector<std::vector<std::uint8_t>>> readPhases(const FrameLayout& layout);
 
     const DicomFile& m_file;
@@ -54,18 +41,11 @@ private:
 };
 
 Result<FrameLayout> MultiframeReader::layOut() {
-    const auto count = static_cast<std::size_t>(m_frames.frames());
-    auto placements = functionalGroupPlacements(m_file.dataset(), count, m_progress);
-    if (m_progress.cancelled()) return fail(FailureKind::cancelled, m_file.path(), "", "was not read: cancelled");
-    const bool placed = placements.size() == count &&
-                        std::all_of(placements.begin(), placements.end(), [](const FramePlacement& placement) {
-                            return placement.position && placement.orientation;
-                        });
-    if (!placed) placements = classicPlacements(m_file.dataset(), count);
-    if (!placements.empty()) return layOutPlaced(placements);
-    if (m_options.framesAsSlices) return layOutAsSlices();
-    return framesWithoutGeometry(m_file.path(),
-                                 fmt::format("is a 2D cine of {} frames without volume geometry", count));
+    auto layout =
+        layOutFrames(m_file.dataset(), m_file.path(),
+                     {static_cast<std::size_t>(m_frames.frames()), m_frames.columns(), m_frames.rows()}, m_progress);
+    if (!layout && layout.error().framesCouldBeSlices && m_options.framesAsSlices) return layOutAsSlices();
+    return layout;
 }
 
 Result<FrameLayout> MultiframeReader::layOutAsSlices() {
@@ -78,83 +58,12 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     return layout;
 }
 
-std::vector<std::size_t> MultiframeReader::framesOfOneDataType(const std::vector<FramePlacement>& placements,
-                                                               FrameLayout& layout) {
-    std::string wanted = placements.front().dataType;
-    const bool tissue = std::any_of(placements.begin(), placements.end(), [](const FramePlacement& placement) {
-        return placement.dataType == "TISSUE_INTENSITY";
-    });
-    if (tissue) wanted = "TISSUE_INTENSITY";
-    std::vector<std::size_t> kept;
-    for (std::size_t frame = 0; frame < placements.size(); ++frame)
-        if (placements[frame].dataType == wanted) kept.push_back(frame);
-    if (kept.size() < placements.size())
-        layout.warnings.push_back(fmt::format("{} of {} frames show {} and were read; the others show something else.",
-                                              kept.size(), placements.size(), wanted));
-    return kept;
-}
-
-Result<FrameLayout> MultiframeReader::layOutPlaced(const std::vector<FramePlacement>& placements) {
-    FrameLayout layout;
-    const auto kept = framesOfOneDataType(placements, layout);
-    std::map<double, std::vector<std::size_t>> phases;
-    const bool timed = std::all_of(kept.begin(), kept.end(), [&](std::size_t frame) { return placements[frame].time; });
-    for (const std::size_t frame : kept) phases[timed ? *placements[frame].time : 0.0].push_back(frame);
-    const std::size_t slices = phases.begin()->second.size();
-    for (const auto& [time, frames] : phases)
-        if (frames.size() != slices)
-            return fail(FailureKind::unreadable, m_file.path(), "(5200,9230) Per-frame Functional Groups",
-                        fmt::format("gives {} slices at one time and {} at another", slices, frames.size()),
-                        "Export the volume again.");
-    if (slices < 2) {
-        if (m_options.framesAsSlices) return layOutAsSlices();
-        return framesWithoutGeometry(m_file.path(),
-                                     fmt::format("is a 2D cine: its {} frames show one plane over time", kept.size()));
-    }
-    auto stacked = stackPhases(phases, placements);
-    if (!stacked) return stacked;
-    stacked->warnings.insert(stacked->warnings.begin(), layout.warnings.begin(), layout.warnings.end());
-    if (phases.size() > 1 && !placements[kept.front()].timeIsIndex)
-        stacked->phaseSeconds =
-            (phases.rbegin()->first - phases.begin()->first) / static_cast<double>(phases.size() - 1);
-    return stacked;
-}
-
-Result<FrameLayout> MultiframeReader::stackPhases(const std::map<double, std::vector<std::size_t>>& phases,
-                                                  const std::vector<FramePlacement>& placements) {
-    FrameLayout layout;
-    std::optional<SliceStack> firstStack;
-    for (const auto& [time, frames] : phases) {
-        std::vector<SlicePlane> planes;
-        for (const std::size_t frame : frames)
-            planes.push_back({*placements[frame].position, (*placements[frame].orientation)[0],
-                              (*placements[frame].orientation)[1]});
-        auto stack = stackSlices(m_file.path(), positionName(placements[frames.front()]), planes);
-        if (!stack) return tl::unexpected(stack.error());
-        if (!firstStack) firstStack = *stack;
-        if (!(length(stack->origin - firstStack->origin) <= 0.1 * firstStack->spacing &&
-              std::abs(stack->spacing - firstStack->spacing) <= 0.1 * firstStack->spacing))
-            return fail(FailureKind::unreadable, m_file.path(), positionName(placements[frames.front()]),
-                        "changes from phase to phase", "Export one phase, or all on one grid.");
-        std::vector<std::size_t> ordered;
-        for (const std::size_t index : stack->order) ordered.push_back(frames[index]);
-        layout.phases.push_back(std::move(ordered));
-    }
-    layout.warnings = firstStack->warnings;
-    layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
-    layout.geometry.origin = firstStack->origin;
-    layout.geometry.direction = firstStack->direction;
-    layout.geometry.patientFrameKnown = placements[layout.phases[0][0]].orientationInPatient;
-    std::string source = "(0028,9110) Pixel Measures";
-    auto spacing = placements[layout.phases[0][0]].pixelSpacing;
-    if (!spacing) spacing = pixelSpacingOf(m_file.dataset(), source);
-    if (spacing) {
-        layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], firstStack->spacing};
-        layout.spacingSource = source + ", slice positions";
-    } else {
-        layout.geometry.spacingKnown = false;
-    }
-    return layout;
+/// "DICOM Enhanced US Volume, one file, 3 phases of 64 frames".
+std::string MultiframeReader::formatInWords(const FrameLayout& layout) const {
+    const std::string object = nameOfObject(m_file.scan().sopClass);
+    const std::size_t slices = layout.phases.front().size();
+    if (layout.phases.size() == 1) return fmt::format("{}, one file, {} frames", object, slices);
+    return fmt::format("{}, one file, {} phases of {} frames", object, layout.phases.size(), slices);
 }
 
 Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(const FrameLayout& layout) {
@@ -197,9 +106,14 @@ Result<Study> MultiframeReader::read() {
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
     m_frames.sayWhite(parts);
     parts.phaseSeconds = layout->phaseSeconds;
-    parts.phaseSource = "(0020,930d) Temporal Position Time Offset";
+    parts.phaseSource = layout->phaseSource;
+    if (layout->probe) {
+        parts.probe = layout->probe->probe;
+        parts.probeSource = layout->probe->source;
+    }
     parts.lossyCompressed = m_frames.lossyCompressed();
-    parts.facts = {{"format", "DICOM, one multi-frame file", ""}};
+    parts.facts = {{"format", formatInWords(*layout), "(0008,0016) SOP Class UID"}};
+    for (auto&& fact : layout->facts) parts.facts.push_back(std::move(fact));
     for (auto&& fact : m_frames.facts()) parts.facts.push_back(std::move(fact));
     for (auto&& fact : equipmentFacts(m_file.dataset())) parts.facts.push_back(std::move(fact));
     parts.warnings = layout->warnings;
@@ -216,13 +130,6 @@ std::vector<ImportFact> equipmentFacts(DcmItem& dataset) {
           std::pair{"model", DicomTag{0x0008, 0x1090}}})
         if (auto text = dicomText(dataset, tag); !text.empty()) facts.push_back({name, std::move(text), tagText(tag)});
     return facts;
-}
-
-tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {
-    auto refused = fail(FailureKind::unreadable, path, "", problem,
-                        "Add --frames-as-slices to take its pictures as slices of unknown spacing.");
-    refused.value().framesCouldBeSlices = true;
-    return refused;
 }
 
 Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress) {

@@ -13,6 +13,7 @@
 #include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_reader.h"
 #include "io/dicom/dicom_study.h"
+#include "io/dicom/frame_layout.h"
 #include "io/dicom/large_stack.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
@@ -75,14 +76,8 @@ std::string descriptionOf(DcmItem& dataset) {
 std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, const Progress& progress) {
     const auto count = static_cast<std::size_t>(header.frames);
     if (count < 2) return std::nullopt;
-    const auto placements = functionalGroupPlacements(dataset, count, progress);
-    const bool placed = placements.size() == count &&
-                        std::all_of(placements.begin(), placements.end(),
-                                    [](const auto& placement) { return placement.position && placement.orientation; });
-    if (placed || !classicPlacements(dataset, count).empty()) return std::nullopt;
-    return framesWithoutGeometry(header.file.path,
-                                 fmt::format("is a 2D cine of {} frames without volume geometry", count))
-        .value();
+    const auto layout = layOutFrames(dataset, header.file.path, {count, header.columns, header.rows}, progress);
+    return layout ? std::nullopt : std::optional(layout.error());
 }
 
 /// The header of an image; no value for DICOM files that are no images.

@@ -1,0 +1,273 @@
+#include "io/dicom/frame_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "io/dicom/dicom_geometry.h"
+#include "io/dicom/dicom_study.h"
+#include "io/dicom/frame_phases.h"
+#include "io/slice_stack.h"
+
+namespace echolucent {
+
+namespace {
+
+const std::string positionVolumeName = "(0020,9301) Image Position (Volume)";
+const std::string positionPatientName = "(0020,0032) Image Position (Patient)";
+
+class GroupLayout {
+public:
+    GroupLayout(DcmItem& dataset, const std::string& path, const std::vector<FrameGroups>& groups)
+        : m_dataset(dataset), m_path(path), m_groups(groups) {}
+
+    Result<FrameLayout> layOut(std::int64_t columns, std::int64_t rows);
+
+private:
+    Result<void> takePhases();
+    Result<void> choosePlanes();
+    Result<void> stackPhases();
+    Result<void> checkSlicePlaces() const;
+    Result<void> setSpacing();
+    Result<void> findProbe();
+    Result<std::optional<GridInVolumeFrame>> gridInVolumeFrame();
+
+    [[nodiscard]] const StatedPlane& planeOf(std::size_t frame) const {
+        return m_inPatient ? m_groups[frame].inPatient : m_groups[frame].inVolume;
+    }
+    [[nodiscard]] const std::string& positionName() const {
+        return m_inPatient ? positionPatientName : positionVolumeName;
+    }
+    [[nodiscard]] tl::unexpected<Failure> refuse(const std::string& element, const std::string& problem) const {
+        return fail(FailureKind::unreadable, m_path, element, problem, "Export the volume again.");
+    }
+
+    DcmItem& m_dataset;
+    const std::string& m_path;
+    const std::vector<FrameGroups>& m_groups;
+    std::vector<FrameDimension> m_dimensions;
+    std::vector<std::size_t> m_tissue;
+    bool m_inPatient = false;
+    double m_betweenSlices = 1.0;  // mm, between the positions
+    FrameLayout m_layout;
+};
+
+Result<void> GroupLayout::takePhases() {
+    auto tissue = tissueFramesOf(m_path, m_groups);
+    if (!tissue) return tl::unexpected(tissue.error());
+    m_tissue = std::move(tissue->frames);
+    m_layout.warnings = std::move(tissue->warnings);
+    if (!tissue->story.empty()) m_layout.facts.push_back({"data type", tissue->story, tagText(dataTypeTag)});
+    m_dimensions = readFrameDimensions(m_dataset);
+    auto split = splitIntoPhases(m_path, m_dimensions, m_groups, m_tissue);
+    if (!split) return tl::unexpected(split.error());
+    m_layout.phases = std::move(split->phases);
+    m_layout.phaseSeconds = split->phaseSeconds;
+    m_layout.phaseSource = split->source;
+    m_layout.warnings.insert(m_layout.warnings.end(), split->warnings.begin(), split->warnings.end());
+    constexpr DicomTag organizationTag{0x0020, 0x9311};
+    if (m_layout.phases.size() > 1 && dicomText(m_dataset, organizationTag) == "3D")
+        m_layout.warnings.push_back(
+            fmt::format("The file calls itself one volume ((0020,9311) is 3D), but its frames are of {} phases.",
+                        m_layout.phases.size()));
+    return {};
+}
+
+Result<void> GroupLayout::choosePlanes() {
+    const auto inPatient = static_cast<std::size_t>(
+        std::ranges::count_if(m_tissue, [&](std::size_t frame) { return m_groups[frame].inPatient.isComplete(); }));
+    m_inPatient = inPatient == m_tissue.size();
+    if (m_inPatient) return {};
+    for (const std::size_t frame : m_tissue)
+        if (!m_groups[frame].inVolume.isComplete())
+            return refuse(positionVolumeName,
+                          fmt::format("or its orientation (0020,9302) is missing for frame {}", frame + 1));
+    if (inPatient > 0)
+        m_layout.warnings.push_back(
+            fmt::format("Only {} of {} frames have a place in the patient, so that none was taken from them.",
+                        inPatient, m_tissue.size()));
+    else if (dicomText(m_dataset, {0x0020, 0x9307}) == "PATIENT")
+        m_layout.warnings.emplace_back(
+            "The file says (0020,9307 is PATIENT) that its place in the patient is known, but "
+            "no frame has one.");
+    return {};
+}
+
+Result<void> GroupLayout::stackPhases() {
+    std::optional<SliceStack> firstStack;
+    for (auto& frames : m_layout.phases) {
+        std::vector<SlicePlane> planes;
+        for (const std::size_t frame : frames) {
+            const StatedPlane& plane = planeOf(frame);
+            planes.push_back({*plane.position, (*plane.orientation)[0], (*plane.orientation)[1]});
+        }
+        auto stack = stackSlices(m_path, positionName(), planes);
+        if (!stack) return tl::unexpected(stack.error());
+        if (!firstStack) firstStack = *stack;
+        if (!(length(stack->origin - firstStack->origin) <= 0.1 * firstStack->spacing &&
+              std::abs(stack->spacing - firstStack->spacing) <= 0.1 * firstStack->spacing &&
+              cv::norm(stack->direction - firstStack->direction) <= 0.01))
+            return fail(FailureKind::unreadable, m_path, positionName(), "changes from phase to phase",
+                        "Export one phase, or all on one grid.");
+        std::vector<std::size_t> ordered;
+        for (const std::size_t index : stack->order) ordered.push_back(frames[index]);
+        frames = std::move(ordered);
+    }
+    m_layout.warnings.insert(m_layout.warnings.end(), firstStack->warnings.begin(), firstStack->warnings.end());
+    m_layout.geometry.size[2] = static_cast<std::int64_t>(m_layout.phases.front().size());
+    m_layout.geometry.origin = firstStack->origin;
+    m_layout.geometry.direction = firstStack->direction;
+    m_layout.geometry.patientFrameKnown = m_inPatient;
+    if (auto checked = checkSlicePlaces(); !checked) return checked;
+    m_betweenSlices = firstStack->spacing;
+    return setSpacing();
+}
+
+/// The index values of positions must count the slices of all phases alike.
+Result<void> GroupLayout::checkSlicePlaces() const {
+    const auto& first = m_layout.phases.front();
+    for (std::size_t phase = 1; phase < m_layout.phases.size(); ++phase)
+        for (std::size_t slice = 0; slice < first.size(); ++slice) {
+            const std::size_t frame = m_layout.phases[phase][slice];
+            if (positionIndexOf(m_dimensions, m_groups[frame]) != positionIndexOf(m_dimensions, m_groups[first[slice]]))
+                return refuse(tagText(indexValuesTag) + " Dimension Index Values",
+                              fmt::format("counts frames {} and {} as different places, where {} is the same",
+                                          first[slice] + 1, frame + 1, positionName()));
+        }
+    return {};
+}
+
+Result<void> GroupLayout::setSpacing() {
+    std::string source = "(0028,9110) Pixel Measures";
+    const FrameGroups& first = m_groups[m_tissue.front()];
+    auto spacing = first.pixelSpacing;
+    for (const std::size_t frame : m_tissue)
+        if (m_groups[frame].pixelSpacing != spacing)
+            return refuse("(0028,0030) Pixel Spacing", "changes from frame to frame");
+    if (!spacing) spacing = pixelSpacingOf(m_dataset, source);
+    if (!spacing) {
+        m_layout.geometry.spacingKnown = false;
+        return {};
+    }
+    m_layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], m_betweenSlices};
+    m_layout.spacingSource = source + ", slice positions";
+    if (first.betweenSlices && std::abs(*first.betweenSlices - m_betweenSlices) > 0.01 * m_betweenSlices)
+        m_layout.warnings.push_back(fmt::format(
+            "(0018,0088) Spacing Between Slices is {:.4g} mm, but the slices' positions are {:.4g} mm apart; "
+            "the positions were taken.",
+            *first.betweenSlices, m_betweenSlices));
+    return {};
+}
+
+/// The grid in the frame of reference in which apex and transducer are stated; no value where the frames have no place
+/// in it. Fails where the slices lie otherwise there than in the patient.
+Result<std::optional<GridInVolumeFrame>> GroupLayout::gridInVolumeFrame() {
+    const VolumeGeometry& geometry = m_layout.geometry;
+    if (!m_inPatient) return GridInVolumeFrame{geometry.origin, geometry.direction};
+    const StatedPlane& first = m_groups[m_layout.phases.front().front()].inVolume;
+    const StatedPlane& last = m_groups[m_layout.phases.front().back()].inVolume;
+    if (!first.isComplete() || !last.isComplete()) return std::nullopt;
+    const auto& [row, column] = *first.orientation;
+    const Vec3 normal = row.cross(column);
+    const double spacing = (*last.position - *first.position).dot(normal) / static_cast<double>(geometry.size[2] - 1);
+    if (!(std::abs(spacing - m_betweenSlices) <= 0.01 * m_betweenSlices))
+        return refuse(positionVolumeName,
+                      fmt::format("puts the slices {:.4g} mm apart, where {} puts them {:.4g} mm apart", spacing,
+                                  positionPatientName, m_betweenSlices));
+    GridInVolumeFrame grid{*first.position, Mat3::eye()};
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.direction(axis, 0) = row[axis];
+        grid.direction(axis, 1) = column[axis];
+        grid.direction(axis, 2) = normal[axis];
+    }
+    return grid;
+}
+
+Result<void> GroupLayout::findProbe() {
+    UltrasoundFrame frame = readUltrasoundFrame(m_dataset);
+    for (auto&& fact : frame.facts) m_layout.facts.push_back(std::move(fact));
+    for (auto&& warning : frame.warnings) m_layout.warnings.push_back(std::move(warning));
+    const auto grid = gridInVolumeFrame();
+    if (!grid) return tl::unexpected(grid.error());
+    if (*grid)
+        m_layout.probe = probeOf(frame, **grid, m_layout.geometry, m_layout.warnings);
+    else if (frame.apexMm || frame.transducerFromVolume)
+        m_layout.warnings.emplace_back(
+            "The place of the probe was left out: it is stated in the volume's frame of "
+            "reference, where the frames have no place.");
+    return {};
+}
+
+Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows) {
+    m_layout.geometry.size = {columns, rows, 1};
+    if (auto taken = takePhases(); !taken) return tl::unexpected(taken.error());
+    if (m_layout.phases.front().size() < 2) return m_layout;
+    if (auto chosen = choosePlanes(); !chosen) return tl::unexpected(chosen.error());
+    if (auto stacked = stackPhases(); !stacked) return tl::unexpected(stacked.error());
+    if (auto found = findProbe(); !found) return tl::unexpected(found.error());
+    return m_layout;
+}
+
+/// The name of the attribute that placed frames without functional groups, for messages.
+std::string positionName(const FramePlacement& placement) {
+    const char* name = placement.positionTag.group == 0x3004   ? "Grid Frame Offset Vector"
+                       : placement.positionTag.group == 0x0018 ? "Spacing Between Slices"
+                                                               : "Image Position";
+    return tagText(placement.positionTag) + " " + name;
+}
+
+/// Lays frames out whose places the old attributes at top level give.
+FrameLayout layOutStack(const std::vector<FramePlacement>& placements, const FrameExtent& extent, SliceStack stack) {
+    FrameLayout layout;
+    layout.phases.push_back(std::move(stack.order));
+    layout.warnings = std::move(stack.warnings);
+    layout.geometry.size = {extent.columns, extent.rows, static_cast<std::int64_t>(extent.frames)};
+    layout.geometry.origin = stack.origin;
+    layout.geometry.direction = stack.direction;
+    layout.geometry.patientFrameKnown = placements.front().orientationInPatient;
+    const auto spacing = *placements.front().pixelSpacing;
+    layout.geometry.spacing = {spacing[0], spacing[1], stack.spacing};
+    layout.spacingSource = "(0028,0030) Pixel Spacing, " + positionName(placements.front());
+    return layout;
+}
+
+bool isAnyPlaced(const std::vector<FrameGroups>& groups) {
+    return std::ranges::any_of(groups, [](const FrameGroups& frame) {
+        return frame.inVolume.position || frame.inVolume.orientation || frame.inPatient.position ||
+               frame.inPatient.orientation;
+    });
+}
+
+}  // namespace
+
+Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, const FrameExtent& extent,
+                                 const Progress& progress) {
+    const auto groups = readFunctionalGroups(dataset, path, extent.frames, progress);
+    if (!groups) return tl::unexpected(groups.error());
+    if (isAnyPlaced(*groups)) {
+        auto layout = GroupLayout(dataset, path, *groups).layOut(extent.columns, extent.rows);
+        if (!layout || layout->phases.front().size() > 1) return layout;
+        return framesWithoutGeometry(
+            path, fmt::format("is a 2D cine: its {} frames show one plane over time", layout->phases.size()));
+    }
+    const auto placements = classicPlacements(dataset, extent.frames);
+    if (placements.empty())
+        return framesWithoutGeometry(path,
+                                     fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
+    std::vector<SlicePlane> planes;
+    for (const FramePlacement& placement : placements)
+        planes.push_back({*placement.position, (*placement.orientation)[0], (*placement.orientation)[1]});
+    auto stack = stackSlices(path, positionName(placements.front()), planes);
+    if (!stack) return tl::unexpected(stack.error());
+    return layOutStack(placements, extent, std::move(*stack));
+}
+
+tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {
+    auto refused = fail(FailureKind::unreadable, path, "", problem,
+                        "Add --frames-as-slices to take its pictures as slices of unknown spacing.");
+    refused.value().framesCouldBeSlices = true;
+    return refused;
+}
+
+}  // namespace echolucent
