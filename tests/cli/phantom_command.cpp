@@ -139,6 +139,24 @@ TEST_F(PhantomCommand, PhasesMakeAFourDimensionalFile) {
     EXPECT_EQ(truth.at("phases")[0].at("tubes"), truth.at("tubes"));
 }
 
+TEST_F(PhantomCommand, TheEndingChoosesTheFormat) {
+    ASSERT_EQ(run("phantom " + path("v.mha") + " --size 24x20x16 --phases 2 --bits 16").status, 0);
+    ASSERT_EQ(run("phantom " + path("v.dcm") + " --size 24x20x16 --phases 2 --bits 16").status, 0);
+    EXPECT_EQ(contentOf(path("v.dcm")).substr(128, 4), "DICM");
+    const Outcome same = run("info " + path("v.dcm"));
+    EXPECT_NE(same.output.find("DICOM Enhanced US Volume, one file, 2 phases of 16 frames"), std::string::npos);
+    // The same voxels, geometry and view give the same curves.
+    for (const std::string name : {"v.dcm", "v.mha"})
+        ASSERT_EQ(run("otf " + path(name) + " --beam-axis +z --tube-grid 3x3 --json " + path(name + ".json")).status,
+                  0);
+    EXPECT_EQ(json::parse(contentOf(path("v.dcm.json"))).at("otf"),
+              json::parse(contentOf(path("v.mha.json"))).at("otf"));
+    const Outcome refused = run("phantom " + path("v.xyz") + " --size 16");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.output.find("Use .mha, .mhd or .dcm."), std::string::npos) << refused.output;
+    EXPECT_FALSE(fs::exists(path("v.xyz")));
+}
+
 TEST_F(PhantomCommand, SameBytesForAnyNumberOfThreads) {
     ASSERT_EQ(run("--threads 1 phantom " + path("one.mha") + " --size 50").status, 0);
     ASSERT_EQ(run("--threads 3 phantom " + path("three.mha") + " --size 50").status, 0);
