@@ -89,8 +89,7 @@ Result<void> GroupLayout::choosePlanes() {
                         inPatient, m_tissue.size()));
     else if (dicomText(m_dataset, {0x0020, 0x9307}) == "PATIENT")
         m_layout.warnings.emplace_back(
-            "The file says (0020,9307 is PATIENT) that its place in the patient is known, but "
-            "no frame has one.");
+            "The file says that its place in the patient is known ((0020,9307) is PATIENT), but no frame has one.");
     return {};
 }
 

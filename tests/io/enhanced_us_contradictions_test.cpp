@@ -283,6 +283,14 @@ std::vector<Change> notes() {
         {"OneVolumeOfTwoPhases",
          [](const EnhancedUsFile& file) { putText(file.dataset(), DCM_DimensionOrganizationType, "3D"); },
          {"calls itself one volume", "2 phases"}},
+        {"PatientWithoutPlaces",
+         [](const EnhancedUsFile& file) {
+             putText(file.dataset(), DCM_UltrasoundAcquisitionGeometry, "PATIENT");
+             DcmItem* shared = nullptr;
+             ASSERT_TRUE(file.dataset().findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared).good());
+             ASSERT_TRUE(shared->findAndDeleteElement(DCM_PlaneOrientationSequence).good());
+         },
+         {"(0020,9307) is PATIENT"}},
         {"PlaceInThePatientForSomeFrames",
          [](const EnhancedUsFile& file) {
              DcmItem* groups = nullptr;

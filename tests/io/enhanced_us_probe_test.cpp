@@ -123,6 +123,15 @@ TEST_F(EnhancedUsProbe, AFaceThatLooksAwayIsTurnedAndSaid) {
     EXPECT_THAT(study.warnings, Contains(HasSubstr("puts the volume behind the transducer's face")));
 }
 
+TEST_F(EnhancedUsProbe, ANominalPlaceOfTheTransducerIsUsedAndCalledSo) {
+    const Study study =
+        read(obliqueGeometry(), detailsOf({20, -13, 0}, obliqueGeometry(), 60), [](const EnhancedUsFile& file) {
+            file.dataset().putAndInsertString(DCM_VolumeToTransducerRelationship, "ORIENTATION_VAR");
+        });
+    expectView(study, {20, -13, 0});
+    EXPECT_EQ(factOf(study, "transducer's place"), "nominal: \"ORIENTATION_VAR\"");
+}
+
 TEST_F(EnhancedUsProbe, NothingIsStatedWhereTheFileStatesNothing) {
     const Study study = read(obliqueGeometry(), {}, [](const EnhancedUsFile& file) {
         file.dataset().findAndDeleteElement(DCM_VolumeToTransducerMappingMatrix);

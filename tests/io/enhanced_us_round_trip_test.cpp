@@ -132,6 +132,24 @@ TEST_P(EnhancedUsRoundTrip, WithoutDimensionsTimesTellThePhases) {
     expectSameVolumes(*study, written);
 }
 
+TEST(EnhancedUsDimensions, AnyAttributeThatNamesATimeSplitsThePhases) {
+    const TemporaryFolder folder;
+    const auto written = writeKind(folder.file("v.dcm"), kinds().back());
+    for (const DcmTagKey& time : {DCM_TemporalPositionTimeOffset, DCM_NominalCardiacTriggerDelayTime,
+                                  DCM_NominalPercentageOfCardiacPhase, DCM_FrameReferenceDateTime}) {
+        const EnhancedUsFile file(folder.file("v.dcm"));
+        DcmItem* item = nullptr;
+        ASSERT_TRUE(file.dataset().findAndGetSequenceItem(DCM_DimensionIndexSequence, item, 0).good());
+        ASSERT_TRUE(item->putAndInsertTagKey(DCM_DimensionIndexPointer, time).good());
+        for (std::size_t frame = 0; frame < file.frames(); ++frame)
+            file.groupOfFrame(frame, DCM_FrameContentSequence).findAndDeleteElement(DCM_TemporalPositionIndex);
+        file.save();
+        const auto study = readStudy(folder.file("v.dcm"), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        expectSameVolumes(*study, written);
+    }
+}
+
 struct Outcome {
     int status = -1;
     std::string output;  ///< both streams
