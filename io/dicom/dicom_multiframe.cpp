@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"

@@ -209,7 +209,7 @@ Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows)
 }
 
 /// The name of the attribute that placed frames without functional groups, for messages.
-std::string positionName(const FramePlacement& placement) {
+std::string nameOfPlacement(const FramePlacement& placement) {
     const char* name = placement.positionTag.group == 0x3004   ? "Grid Frame Offset Vector"
                        : placement.positionTag.group == 0x0018 ? "Spacing Between Slices"
                                                                : "Image Position";
@@ -227,7 +227,7 @@ FrameLayout layOutStack(const std::vector<FramePlacement>& placements, const Fra
     layout.geometry.patientFrameKnown = placements.front().orientationInPatient;
     const auto spacing = *placements.front().pixelSpacing;
     layout.geometry.spacing = {spacing[0], spacing[1], stack.spacing};
-    layout.spacingSource = "(0028,0030) Pixel Spacing, " + positionName(placements.front());
+    layout.spacingSource = "(0028,0030) Pixel Spacing, " + nameOfPlacement(placements.front());
     return layout;
 }
 
@@ -247,6 +247,9 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
     if (isAnyPlaced(*groups)) {
         auto layout = GroupLayout(dataset, path, *groups).layOut(extent.columns, extent.rows);
         if (!layout || layout->phases.front().size() > 1) return layout;
+        if (layout->phases.size() == 1)
+            return fail(FailureKind::unreadable, path, "", "holds a single plane of tissue, not a volume",
+                        "Export the whole volume.");
         return framesWithoutGeometry(
             path, fmt::format("is a 2D cine: its {} frames show one plane over time", layout->phases.size()));
     }
@@ -257,7 +260,7 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
     std::vector<SlicePlane> planes;
     for (const FramePlacement& placement : placements)
         planes.push_back({*placement.position, (*placement.orientation)[0], (*placement.orientation)[1]});
-    auto stack = stackSlices(path, positionName(placements.front()), planes);
+    auto stack = stackSlices(path, nameOfPlacement(placements.front()), planes);
     if (!stack) return tl::unexpected(stack.error());
     return layOutStack(placements, extent, std::move(*stack));
 }

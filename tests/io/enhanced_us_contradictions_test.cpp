@@ -217,6 +217,14 @@ std::vector<Change> refusals() {
                  putText(file.groupOfFrame(frame, DCM_PlanePositionSequence), DCM_ImagePositionPatient, "40\\40\\40");
          },
          {"(0020,0032)", "mm apart"}},
+        {"OneFrameOfTissue",
+         [](const EnhancedUsFile& file) {
+             for (std::size_t frame = 1; frame < 16; ++frame) {
+                 putText(file.groupOfFrame(frame, DCM_ImageDataTypeSequence), DCM_DataType, "ELASTICITY");
+                 file.setIndexValues(frame, {1, static_cast<unsigned>(frame + 1), 2});
+             }
+         },
+         {"holds a single plane of tissue"}},
         {"NothingButFlow",
          [](const EnhancedUsFile& file) {
              putText(file.groupOfAll(DCM_ImageDataTypeSequence), DCM_DataType, "FLOW_VELOCITY");
