@@ -53,7 +53,7 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     for (std::size_t frame = 0; frame < layout.phases[0].size(); ++frame) layout.phases[0][frame] = frame;
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), m_frames.frames()};
     layout.geometry.spacingKnown = false;
-    layout.warnings.push_back("The frames of a 2D cine are taken as slices: this is no true volume.");
+    layout.warnings.emplace_back("The frames of a 2D cine are taken as slices: this is no true volume.");
     return layout;
 }
 
