@@ -12,7 +12,7 @@ namespace {
 /// A document of the shapes with a pose, a cut, a box and a stroke, and a second view from behind.
 Document everything(const std::string& study) {
     Document document;
-    document.study = StudyFile{.path = study, .series = {}, .options = {}, .checksum = {}};
+    document.study = StudyFile{.path = study, .options = {}, .checksum = {}};
     document.poses.front().value.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
     cutOf(document, 1).nearCutMm = 4;
     boxOf(document, 1) = {.on = true, .direction = {.azimuth = 12}, .centreMm = {27, 25, 30}, .sizeMm = {36, 34, 44}};
