@@ -56,7 +56,7 @@ std::string asSlices(const std::string& path) {
 
 std::string fileRow(const std::string& path, const std::string& shownName) {
     const auto study = readStudy(path);
-    const std::string start = "| `" + shownName + "` | ";
+    const std::string start = "| `" + cell(shownName) + "` | ";
     if (study) return start + "opens | " + cell(summaryOf(*study)) + " |";
     std::string why = sentenceOf(study.error(), path);
     if (study.error().framesCouldBeSlices) why += asSlices(path);

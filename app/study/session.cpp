@@ -80,12 +80,12 @@ void Session::open(const QString& path, const ReadOptions& options) {
 
 void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
     options.series = list->series.at(entry).uid;
-    load(StudyFile{.path = list->path, .options = options, .checksum = {}}, options,
-         [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
-             auto study = readSeries(*list, list->series[entry], options, progress);
-             if (!study) return tl::unexpected(study.error());
-             return Opening{std::move(*study), list};
-         });
+    const StudyFile file{.path = list->path, .options = options, .checksum = {}};
+    load(file, options, [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
+        auto study = readSeries(*list, list->series[entry], options, progress);
+        if (!study) return tl::unexpected(study.error());
+        return Opening{std::move(*study), list};
+    });
 }
 
 void Session::openSimulatedScan() {

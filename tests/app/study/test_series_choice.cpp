@@ -1,0 +1,104 @@
+// A folder of several series: which one is opened is asked, with small pictures, by real keys and clicks.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "io/output/enhanced_us_writer.h"
+#include "tests/app/window_fixture.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// A volume of bytes whose value grows along x.
+std::shared_ptr<const Volume> ramp(std::array<std::int64_t, 3> size) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+        voxels[i] = static_cast<std::uint8_t>(255 * (i % static_cast<std::size_t>(size[0])) /
+                                              static_cast<std::size_t>(size[0]));
+    return std::make_shared<const Volume>(geometry, Voxels(std::move(voxels)));
+}
+
+}  // namespace
+
+class TestSeriesChoice : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    QTemporaryDir m_series;
+
+    void write(const QString& name, std::array<std::int64_t, 3> size) {
+        QVERIFY(writeEnhancedUs(m_series.filePath(name).toStdString(), {ramp(size)}, {}));
+    }
+    [[nodiscard]] QDialog* dialog() { return window().findChild<QDialog*>("series"); }
+    [[nodiscard]] QListWidget* list() { return dialog()->findChild<QListWidget*>("series.list"); }
+    [[nodiscard]] std::int64_t depthOfStudy() { return window().session().volume()->geometry().size[2]; }
+    void ask() {
+        window().open(m_series.path());
+        QTRY_VERIFY(dialog() && dialog()->isVisible());
+        QTRY_VERIFY(window().idle());
+    }
+
+private slots:
+    void initTestCase() {
+        write("a.dcm", {32, 28, 24});
+        write("b.dcm", {32, 28, 20});
+    }
+    void init() {
+        show();
+        useLook(Look{});
+        open(file("before.mha", {smallPhantom(PhantomScene::shapes, 1)}));
+    }
+    void cleanup() { close(); }
+
+    void theSeriesAreOfferedWithTheirPicturesAndEnterOpensOne() {
+        ask();
+        QCOMPARE(list()->count(), 2);
+        QVERIFY(list()->item(0)->text().contains("24 frames"));
+        QVERIFY(list()->item(1)->text().contains("20 frames"));
+        for (int row = 0; row < 2; ++row) {
+            const QImage picture = list()->item(row)->icon().pixmap(96, 96).toImage();
+            QVERIFY2(qGray(picture.pixel(90, 48)) > qGray(picture.pixel(10, 48)) + 100, "the ramp rises to the right");
+        }
+        QCOMPARE(depthOfStudy(), 58);  // what was open stays until a series is chosen
+        QTest::keyClick(list(), Qt::Key_Down);
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 20);
+        QTRY_VERIFY(!dialog());
+        const auto* study = std::get_if<StudyFile>(&window().document().document().study);
+        QVERIFY(study && !study->options.series.empty());  // a document names the series that it is about
+    }
+
+    void aDoubleClickOpens() {
+        ask();
+        const QRect row = list()->visualItemRect(list()->item(0));
+        QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, row.center());
+        QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, row.center());
+        QTRY_COMPARE(depthOfStudy(), 24);
+    }
+
+    void escapeLeavesWhatWasOpen() {
+        ask();
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        QTRY_VERIFY(!dialog());
+        waitUntilIdle();
+        QCOMPARE(depthOfStudy(), 58);
+    }
+
+    void theMenuAsksAgainForAnotherSeriesOfTheFolder() {
+        auto* again = window().findChild<QAction*>("file.chooseSeries");
+        QVERIFY(!again->isEnabled());
+        ask();
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 24);
+        QTRY_VERIFY(again->isEnabled());
+        again->trigger();
+        QTRY_VERIFY(dialog() && dialog()->isVisible());
+        QTest::keyClick(list(), Qt::Key_Down);
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 20);
+    }
+};
+
+QTEST_MAIN(TestSeriesChoice)
+#include "test_series_choice.moc"
