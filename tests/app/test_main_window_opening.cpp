@@ -1,6 +1,7 @@
 // What opening finds of a scan: it is shown, said in the picture, and taken back by one step or one key.
 #include <QComboBox>
 
+#include "io/output/enhanced_us_writer.h"
 #include "processing/document/opening_finds.h"
 #include "tests/app/window_fixture.h"
 #include "tests/processing/beam/turned_volume.h"
@@ -51,6 +52,28 @@ private slots:
         QCOMPARE(document().beam, Beam{});
         QCOMPARE(cutOf(document(), 1), Cut{});
         QVERIFY(window().volumeView().caption().contains("beam +z, assumed"));
+    }
+
+    void theViewFromTheProbeThatTheFileStatesIsTheDefaultOne() {
+        const ViewFrame stated = frameOf({BeamAxis::minusY, 15, -20, 40});
+        const std::string path = temporaryFolder().filePath("leaning.dcm").toStdString();
+        EnhancedUsDetails details;
+        details.transducer = {Vec3(35, 90, 35) - stated.forward * 120.0, stated.forward, stated.right};
+        QVERIFY(writeEnhancedUs(path, {smallPhantom(PhantomScene::shapes, 3)}, details));
+        useLook(Look{});
+        open(QString::fromStdString(path));
+        QCOMPARE(document().beam.source, BeamSource::file);
+        QCOMPARE(document().beam.axis, BeamAxis::minusY);
+        const auto looksAlong = [this] { return frameOf(viewpointOf(document(), 1)); };
+        QVERIFY(length(looksAlong().forward - stated.forward) < 1e-6);
+        QVERIFY(length(looksAlong().right - stated.right) < 1e-6);  // the marker's side is at the right of the picture
+        QVERIFY(length(frameOf(otfViewpointOf(document(), 1)).forward - stated.forward) < 1e-6);
+        QVERIFY(window().volumeView().caption().contains("beam -y, seen from the probe as the file says"));
+        lookFrom(window(), Viewpoint{.beamAxis = BeamAxis::minusY, .azimuthDegrees = 80});
+        QTest::keyClick(&window(), Qt::Key_R);
+        waitUntilIdle();
+        QVERIFY(length(looksAlong().forward - stated.forward) < 1e-6);
+        QVERIFY(length(looksAlong().right - stated.right) < 1e-6);
     }
 
     void aSessionThatReadsAlreadyIsShownWhenItHasRead() {

@@ -69,6 +69,7 @@ public:
     }
     void waitUntilIdle() { QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().volumeView().pictureIsFine(), 30000); }
     [[nodiscard]] MainWindow& window() { return *m_window; }
+    [[nodiscard]] const QTemporaryDir& temporaryFolder() const { return m_folder; }
     [[nodiscard]] QString settingsFile() const { return m_folder.filePath("settings.ini"); }
     template <typename Widget = QWidget>
     Widget* child(const QString& name) {
