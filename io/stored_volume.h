@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "io/data_files.h"
 #include "io/study.h"
+#include "io/study_assembly.h"
 #include "io/voxel_source.h"
 #include "io/voxel_types.h"
 
@@ -13,12 +15,17 @@ namespace echolucent {
 
 /// A header, checked and understood; nothing of the voxels has been read yet.
 struct StoredVolume {
-    std::string path;        ///< header file, as the person gave it
-    std::string dataPath;    ///< file that holds the voxels; it may be the header file
+    std::string path;  ///< header file, as the person gave it
+    /// The files that hold the voxels, at least one; the first may be the header file. Several hold equal parts, in the
+    /// voxels' order.
+    std::vector<DataFile> data;
     std::string layoutPath;  ///< file that describes a raw file; empty where a person gave the layout or none is needed
     std::string sizeKey;     ///< the key or option that declared the size: "DimSize", "sizes", "--raw-size"
-    VoxelExtent extent;      ///< a length of 0 means that the voxels end with the file
-    bool dataAtEnd = false;  ///< the voxels end where the file ends (HeaderSize = -1, byte skip: -1)
+    /// What to do where the file holds fewer voxels than declared.
+    std::string sizeRemedy = "The file is incomplete or its header is wrong: copy or export it again.";
+    VoxelExtent extent;          ///< in each data file; a length of 0 means that the voxels end with the file
+    bool dataAtEnd = false;      ///< the voxels end where the file ends (HeaderSize = -1, byte skip: -1)
+    std::int64_t skipLines = 0;  ///< lines of each data file before the extent's offset is counted (line skip)
     StoredType type = StoredType::uint8;
     bool bigEndian = false;
     std::int64_t channels = 1;  ///< 3 where every voxel is red, green, blue; these are reduced to luma
@@ -26,8 +33,11 @@ struct StoredVolume {
     std::int64_t phases = 1;
     bool phasesFastest = false;  ///< the phase is the fastest axis instead of the slowest
     std::string spacingSource;   ///< the key that gave the spacing; empty where the spacing is assumed
+    std::optional<Rescale> rescale;
+    std::string rescaleSource;  ///< the keys that gave `rescale`
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;
+    std::optional<WindowWhite> window;  ///< as StudyParts::window
     std::optional<double> phaseSeconds;
     std::string phaseSource;
     std::vector<ImportFact> facts;
@@ -45,10 +55,5 @@ struct ByteCounts {
 /// Reads the voxels that `stored` describes. The declared size is compared with what the file can hold before memory is
 /// taken. Fails (unreadable) where the file holds fewer voxels or is damaged. `progress` is polled for cancel.
 [[nodiscard]] Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress);
-
-/// The path of the data file `name` that the header at `headerPath` names under `key`. Fails (unreadable) unless the
-/// data file lies in the header's folder.
-[[nodiscard]] Result<std::string> dataFileBeside(const std::string& headerPath, const std::string& key,
-                                                 const std::string& name);
 
 }  // namespace echolucent

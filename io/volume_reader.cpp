@@ -61,8 +61,9 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
     return std::nullopt;
 }
 
-Result<Study> readUnknown(const std::string& path, std::string_view beginning, const ReadOptions& options,
+Result<Study> readUnknown(const InputFile& file, std::string_view beginning, const ReadOptions& options,
                           const Progress& progress) {
+    const std::string& path = file.path();
     auto layout = options.raw;
     std::string source = "--raw-size";
     if (!layout) {
@@ -80,7 +81,7 @@ Result<Study> readUnknown(const std::string& path, std::string_view beginning, c
         unknown.value().layoutUnknown = !beginning.empty();
         return unknown;
     }
-    auto stored = storedVolumeFromLayout(path, *layout, source);
+    auto stored = storedVolumeFromLayout(file, *layout, source);
     if (!stored) return tl::unexpected(stored.error());
     if (!options.raw) stored->layoutPath = rawLayoutPath(path);
     return readStoredVolume(std::move(*stored), options, progress);
@@ -95,19 +96,19 @@ Result<Study> readFile(const std::string& path, const ReadOptions& options, cons
     if (format == Format::unknown && !knownButNotRead(path, *beginning)) format = formatFromName(path);
     switch (format) {
         case Format::metaImage: {
-            auto stored = readMetaImageHeader(path);
+            auto stored = readMetaImageHeader(*file, options.framesAsSlices);
             if (!stored) return tl::unexpected(stored.error());
             return readStoredVolume(std::move(*stored), options, progress);
         }
         case Format::nrrd: {
-            auto stored = readNrrdHeader(path, options.framesAsSlices);
+            auto stored = readNrrdHeader(*file, options.framesAsSlices);
             if (!stored) return tl::unexpected(stored.error());
             return readStoredVolume(std::move(*stored), options, progress);
         }
         case Format::dicom: return readDicom(*file, options, progress);
         case Format::unknown: break;
     }
-    return readUnknown(path, *beginning, options, progress);
+    return readUnknown(*file, *beginning, options, progress);
 }
 
 }  // namespace

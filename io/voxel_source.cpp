@@ -1,9 +1,8 @@
 #include "io/voxel_source.h"
 
-#include <zlib.h>
-
 #include <algorithm>
-#include <vector>
+#include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,25 +10,15 @@ namespace echolucent {
 
 namespace {
 constexpr std::size_t pieceBytes = std::size_t{4} << 20;
+constexpr std::size_t inputBytes = std::size_t{1} << 18;
 
 tl::unexpected<Failure> cancelled(const std::string& path) {
     return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
 }
 }  // namespace
 
-struct VoxelSource::Inflater {
-    z_stream stream{};
-    std::vector<std::uint8_t> input = std::vector<std::uint8_t>(std::size_t{1} << 18);
-    bool ended = false;
-
-    // The window has 15 bits; 32 more let zlib tell its own format and gzip apart by the data.
-    Inflater() { inflateInit2(&stream, 15 + 32); }
-    ~Inflater() { inflateEnd(&stream); }
-    Inflater(const Inflater&) = delete;
-    Inflater& operator=(const Inflater&) = delete;
-};
-
-VoxelSource::VoxelSource(InputFile file, const VoxelExtent& extent) : m_file(std::move(file)), m_extent(extent) {
+VoxelSource::VoxelSource(InputFile file, const VoxelExtent& extent, StoredType type)
+    : m_file(std::move(file)), m_extent(extent), m_type(type) {
     rewind();
 }
 
@@ -38,11 +27,14 @@ VoxelSource::~VoxelSource() = default;
 void VoxelSource::rewind() {
     m_position = 0;
     m_given = 0;
-    m_inflater = m_extent.compressed ? std::make_unique<Inflater>() : nullptr;
+    m_decoder = makeVoxelDecoder(m_extent.encoding, m_type);
+    m_input.resize(m_decoder ? inputBytes : 0);
+    m_waiting = {};
+    m_ended = false;
 }
 
 Result<std::size_t> VoxelSource::readSome(std::span<std::uint8_t> bytes) {
-    if (m_inflater) return inflateSome(bytes);
+    if (m_decoder) return decodeSome(bytes);
     const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), m_extent.length - m_position));
     const auto read = m_file.readAt(m_extent.offset + m_position, bytes.first(count));
     if (!read) return tl::unexpected(read.error());
@@ -50,31 +42,35 @@ Result<std::size_t> VoxelSource::readSome(std::span<std::uint8_t> bytes) {
     return count;
 }
 
-Result<std::size_t> VoxelSource::inflateSome(std::span<std::uint8_t> bytes) {
-    z_stream& stream = m_inflater->stream;
-    stream.next_out = bytes.data();
-    stream.avail_out = static_cast<uInt>(bytes.size());
-    while (stream.avail_out > 0 && !m_inflater->ended) {
-        if (stream.avail_in == 0) {
-            const auto count = static_cast<std::size_t>(
-                std::min<std::uint64_t>(m_inflater->input.size(), m_extent.length - m_position));
-            if (count == 0) break;
-            const auto read = m_file.readAt(m_extent.offset + m_position, {m_inflater->input.data(), count});
-            if (!read) return tl::unexpected(read.error());
-            m_position += count;
-            stream.next_in = m_inflater->input.data();
-            stream.avail_in = static_cast<uInt>(count);
-        }
-        const int status = inflate(&stream, Z_NO_FLUSH);
-        if (status == Z_STREAM_END)
-            m_inflater->ended = true;
-        else if (status != Z_OK && status != Z_BUF_ERROR)
+Result<void> VoxelSource::refill() {
+    std::memmove(m_input.data(), m_waiting.data(), m_waiting.size());
+    const auto count = static_cast<std::size_t>(
+        std::min<std::uint64_t>(m_input.size() - m_waiting.size(), m_extent.length - m_position));
+    const auto read = m_file.readAt(m_extent.offset + m_position, {m_input.data() + m_waiting.size(), count});
+    if (!read) return tl::unexpected(read.error());
+    m_position += count;
+    m_waiting = {m_input.data(), m_waiting.size() + count};
+    return {};
+}
+
+Result<std::size_t> VoxelSource::decodeSome(std::span<std::uint8_t> bytes) {
+    std::size_t given = 0;
+    while (given < bytes.size() && !m_ended) {
+        const bool isLast = m_position == m_extent.length;
+        const auto step = m_decoder->decode(m_waiting, isLast, bytes.subspan(given));
+        if (!step)
             return fail(FailureKind::unreadable, m_file.path(), "",
-                        fmt::format("has damaged compressed data near byte {}: {}", m_extent.offset + m_position,
-                                    stream.msg != nullptr ? stream.msg : "not zlib or gzip"),
+                        fmt::format("{} near byte {}: {}", step.error().what,
+                                    m_extent.offset + m_position - m_waiting.size(), step.error().detail),
                         "Copy or export it again.");
+        m_waiting = m_waiting.subspan(step->taken);
+        given += step->given;
+        m_ended = step->ended;
+        if (m_ended || step->given > 0) continue;
+        if (isLast) break;
+        if (auto refilled = refill(); !refilled) return tl::unexpected(refilled.error());
     }
-    return bytes.size() - stream.avail_out;
+    return given;
 }
 
 Result<void> VoxelSource::read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to) {

@@ -1,32 +1,35 @@
-// The bytes of a volume's voxels, read in order from a file, stored as they are or compressed with zlib or gzip.
+// The bytes of voxels, read in order from one file, stored as they are or encoded.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "io/input_file.h"
+#include "io/voxel_encoding.h"
 
 namespace echolucent {
 
 /// Where in a file the voxels lie.
 struct VoxelExtent {
-    std::uint64_t offset = 0;     ///< first byte in the file
-    std::uint64_t length = 0;     ///< bytes from there that belong to the voxels, before they are decompressed
-    bool compressed = false;      ///< whether the bytes are compressed with zlib or gzip
-    std::uint64_t skipBytes = 0;  ///< bytes to skip after decompression
+    std::uint64_t offset = 0;  ///< first byte in the file
+    std::uint64_t length = 0;  ///< bytes from there that belong to the voxels, as they are encoded
+    VoxelEncoding encoding = VoxelEncoding::raw;
+    std::uint64_t skipBytes = 0;  ///< bytes to skip after decoding
 };
 
 /// Gives the bytes of an extent in their order.
 class VoxelSource {
 public:
-    VoxelSource(InputFile file, const VoxelExtent& extent);
+    /// `type` is that of the values, which text needs to know.
+    VoxelSource(InputFile file, const VoxelExtent& extent, StoredType type);
     ~VoxelSource();
     VoxelSource(const VoxelSource&) = delete;
     VoxelSource& operator=(const VoxelSource&) = delete;
 
-    /// Fills `bytes` with what comes next, polls progress.cancel every few MB and reports shares from `from` to `to`.
-    /// Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
+    /// Fills `bytes`, which holds whole values, with what comes next, polls progress.cancel every few MB and reports
+    /// shares from `from` to `to`. Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
     /// How many bytes there are to be read, counted up to `limit` without keeping them. To be called before the first
@@ -34,16 +37,20 @@ public:
     [[nodiscard]] Result<std::uint64_t> countBytes(std::uint64_t limit, const Progress& progress);
 
 private:
-    struct Inflater;
     [[nodiscard]] Result<std::size_t> readSome(std::span<std::uint8_t> bytes);
-    [[nodiscard]] Result<std::size_t> inflateSome(std::span<std::uint8_t> bytes);
+    [[nodiscard]] Result<std::size_t> decodeSome(std::span<std::uint8_t> bytes);
+    [[nodiscard]] Result<void> refill();
     void rewind();
 
     InputFile m_file;
     VoxelExtent m_extent;
+    StoredType m_type;
     std::uint64_t m_position = 0;  // bytes taken from the file so far
     std::uint64_t m_given = 0;     // bytes given out so far
-    std::unique_ptr<Inflater> m_inflater;
+    std::unique_ptr<VoxelDecoder> m_decoder;
+    std::vector<std::uint8_t> m_input;        // encoded bytes that are not decoded yet
+    std::span<const std::uint8_t> m_waiting;  // the part of m_input that is left
+    bool m_ended = false;
 };
 
 }  // namespace echolucent

@@ -99,6 +99,28 @@ ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name
     return result;
 }
 
+/// A sentence where the voxels, which are float32, hold values below 0; else empty.
+std::string warningOfNegatives(const std::vector<Voxels>& phases) {
+    float low = 0;
+    for (const Voxels& voxels : phases)
+        for (const float value : std::get<std::vector<float>>(voxels))
+            if (std::isfinite(value)) low = std::min(low, value);
+    if (low >= 0) return {};
+    return fmt::format("The voxels have negative values down to {}; these count as intensity 0.", low);
+}
+
+template <typename From>
+void rescaleAll(std::vector<Bytes>& phases, const Rescale& rescale, ConvertedVoxels& result) {
+    for (Bytes& bytes : phases) {
+        std::vector<float> values(bytes.size() / sizeof(From));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] =
+                static_cast<float>(rescale.slope * static_cast<double>(valueAt<From>(bytes, i)) + rescale.intercept);
+        result.phases.emplace_back(std::move(values));
+        Bytes().swap(bytes);
+    }
+}
+
 ConvertedVoxels convertFloats(std::vector<Bytes> phases, StoredType type) {
     ConvertedVoxels result;
     if (type == StoredType::float64) {
@@ -108,12 +130,7 @@ ConvertedVoxels convertFloats(std::vector<Bytes> phases, StoredType type) {
         convertAll<float, float>(phases, result);
         result.story = "float32";
     }
-    float low = 0;
-    for (const Voxels& voxels : result.phases)
-        for (const float value : std::get<std::vector<float>>(voxels))
-            if (std::isfinite(value)) low = std::min(low, value);
-    if (low < 0)
-        result.warning = fmt::format("The voxels have negative values down to {}; these count as intensity 0.", low);
+    result.warning = warningOfNegatives(result.phases);
     return result;
 }
 
@@ -177,6 +194,26 @@ ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, Sto
         case StoredType::float32:
         case StoredType::float64: return convertFloats(std::move(phases), type);
     }
+    return result;
+}
+
+ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,
+                                      const Rescale& rescale) {
+    ConvertedVoxels result;
+    switch (type) {
+        case StoredType::uint8: rescaleAll<std::uint8_t>(phases, rescale, result); break;
+        case StoredType::int8: rescaleAll<std::int8_t>(phases, rescale, result); break;
+        case StoredType::uint16: rescaleAll<std::uint16_t>(phases, rescale, result); break;
+        case StoredType::int16: rescaleAll<std::int16_t>(phases, rescale, result); break;
+        case StoredType::uint32: rescaleAll<std::uint32_t>(phases, rescale, result); break;
+        case StoredType::int32: rescaleAll<std::int32_t>(phases, rescale, result); break;
+        case StoredType::uint64: rescaleAll<std::uint64_t>(phases, rescale, result); break;
+        case StoredType::int64: rescaleAll<std::int64_t>(phases, rescale, result); break;
+        case StoredType::float32: rescaleAll<float>(phases, rescale, result); break;
+        case StoredType::float64: rescaleAll<double>(phases, rescale, result); break;
+    }
+    result.story = fmt::format("{}, rescaled and kept as float32", nameOf(type));
+    result.warning = warningOfNegatives(result.phases);
     return result;
 }
 

@@ -39,4 +39,14 @@ struct ConvertedVoxels {
 /// given free on the way.
 [[nodiscard]] ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type);
 
+/// A line by which stored values become the file's values: slope * stored + intercept.
+struct Rescale {
+    double slope = 1.0;
+    double intercept = 0.0;
+};
+
+/// As convertVoxels(), but every value is put on that line, in double, and kept as float32.
+[[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,
+                                                    const Rescale& rescale);
+
 }  // namespace echolucent

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
+#include "io/headers/meta_image_keys.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
 
 namespace {
-
-const std::string exportAgain = "Correct the header or export the volume again.";
 
 struct TypeName {
     std::string_view name;
@@ -34,40 +34,19 @@ constexpr std::array<TypeName, 12> typeNames{{{"MET_UCHAR", StoredType::uint8},
                                               {"MET_FLOAT", StoredType::float32},
                                               {"MET_DOUBLE", StoredType::float64}}};
 
-// Keys that decide how voxels are read; all others are allowed and ignored.
-constexpr std::array<std::string_view, 22> ourKeys{"ObjectType",
-                                                   "NDims",
-                                                   "BinaryData",
-                                                   "DimSize",
-                                                   "ElementType",
-                                                   "ElementNumberOfChannels",
-                                                   "ElementSpacing",
-                                                   "ElementSize",
-                                                   "SpacingKnown",
-                                                   "TransformMatrix",
-                                                   "Rotation",
-                                                   "Orientation",
-                                                   "Offset",
-                                                   "Position",
-                                                   "Origin",
-                                                   "BinaryDataByteOrderMSB",
-                                                   "ElementByteOrderMSB",
-                                                   "CompressedData",
-                                                   "CompressedDataSize",
-                                                   "HeaderSize",
-                                                   "WhiteLevel",
-                                                   "ElementDataFile"};
-
 class MetaImageHeader {
 public:
-    explicit MetaImageHeader(std::string path) : m_path(std::move(path)) {}
+    MetaImageHeader(const InputFile& file, MetaImageKeys keys, bool framesAsSlices)
+        : m_file(file), m_path(file.path()), m_framesAsSlices(framesAsSlices), m_keys(std::move(keys)) {
+        m_stored.path = m_path;
+        m_stored.sizeKey = "DimSize";
+    }
 
     Result<StoredVolume> read();
 
 private:
     using Step = Result<void> (MetaImageHeader::*)();
 
-    Result<void> readKeys();
     Result<void> readKind();
     Result<void> readSize();
     Result<void> readType();
@@ -75,79 +54,45 @@ private:
     Result<void> readPosition();
     Result<void> readByteOrder();
     Result<void> readWhiteLevel();
+    Result<void> readFrames();
     Result<void> readDataPlace();
+    Result<void> readFileList(const std::vector<std::string>& words);
+    Result<void> readFilePattern(const std::vector<std::string>& words);
+    Result<void> setDataFiles(const std::vector<std::string>& names, std::int64_t expected);
+    Result<void> readCompressedSize();
     Result<void> readHeaderSize(bool local);
+    [[nodiscard]] std::int64_t slowestSize() const {
+        return m_dimensions == 4 ? m_stored.phases : m_stored.geometry.size[2];
+    }
     void readPhaseTime(const std::vector<double>& spacing);
 
-    [[nodiscard]] const std::string* find(const std::string& key) const {
-        const auto found = m_values.find(key);
-        return found == m_values.end() ? nullptr : &found->second;
-    }
-    /// The first of several keys for the same thing that the header holds; empty where it holds none of them.
-    [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const {
-        for (const char* key : keys)
-            if (find(key) != nullptr) return key;
-        return {};
+    [[nodiscard]] const std::string* find(const std::string& key) const { return m_keys.find(key); }
+    [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const { return m_keys.firstOf(keys); }
+    [[nodiscard]] Result<bool> flag(const std::string& key) const { return m_keys.flag(key); }
+    [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem) const {
+        return m_keys.wrong(key, problem);
     }
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
-                                                const std::string& remedy = exportAgain) const {
-        return fail(FailureKind::unreadable, m_path, key, problem, remedy);
+                                                const std::string& remedy) const {
+        return m_keys.wrong(key, problem, remedy);
     }
-    Result<bool> flag(const std::string& key) const;
 
+    const InputFile& m_file;
     std::string m_path;
-    std::map<std::string, std::string> m_values;
-    std::size_t m_headerBytes = 0;
+    bool m_framesAsSlices = false;
+    MetaImageKeys m_keys;
     std::int64_t m_dimensions = 0;
     StoredVolume m_stored;
 };
 
 Result<StoredVolume> MetaImageHeader::read() {
     for (const Step step :
-         {&MetaImageHeader::readKeys, &MetaImageHeader::readKind, &MetaImageHeader::readSize,
-          &MetaImageHeader::readType, &MetaImageHeader::readSpacing, &MetaImageHeader::readPosition,
+         {&MetaImageHeader::readKind, &MetaImageHeader::readSize, &MetaImageHeader::readType,
+          &MetaImageHeader::readSpacing, &MetaImageHeader::readPosition, &MetaImageHeader::readFrames,
           &MetaImageHeader::readByteOrder, &MetaImageHeader::readWhiteLevel, &MetaImageHeader::readDataPlace})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
-    m_stored.path = m_path;
-    m_stored.sizeKey = "DimSize";
     m_stored.facts.insert(m_stored.facts.begin(), {"format", "MetaImage", ""});
     return m_stored;
-}
-
-Result<void> MetaImageHeader::readKeys() {
-    const auto file = InputFile::open(m_path);
-    if (!file) return tl::unexpected(file.error());
-    const auto beginning = file->beginning(headerLimit);
-    if (!beginning) return tl::unexpected(beginning.error());
-    std::string_view rest = *beginning;
-    for (int number = 1; const auto line = nextLine(rest); ++number) {
-        if (trimmed(*line).empty()) continue;
-        const auto equals = line->find('=');
-        if (equals == std::string_view::npos || trimmed(line->substr(0, equals)).empty())
-            return wrong("",
-                         fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
-                         "This is no MetaImage file, or its header is damaged.");
-        const std::string key = trimmed(line->substr(0, equals));
-        const bool isNew = m_values.emplace(key, trimmed(line->substr(equals + 1))).second;
-        const bool ours = std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end();
-        if (!isNew && ours) return wrong(key, "appears twice in the header");
-        if (key == "ElementDataFile") {
-            m_headerBytes = beginning->size() - rest.size();
-            return {};
-        }
-    }
-    return wrong("ElementDataFile",
-                 fmt::format("is missing from the header (looked through {} bytes)", beginning->size()),
-                 "The file is cut off or damaged: copy or export it again.");
-}
-
-Result<bool> MetaImageHeader::flag(const std::string& key) const {
-    const std::string* value = find(key);
-    if (value == nullptr) return false;
-    const std::string lower = lowerCase(*value);
-    if (lower == "true" || lower == "t" || lower == "1" || lower == "yes") return true;
-    if (lower == "false" || lower == "f" || lower == "0" || lower == "no") return false;
-    return wrong(key, "must be True or False, not " + quotedText(*value));
 }
 
 Result<void> MetaImageHeader::readKind() {
@@ -164,8 +109,7 @@ Result<void> MetaImageHeader::readKind() {
     if (find("BinaryData") != nullptr) {
         const auto binary = flag("BinaryData");
         if (!binary) return tl::unexpected(binary.error());
-        if (!*binary)
-            return wrong("BinaryData", "is False: voxels written as text are not read", "Export the volume as binary.");
+        if (!*binary) m_stored.extent.encoding = VoxelEncoding::text;
     }
     return {};
 }
@@ -283,7 +227,10 @@ Result<void> MetaImageHeader::readByteOrder() {
     m_stored.bigEndian = *big;
     const auto compressed = flag("CompressedData");
     if (!compressed) return tl::unexpected(compressed.error());
-    m_stored.extent.compressed = *compressed;
+    const bool isText = m_stored.extent.encoding == VoxelEncoding::text;
+    if (*compressed && isText) return wrong("CompressedData", "is True beside BinaryData = False");
+    if (*compressed) m_stored.extent.encoding = VoxelEncoding::zlib;
+    if (isText) m_stored.bigEndian = false;
     return {};
 }
 
@@ -296,27 +243,89 @@ Result<void> MetaImageHeader::readWhiteLevel() {
     return {};
 }
 
+Result<void> MetaImageHeader::readFrames() {
+    FrameWords words;
+    words.kindsKey = "Kinds";
+    if (const auto* text = find("Kinds")) {
+        const auto kinds = wordsOf(*text);
+        if (static_cast<std::int64_t>(kinds.size()) == m_dimensions)
+            for (std::size_t axis = 0; axis < 3; ++axis) words.kinds[axis] = lowerCase(kinds[axis]);
+        else
+            m_stored.warnings.push_back(
+                fmt::format("Kinds is ignored: it must be {} words, not {}.", m_dimensions, quotedText(*text)));
+    }
+    for (const auto& [key, value] : m_keys.values) words.keys.push_back(key);
+    return settleFrames(m_stored, words, m_framesAsSlices);
+}
+
 Result<void> MetaImageHeader::readDataPlace() {
     const std::string name = *find("ElementDataFile");
-    if (name == "LIST" || name.starts_with("LIST ") || name.find('%') != std::string::npos)
-        return wrong("ElementDataFile",
-                     "is " + quotedText(name) + ": volumes spread over several data files are not read",
-                     "Save the volume as one .mha file.");
+    const std::vector<std::string> words = wordsOf(name);
+    const bool pattern = name.find('%') != std::string::npos;
+    if (isMetaImageList(name) || pattern) {
+        if (find("CompressedDataSize") != nullptr && m_stored.extent.encoding == VoxelEncoding::zlib)
+            return wrong("CompressedDataSize", "is one number beside several data files", "Leave it out.");
+        if (auto named = pattern ? readFilePattern(words) : readFileList(words); !named) return named;
+        return readHeaderSize(false);
+    }
     const bool local = name == "LOCAL" || name == "Local" || name == "local";
     if (local) {
-        m_stored.dataPath = m_path;
-        m_stored.extent.offset = m_headerBytes;
+        m_stored.data = {{m_path, m_file}};
+        m_stored.extent.offset = m_keys.headerBytes;
     } else {
-        const auto beside = dataFileBeside(m_path, "ElementDataFile", name);
+        const auto beside = dataFileBeside({m_path, "ElementDataFile"}, name);
         if (!beside) return tl::unexpected(beside.error());
-        m_stored.dataPath = *beside;
+        m_stored.data = {*beside};
     }
-    if (const auto* text = find("CompressedDataSize"); text != nullptr && m_stored.extent.compressed) {
-        const auto size = wholeNumber(*text);
-        if (!size || *size < 0) return wrong("CompressedDataSize", "must be a whole number, not " + quotedText(*text));
-        m_stored.extent.length = static_cast<std::uint64_t>(*size);
-    }
+    if (auto size = readCompressedSize(); !size) return size;
     return readHeaderSize(local);
+}
+
+Result<void> MetaImageHeader::setDataFiles(const std::vector<std::string>& names, std::int64_t expected) {
+    if (static_cast<std::int64_t>(names.size()) != expected)
+        return wrong("ElementDataFile",
+                     fmt::format("names {} data files where the volume has {} parts", names.size(), expected));
+    auto files = dataFilesBeside({m_path, "ElementDataFile"}, names);
+    if (!files) return tl::unexpected(files.error());
+    m_stored.data = std::move(*files);
+    return {};
+}
+
+Result<void> MetaImageHeader::readFileList(const std::vector<std::string>& words) {
+    // "LIST 2" says that each file holds two dimensions; without a number it is all but the last.
+    const auto held = words.size() < 2 ? std::optional(m_dimensions - 1) : wholeNumber(words[1]);
+    if (words.size() > 2 || !held || *held < 2 || *held > m_dimensions)
+        return wrong("ElementDataFile", fmt::format("must be LIST and the dimensions of each file, 2 to {}, not {}",
+                                                    m_dimensions, quotedText(*find("ElementDataFile"))));
+    std::optional<std::int64_t> files = 1;
+    if (*held < m_dimensions) files = slowestSize();
+    if (*held < m_dimensions - 1) files = checkedProduct(*files, m_stored.geometry.size[2]);
+    return setDataFiles(m_keys.listed, files.value_or(0));
+}
+
+Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& words) {
+    // "name%03d.raw first last step"; what is missing counts from 1, one file for each index of the last axis.
+    FileNumbers numbers{1, slowestSize(), 1};
+    const std::array<std::int64_t*, 3> places{&numbers.first, &numbers.last, &numbers.step};
+    if (words.size() > 4) return wrong("ElementDataFile", "must be a pattern and at most three whole numbers");
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const auto number = wholeNumber(words[i]);
+        if (!number) return wrong("ElementDataFile", "must count with whole numbers, not " + quotedText(words[i]));
+        *places[i - 1] = *number;
+    }
+    if (words.size() == 2) numbers.last = numbers.first + slowestSize() - 1;
+    const auto names = namesOfPattern({m_path, "ElementDataFile"}, words.front(), numbers);
+    if (!names) return tl::unexpected(names.error());
+    return setDataFiles(*names, slowestSize());
+}
+
+Result<void> MetaImageHeader::readCompressedSize() {
+    const auto* text = find("CompressedDataSize");
+    if (text == nullptr || m_stored.extent.encoding != VoxelEncoding::zlib) return {};
+    const auto size = wholeNumber(*text);
+    if (!size || *size < 0) return wrong("CompressedDataSize", "must be a whole number, not " + quotedText(*text));
+    m_stored.extent.length = static_cast<std::uint64_t>(*size);
+    return {};
 }
 
 Result<void> MetaImageHeader::readHeaderSize(bool local) {
@@ -325,11 +334,13 @@ Result<void> MetaImageHeader::readHeaderSize(bool local) {
     const auto bytes = wholeNumber(*text);
     if (!bytes || *bytes < -1) return wrong("HeaderSize", "must be -1, 0 or above, not " + quotedText(*text));
     if (*bytes == -1) {
-        if (m_stored.extent.compressed) return wrong("HeaderSize", "is -1, which has no meaning for compressed data");
+        if (m_stored.extent.encoding != VoxelEncoding::raw)
+            return wrong("HeaderSize", "is -1, which has no meaning for compressed data or text");
         m_stored.dataAtEnd = true;
     } else if (*bytes > 0) {
-        if (local && static_cast<std::uint64_t>(*bytes) < m_headerBytes)
-            return wrong("HeaderSize", fmt::format("is {}, but the header is {} bytes long", *bytes, m_headerBytes));
+        if (local && static_cast<std::uint64_t>(*bytes) < m_keys.headerBytes)
+            return wrong("HeaderSize",
+                         fmt::format("is {}, but the header is {} bytes long", *bytes, m_keys.headerBytes));
         m_stored.extent.offset = static_cast<std::uint64_t>(*bytes);
     }
     return {};
@@ -345,6 +356,10 @@ bool looksLikeMetaImage(std::string_view beginning) {
     return std::find(firstKeys.begin(), firstKeys.end(), key) != firstKeys.end();
 }
 
-Result<StoredVolume> readMetaImageHeader(const std::string& path) { return MetaImageHeader(path).read(); }
+Result<StoredVolume> readMetaImageHeader(const InputFile& file, bool framesAsSlices) {
+    auto keys = readMetaImageKeys(file);
+    if (!keys) return tl::unexpected(keys.error());
+    return MetaImageHeader(file, std::move(*keys), framesAsSlices).read();
+}
 
 }  // namespace echolucent

@@ -8,7 +8,8 @@ namespace echolucent {
 /// Whether the beginning of a file looks like a MetaImage header.
 [[nodiscard]] bool looksLikeMetaImage(std::string_view beginning);
 
-/// Reads and checks the header; no voxel is read.
-[[nodiscard]] Result<StoredVolume> readMetaImageHeader(const std::string& path);
+/// Reads and checks the header of an opened file; no voxel is read. Where `framesAsSlices` is set, 2D frames over time
+/// and tracked sweeps are accepted as a volume of unknown spacing.
+[[nodiscard]] Result<StoredVolume> readMetaImageHeader(const InputFile& file, bool framesAsSlices);
 
 }  // namespace echolucent

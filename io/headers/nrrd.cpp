@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
+#include "io/headers/nrrd_axes.h"
 #include "io/headers/nrrd_fields.h"
 #include "io/study_assembly.h"
 
@@ -16,21 +19,20 @@ namespace {
 
 const std::string exportAgain = "Correct the header or export the volume again.";
 
-/// What an axis of the file means.
-enum class AxisRole { space, time, colour };
-
 class NrrdHeader {
 public:
-    NrrdHeader(std::string path, bool framesAsSlices) : m_path(std::move(path)), m_framesAsSlices(framesAsSlices) {}
+    NrrdHeader(const InputFile& file, bool framesAsSlices)
+        : m_file(file), m_path(file.path()), m_framesAsSlices(framesAsSlices) {
+        m_stored.path = m_path;
+        m_stored.sizeKey = "sizes";
+    }
     Result<StoredVolume> read();
 
 private:
     using Step = Result<void> (NrrdHeader::*)();
 
-    Result<void> readShape();
     Result<void> readType();
-    Result<void> readRoles();
-    Result<void> readFourthAxis();
+    Result<void> readFrames();
     Result<void> placeAxes();
     Result<void> readSpacing();
     Result<void> readDirections();
@@ -40,6 +42,9 @@ private:
     Result<void> readWhiteLevel();
     Result<void> readEncoding();
     Result<void> readDataPlace();
+    Result<void> readFileList(const std::vector<std::string>& words);
+    Result<void> readFilePattern(const std::vector<std::string>& words);
+    Result<void> setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held);
     Result<void> readSkips();
     double mmOfAxis(std::size_t axis, const char* field);
 
@@ -53,50 +58,27 @@ private:
     }
     Result<std::int64_t> skipOf(const char* field, std::int64_t least) const;
 
+    const InputFile& m_file;
     std::string m_path;
     bool m_framesAsSlices = false;
     NrrdFields m_fields;
-    std::vector<std::int64_t> m_sizes;
-    std::vector<std::string> m_kinds;
-    std::vector<NrrdVector> m_directions;  // one for each axis of the file; empty where the header has none
-    std::vector<AxisRole> m_roles;
+    NrrdAxes m_axes;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
     StoredVolume m_stored;
 };
 
 Result<StoredVolume> NrrdHeader::read() {
-    auto fields = readNrrdFields(m_path);
+    auto fields = readNrrdFields(m_file);
     if (!fields) return tl::unexpected(fields.error());
     m_fields = std::move(*fields);
     for (const Step step :
-         {&NrrdHeader::readShape, &NrrdHeader::readType, &NrrdHeader::readRoles, &NrrdHeader::placeAxes,
-          &NrrdHeader::readSpacing, &NrrdHeader::readDirections, &NrrdHeader::readOrigin, &NrrdHeader::applySpace,
-          &NrrdHeader::readPhaseTime, &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding,
-          &NrrdHeader::readDataPlace, &NrrdHeader::readSkips})
+         {&NrrdHeader::readType, &NrrdHeader::placeAxes, &NrrdHeader::readSpacing, &NrrdHeader::readDirections,
+          &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,
+          &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding, &NrrdHeader::readDataPlace, &NrrdHeader::readSkips})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
-    m_stored.path = m_path;
-    m_stored.sizeKey = "sizes";
     m_stored.facts.insert(m_stored.facts.begin(), {"format", "NRRD", ""});
     return m_stored;
-}
-
-Result<void> NrrdHeader::readShape() {
-    const auto* dimensionText = find("dimension");
-    if (dimensionText == nullptr) return wrong("dimension", "is missing");
-    const auto dimension = wholeNumber(*dimensionText);
-    if (dimension == 2)
-        return wrong("dimension", "is 2: this is a 2D picture, not a volume", "Open a 3D or 4D volume.");
-    if (dimension != 3 && dimension != 4)
-        return wrong("dimension", "must be 3 or 4, not " + quotedText(*dimensionText), "Open a 3D or 4D volume.");
-    const auto* text = find("sizes");
-    if (text == nullptr) return wrong("sizes", "is missing");
-    const auto sizes = wholeNumbers(*text);
-    if (!sizes || static_cast<std::int64_t>(sizes->size()) != *dimension ||
-        std::any_of(sizes->begin(), sizes->end(), [](std::int64_t size) { return size < 1; }))
-        return wrong("sizes", fmt::format("must be {} whole numbers above 0, not {}", *dimension, quotedText(*text)));
-    m_sizes = *sizes;
-    return {};
 }
 
 Result<void> NrrdHeader::readType() {
@@ -110,77 +92,20 @@ Result<void> NrrdHeader::readType() {
     return {};
 }
 
-Result<void> NrrdHeader::readRoles() {
-    if (const auto* text = find("kinds")) {
-        m_kinds = wordsOf(*text);
-        if (m_kinds.size() != m_sizes.size())
-            return wrong("kinds", fmt::format("must be {} words, not {}", m_sizes.size(), quotedText(*text)));
-        for (std::string& kind : m_kinds) kind = lowerCase(kind);
-    }
-    if (const auto* text = find("space directions")) {
-        const auto vectors = nrrdVectors(*text);
-        if (!vectors || vectors->size() != m_sizes.size())
-            return wrong("space directions",
-                         fmt::format("must be {} vectors or \"none\", not {}", m_sizes.size(), quotedText(*text)));
-        m_directions = *vectors;
-    }
-    m_roles.assign(m_sizes.size(), AxisRole::space);
-    if (m_sizes.size() == 4) return readFourthAxis();
-    // "list" is left alone: programs write it on the slice axis of true volumes.
-    const auto time = std::find(m_kinds.begin(), m_kinds.end(), "time");
-    if (time == m_kinds.end()) return {};
-    if (!m_framesAsSlices) {
-        auto refused =
-            wrong("kinds", "has two space axes and a time axis: 2D pictures over time without volume geometry",
-                  "Add --frames-as-slices to take the pictures as slices.");
-        refused.value().framesCouldBeSlices = true;
-        return refused;
-    }
-    m_stored.geometry.spacingKnown = false;
-    m_stored.warnings.push_back("Pictures over time are taken as slices.");
-    return {};
-}
-
-Result<void> NrrdHeader::readFourthAxis() {
-    std::optional<std::size_t> extra;
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        const std::string kind = m_kinds.empty() ? "" : m_kinds[axis];
-        const bool plainSpace = kind.empty() || kind == "domain" || kind == "space" || kind == "???" || kind == "none";
-        const bool noDirection = !m_directions.empty() && !m_directions[axis];
-        if (plainSpace && !noDirection) continue;
-        if (extra)
-            return wrong("kinds", "names more than one axis that is not space", "Save one scalar volume over time.");
-        extra = axis;
-    }
-    const std::size_t axis = extra.value_or(3);
-    const std::string kind = m_kinds.empty() ? "" : m_kinds[axis];
-    const bool colour = kind == "rgb-color" || kind == "3-color";
-    const bool time = kind.empty() || kind == "time" || kind == "list" || kind == "domain" || kind == "space" ||
-                      kind == "???" || kind == "none" || m_sizes[axis] == 1;
-    if (!colour && !time)
-        return wrong("kinds", "has an axis of kind " + quotedText(kind) + ", which cannot be read",
-                     "Save one scalar for each voxel.");
-    if (colour && (axis != 0 || m_sizes[axis] != 3 || bytesOf(m_stored.type) > 2 || m_stored.type == StoredType::int8 ||
-                   m_stored.type == StoredType::int16))
-        return wrong("kinds", "has a colour axis that is not the first, of size 3, with 8 or 16 unsigned bits");
-    if (axis != 0 && axis != 3)
-        return wrong("kinds", "has its time axis in the middle; it must be the first or the last",
-                     "Export the volume with time as the last axis.");
-    m_roles[axis] = colour ? AxisRole::colour : AxisRole::time;
-    return {};
-}
-
 Result<void> NrrdHeader::placeAxes() {
+    auto axes = readNrrdAxes(m_path, m_fields, m_stored.type);
+    if (!axes) return tl::unexpected(axes.error());
+    m_axes = std::move(*axes);
     std::size_t next = 0;
-    for (std::size_t axis = 0; axis < m_sizes.size(); ++axis) {
-        if (m_roles[axis] == AxisRole::space) {
-            m_stored.geometry.size[next] = m_sizes[axis];
+    for (std::size_t axis = 0; axis < m_axes.sizes.size(); ++axis) {
+        if (m_axes.roles[axis] == NrrdAxisRole::space) {
+            m_stored.geometry.size[next] = m_axes.sizes[axis];
             m_spaceAxes[next++] = axis;
-        } else if (m_roles[axis] == AxisRole::colour) {
+        } else if (m_axes.roles[axis] == NrrdAxisRole::colour) {
             m_stored.channels = 3;
         } else {
             m_timeAxis = axis;
-            m_stored.phases = m_sizes[axis];
+            m_stored.phases = m_axes.sizes[axis];
             m_stored.phasesFastest = axis == 0;
         }
     }
@@ -199,20 +124,19 @@ double NrrdHeader::mmOfAxis(std::size_t axis, const char* field) {
 Result<void> NrrdHeader::readSpacing() {
     const auto* text = find("spacings");
     if (text == nullptr) {
-        if (m_directions.empty()) m_stored.geometry.spacingKnown = false;
+        if (m_axes.directions.empty()) m_stored.geometry.spacingKnown = false;
         return {};
     }
     const auto spacings = realNumbers(*text);
-    if (!spacings || spacings->size() != m_sizes.size())
-        return wrong("spacings", fmt::format("must be {} numbers, not {}", m_sizes.size(), quotedText(*text)));
-    if (!m_directions.empty()) return {};
+    if (!spacings || spacings->size() != m_axes.sizes.size())
+        return wrong("spacings", fmt::format("must be {} numbers, not {}", m_axes.sizes.size(), quotedText(*text)));
+    if (!m_axes.directions.empty()) return {};
     m_stored.spacingSource = "spacings";
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
         double spacing = (*spacings)[fileAxis] * mmOfAxis(fileAxis, "units");
-        // The axis that stands for time has a spacing in seconds or none.
-        if (m_framesAsSlices && !m_stored.geometry.spacingKnown && !(std::isfinite(spacing) && spacing > 0))
-            spacing = 1;
+        // An axis that stands for time has a spacing in seconds or none.
+        if (m_axes.mayBeNoSpace(fileAxis) && !(std::isfinite(spacing) && spacing > 0)) spacing = 1;
         if (!std::isfinite(spacing) || spacing == 0.0)
             return wrong("spacings", "must be finite and not 0 along the space axes, not " + quotedText(*text));
         if (spacing < 0) {
@@ -226,11 +150,17 @@ Result<void> NrrdHeader::readSpacing() {
 }
 
 Result<void> NrrdHeader::readDirections() {
-    if (m_directions.empty()) return {};
+    if (m_axes.directions.empty()) return {};
     const std::string& text = *find("space directions");
     Mat3& direction = m_stored.geometry.direction;
+    std::optional<int> withoutDirection;
     for (int axis = 0; axis < 3; ++axis) {
-        const NrrdVector& vector = m_directions[m_spaceAxes[static_cast<std::size_t>(axis)]];
+        const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
+        const NrrdVector& vector = m_axes.directions[fileAxis];
+        if (!vector && m_axes.mayBeNoSpace(fileAxis)) {
+            withoutDirection = axis;
+            continue;
+        }
         if (!vector || vector->size() < 3)
             return wrong("space directions",
                          "must hold a vector of 3 numbers for each space axis, not " + quotedText(text));
@@ -245,6 +175,11 @@ Result<void> NrrdHeader::readDirections() {
         for (int row = 0; row < 3; ++row) direction(row, axis) = step[row];
     }
     m_stored.spacingSource = "space directions";
+    if (withoutDirection) {
+        const auto column = [&](int axis) { return Vec3(direction(0, axis), direction(1, axis), direction(2, axis)); };
+        const Vec3 normal = column((*withoutDirection + 1) % 3).cross(column((*withoutDirection + 2) % 3));
+        for (int row = 0; row < 3; ++row) direction(row, *withoutDirection) = normal[row];
+    }
     if (!normalizeDirection(direction))
         return wrong("space directions", "does not hold three independent directions: " + quotedText(text));
     if (auto warning = skewWarning(direction); !warning.empty()) m_stored.warnings.push_back(std::move(warning));
@@ -306,6 +241,14 @@ Result<void> NrrdHeader::readPhaseTime() {
     return {};
 }
 
+Result<void> NrrdHeader::readFrames() {
+    FrameWords words;
+    words.kindsKey = "kinds";
+    for (std::size_t axis = 0; axis < 3; ++axis) words.kinds[axis] = m_axes.kindOf(m_spaceAxes[axis]);
+    for (const auto& [key, value] : m_fields.keys) words.keys.push_back(key);
+    return settleFrames(m_stored, words, m_framesAsSlices);
+}
+
 Result<void> NrrdHeader::readWhiteLevel() {
     const auto found = m_fields.keys.find("WhiteLevel");
     if (found == m_fields.keys.end()) return {};
@@ -318,11 +261,16 @@ Result<void> NrrdHeader::readWhiteLevel() {
 Result<void> NrrdHeader::readEncoding() {
     const auto* text = find("encoding");
     if (text == nullptr) return wrong("encoding", "is missing");
-    const std::string encoding = lowerCase(*text);
-    if (encoding != "raw" && encoding != "gzip" && encoding != "gz")
-        return wrong("encoding", "is " + quotedText(*text) + "; only raw and gzip are read",
+    const std::map<std::string, VoxelEncoding> encodings{
+        {"raw", VoxelEncoding::raw},     {"gzip", VoxelEncoding::zlib}, {"gz", VoxelEncoding::zlib},
+        {"bzip2", VoxelEncoding::bzip2}, {"bz2", VoxelEncoding::bzip2}, {"ascii", VoxelEncoding::text},
+        {"text", VoxelEncoding::text},   {"txt", VoxelEncoding::text},  {"hex", VoxelEncoding::hex}};
+    const auto encoding = encodings.find(lowerCase(*text));
+    if (encoding == encodings.end())
+        return wrong("encoding", "is " + quotedText(*text) + ", which is not known",
                      "Save the volume with encoding raw or gzip.");
-    m_stored.extent.compressed = encoding != "raw";
+    m_stored.extent.encoding = encoding->second;
+    if (encoding->second == VoxelEncoding::text) return {};  // numbers have no byte order
     const auto* endian = find("endian");
     if (endian == nullptr && bytesOf(m_stored.type) > 1)
         return wrong("endian", "is missing, but " + std::string(nameOf(m_stored.type)) + " needs it");
@@ -341,17 +289,59 @@ Result<void> NrrdHeader::readDataPlace() {
         if (!m_fields.ended)
             return wrong("", "has a header without the empty line that ends it",
                          "The file is cut off or damaged: copy or export it again.");
-        m_stored.dataPath = m_path;
+        m_stored.data = {{m_path, m_file}};
         m_stored.extent.offset = m_fields.headerBytes;
         return {};
     }
-    if (*name == "LIST" || name->starts_with("LIST ") || name->find('%') != std::string::npos)
-        return wrong("data file", "is " + quotedText(*name) + ": volumes spread over several data files are not read",
-                     "Save the volume as one .nrrd file.");
-    const auto beside = dataFileBeside(m_path, "data file", *name);
+    if (isNrrdList(*name)) return readFileList(wordsOf(*name));
+    if (name->find('%') != std::string::npos) return readFilePattern(wordsOf(*name));
+    const auto beside = dataFileBeside({m_path, "data file"}, *name);
     if (!beside) return tl::unexpected(beside.error());
-    m_stored.dataPath = *beside;
+    m_stored.data = {*beside};
     return {};
+}
+
+Result<void> NrrdHeader::setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held) {
+    // Each file holds the first `held` axes whole, or, where these are all of them, a slab along the last.
+    const auto count = static_cast<std::int64_t>(names.size());
+    const auto axes = static_cast<std::int64_t>(m_axes.sizes.size());
+    const std::int64_t whole = held.value_or(axes - 1);
+    if (whole < 2 || whole > axes)
+        return wrong("data file", fmt::format("gives each file {} dimensions; it must be 2 to {}", whole, axes));
+    std::optional<std::int64_t> expected = 1;
+    for (std::int64_t axis = whole; axis < axes && expected; ++axis)
+        expected = checkedProduct(*expected, m_axes.sizes[static_cast<std::size_t>(axis)]);
+    const bool fits = whole == axes ? count > 0 && m_axes.sizes.back() % count == 0 : count == expected.value_or(0);
+    if (!fits && whole == axes)
+        return wrong("data file",
+                     fmt::format("names {} data files, which cannot share {} slices", count, m_axes.sizes.back()));
+    if (!fits)
+        return wrong("data file",
+                     fmt::format("names {} data files where the volume has {} parts", count, expected.value_or(0)));
+    auto files = dataFilesBeside({m_path, "data file"}, names);
+    if (!files) return tl::unexpected(files.error());
+    m_stored.data = std::move(*files);
+    return {};
+}
+
+Result<void> NrrdHeader::readFileList(const std::vector<std::string>& words) {
+    const auto held = words.size() == 2 ? wholeNumber(words[1]) : std::nullopt;
+    if (words.size() > 2 || (words.size() == 2 && !held))
+        return wrong("data file",
+                     "must be LIST and the dimensions of each file, not " + quotedText(*find("data file")));
+    return setDataFiles(m_fields.dataFiles, held);
+}
+
+Result<void> NrrdHeader::readFilePattern(const std::vector<std::string>& words) {
+    std::vector<std::int64_t> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (const auto number = wholeNumber(words[i])) numbers.push_back(*number);
+    if (numbers.size() + 1 != words.size() || numbers.size() < 3 || numbers.size() > 4)
+        return wrong("data file", "must be a pattern with the first number, the last and the step, not " +
+                                      quotedText(*find("data file")));
+    const auto names = namesOfPattern({m_path, "data file"}, words.front(), {numbers[0], numbers[1], numbers[2]});
+    if (!names) return tl::unexpected(names.error());
+    return setDataFiles(*names, numbers.size() == 4 ? std::optional(numbers[3]) : std::nullopt);
 }
 
 Result<std::int64_t> NrrdHeader::skipOf(const char* field, std::int64_t least) const {
@@ -366,29 +356,11 @@ Result<std::int64_t> NrrdHeader::skipOf(const char* field, std::int64_t least) c
 Result<void> NrrdHeader::readSkips() {
     const auto lines = skipOf("line skip", 0);
     if (!lines) return tl::unexpected(lines.error());
-    const auto bytes = skipOf("byte skip", m_stored.extent.compressed ? 0 : -1);
+    const auto bytes = skipOf("byte skip", m_stored.extent.encoding == VoxelEncoding::raw ? -1 : 0);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (*lines > 0) {
-        const auto file = InputFile::open(m_stored.dataPath);
-        if (!file) return tl::unexpected(file.error());
-        const auto beginning = file->beginning(static_cast<std::size_t>(m_stored.extent.offset) + headerLimit);
-        if (!beginning) return tl::unexpected(beginning.error());
-        std::string_view rest = *beginning;
-        rest.remove_prefix(std::min(static_cast<std::size_t>(m_stored.extent.offset), rest.size()));
-        for (std::int64_t line = 0; line < *lines; ++line) {
-            const auto end = rest.find('\n');
-            if (end == std::string_view::npos)
-                return wrong("line skip", fmt::format("is {}, but the data begin with only {} lines", *lines, line));
-            rest.remove_prefix(end + 1);
-        }
-        m_stored.extent.offset = beginning->size() - rest.size();
-    }
-    if (*bytes == -1)
-        m_stored.dataAtEnd = true;
-    else if (m_stored.extent.compressed)
-        m_stored.extent.skipBytes = static_cast<std::uint64_t>(*bytes);
-    else
-        m_stored.extent.offset += static_cast<std::uint64_t>(*bytes);
+    m_stored.skipLines = *lines;
+    m_stored.dataAtEnd = *bytes == -1;
+    m_stored.extent.skipBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(*bytes, 0));
     return {};
 }
 
@@ -396,8 +368,8 @@ Result<void> NrrdHeader::readSkips() {
 
 bool looksLikeNrrd(std::string_view beginning) { return beginning.starts_with("NRRD000"); }
 
-Result<StoredVolume> readNrrdHeader(const std::string& path, bool framesAsSlices) {
-    return NrrdHeader(path, framesAsSlices).read();
+Result<StoredVolume> readNrrdHeader(const InputFile& file, bool framesAsSlices) {
+    return NrrdHeader(file, framesAsSlices).read();
 }
 
 }  // namespace echolucent

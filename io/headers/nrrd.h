@@ -8,8 +8,8 @@ namespace echolucent {
 /// Whether a file begins as NRRD files do.
 [[nodiscard]] bool looksLikeNrrd(std::string_view beginning);
 
-/// Reads and checks the header; no voxel is read. Where `framesAsSlices` is set, two space axes
-/// and a time axis are accepted as a volume.
-[[nodiscard]] Result<StoredVolume> readNrrdHeader(const std::string& path, bool framesAsSlices);
+/// Reads and checks the header of an opened file; no voxel is read. Where `framesAsSlices` is set, 2D frames over time
+/// and tracked sweeps are accepted as a volume of unknown spacing.
+[[nodiscard]] Result<StoredVolume> readNrrdHeader(const InputFile& file, bool framesAsSlices);
 
 }  // namespace echolucent

@@ -80,10 +80,9 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
 
 }  // namespace
 
-Result<NrrdFields> readNrrdFields(const std::string& path) {
-    const auto file = InputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    const auto beginning = file->beginning(headerLimit);
+Result<NrrdFields> readNrrdFields(const InputFile& file) {
+    const std::string& path = file.path();
+    const auto beginning = file.beginning(headerLimit);
     if (!beginning) return tl::unexpected(beginning.error());
     std::string_view rest = *beginning;
     const auto magic = nextLine(rest);
@@ -101,10 +100,21 @@ Result<NrrdFields> readNrrdFields(const std::string& path) {
             break;
         }
         if (const auto read = readLine(path, *line, number, result); !read) return tl::unexpected(read.error());
+        if (const auto data = result.fields.find("data file");
+            data != result.fields.end() && isNrrdList(data->second)) {
+            while (const auto name = nextLine(rest))
+                if (!trimmed(*name).empty()) result.dataFiles.push_back(trimmed(*name));
+            if (file.size() > headerLimit)
+                return fail(FailureKind::unreadable, path, "data file",
+                            fmt::format("begins a list that is longer than {} bytes", headerLimit),
+                            "Save the volume as one .nrrd file.");
+        }
     }
     result.headerBytes = beginning->size() - rest.size();
     return result;
 }
+
+bool isNrrdList(const std::string& dataFile) { return dataFile == "LIST" || dataFile.starts_with("LIST "); }
 
 std::optional<StoredType> nrrdType(const std::string& text) {
     const std::string name = lowerCase(text);

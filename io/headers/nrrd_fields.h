@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/input_file.h"
 #include "io/voxel_types.h"
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
@@ -16,13 +17,16 @@ namespace echolucent {
 struct NrrdFields {
     std::map<std::string, std::string> fields;
     std::map<std::string, std::string> keys;
-    std::size_t headerBytes = 0;  ///< length of the header, with the empty line that ends it
-    bool ended = false;           ///< whether that empty line was there
+    std::vector<std::string> dataFiles;  ///< the lines after "data file: LIST", which end the header
+    std::size_t headerBytes = 0;         ///< length of the header, with the empty line that ends it
+    bool ended = false;                  ///< whether that empty line was there
 };
 
-/// Reads the header of the file at `path`. Fails (unreadable) where the file is no NRRD file or a line breaks the
-/// grammar.
-[[nodiscard]] Result<NrrdFields> readNrrdFields(const std::string& path);
+/// Reads the header of an opened file. Fails (unreadable) where the file is no NRRD file or a line breaks the grammar.
+[[nodiscard]] Result<NrrdFields> readNrrdFields(const InputFile& file);
+
+/// Whether the field "data file" says that a list of files follows.
+[[nodiscard]] bool isNrrdList(const std::string& dataFile);
 
 /// The type behind any of NRRD's names for it, such as "uchar", "unsigned char" and "uint8"; no value where `text`
 /// names no scalar type.

@@ -22,15 +22,16 @@ constexpr const char* remedy =
 
 std::string rawLayoutPath(const std::string& path) { return path + ".echolucent.json"; }
 
-Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLayout& layout,
-                                            const std::string& source) {
+Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayout& layout, const std::string& source) {
+    const std::string& path = file.path();
     const auto wrong = [&](const std::string& option, const std::string& problem) {
         return fail(FailureKind::unreadable, path, option, problem, "Describe the raw file again.");
     };
     StoredVolume stored;
     stored.path = path;
-    stored.dataPath = path;
+    stored.data = {{path, file}};
     stored.sizeKey = source;
+    stored.sizeRemedy = "Correct the size, the type, or the bytes before the voxels.";
     if (std::any_of(layout.size.begin(), layout.size.end(), [](std::int64_t size) { return size < 1; }))
         return wrong(source, "must be three whole numbers above 0, not " + sizeText(layout.size));
     stored.geometry.size = layout.size;

@@ -8,9 +8,9 @@ namespace echolucent {
 /// Where the layout of the raw file at `path` is kept: FILE.echolucent.json beside it.
 [[nodiscard]] std::string rawLayoutPath(const std::string& path);
 
-/// Checks the `layout` of the raw file at `path`; no voxel is read. `source` says where the layout came from: it is
+/// Checks the `layout` of an opened raw file; no voxel is read. `source` says where the layout came from: it is
 /// "--raw-size" or the name of the file that holds it. Fails (unreadable) where the layout makes no sense.
-[[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const std::string& path, const RawLayout& layout,
+[[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayout& layout,
                                                           const std::string& source);
 
 }  // namespace echolucent

@@ -73,7 +73,7 @@ std::vector<MalformedRow> metaImageRows() {
         {"a.mha", mha("ElementType = MET_UCHAR\n", ""), {"ElementType is missing"}},
         {"a.mha", mha("MET_UCHAR", "MET_STRING"), {"ElementType", "MET_STRING"}},
         {"a.mha", mha(key, "ElementNumberOfChannels = 2\n" + key), {"ElementNumberOfChannels must be 1"}},
-        {"a.mha", mha(key, "BinaryData = False\n" + key), {"BinaryData is False", "text"}},
+        {"a.mha", mha(key, "BinaryData = False\n" + key), {"DimSize declares 24 bytes", "only 24 characters"}},
         {"a.mha",
          mha(key, "BinaryDataByteOrderMSB = perhaps\n" + key),
          {"BinaryDataByteOrderMSB must be True or False"}},
@@ -94,11 +94,12 @@ std::vector<MalformedRow> metaImageRows() {
         {"a.mha", mha(key, "HeaderSize = 9000000000000000000\n" + key), {"DimSize declares 24 bytes", "holds only 0"}},
         {"a.mha", mha(key, "CompressedData = True\nHeaderSize = -1\n" + key), {"HeaderSize is -1"}},
         {"a.mha", mha(key, "DimSize = 2 3 4\n" + key), {"DimSize appears twice"}},
-        {"a.mha", mha("LOCAL", "LIST"), {"ElementDataFile", "several data files"}},
-        {"a.mha", mha("LOCAL", "slice%03d.raw 1 4 1"), {"ElementDataFile", "several data files"}},
+        {"a.mha", mha("LOCAL", "LIST"), {"ElementDataFile names 1 data files where the volume has 4 parts"}},
+        {"a.mha", mha("LOCAL", "slice%03d.raw 1 4 1"), {"slice001.raw", "could not be opened"}},
         {"a.mhd", mha("LOCAL", "/etc/passwd"), {"ElementDataFile", "/etc/passwd", "own folder"}},
         {"a.mhd", mha("LOCAL", "../a.raw"), {"ElementDataFile", "../a.raw", "own folder"}},
-        {"a.mhd", mha("LOCAL", "sub/a.raw"), {"ElementDataFile", "own folder"}},
+        {"a.mhd", mha("LOCAL", "sub/a.raw"), {"sub/a.raw", "could not be opened"}},
+        {"a.mhd", mha("LOCAL", "sub/../../a.raw"), {"ElementDataFile", "own folder"}},
         {"a.mhd", mha("LOCAL", "..\\a.raw"), {"ElementDataFile", "own folder"}},
         {"a.mhd", mha("LOCAL", ".."), {"ElementDataFile", "own folder"}},
         {"a.mhd", mha("LOCAL", ""), {"ElementDataFile", "own folder"}},
@@ -151,9 +152,10 @@ std::vector<MalformedRow> nrrdRows() {
         {"a.nrrd", nrrd("1 1 1", "1 nan 1"), {"spacings must be finite and not 0"}},
         {"a.nrrd", nrrd("1 1 1", "1 0 1"), {"spacings must be finite and not 0"}},
         {"a.nrrd", nrrd("1 1 1", "1 1"), {"spacings must be 3 numbers"}},
-        {"a.nrrd", nrrd(encoding, "encoding: ascii"), {"encoding is \"ascii\"", "only raw and gzip"}},
-        {"a.nrrd", nrrd(encoding, "encoding: bzip2"), {"encoding is \"bzip2\""}},
-        {"a.nrrd", nrrd(encoding, "encoding: hex"), {"encoding is \"hex\""}},
+        {"a.nrrd", nrrd(encoding, "encoding: ascii"), {"sizes declares 24 bytes", "only 24 characters"}},
+        {"a.nrrd", nrrd(encoding, "encoding: bzip2"), {"damaged compressed data", "not bzip2"}},
+        {"a.nrrd", nrrd(encoding, "encoding: hex"), {"sizes declares 24 bytes", "only 24 characters"}},
+        {"a.nrrd", nrrd(encoding, "encoding: zstd"), {"encoding is \"zstd\", which is not known"}},
         {"a.nrrd", nrrd(encoding + "\n", ""), {"encoding is missing"}},
         {"a.nrrd", nrrd("uchar", "short"), {"endian is missing"}},
         {"a.nrrd", nrrd(encoding, "endian: middle\n" + encoding), {"endian must be little or big"}},
@@ -186,8 +188,8 @@ std::vector<MalformedRow> nrrdRows() {
         {"a.nrrd", nrrd(encoding, "sizes: 2 3 4\n" + encoding), {"\"sizes\" appears twice"}},
         {"a.nhdr", nrrd(encoding, encoding + "\ndata file: ../x.raw"), {"data file", "own folder"}},
         {"a.nhdr", nrrd(encoding, encoding + "\ndata file: /etc/passwd"), {"data file", "own folder"}},
-        {"a.nhdr", nrrd(encoding, encoding + "\ndata file: LIST"), {"data file", "several data files"}},
-        {"a.nhdr", nrrd(encoding, encoding + "\ndata file: s%d.raw 0 3 1"), {"data file", "several data files"}},
+        {"a.nhdr", nrrd(encoding, encoding + "\ndata file: LIST"), {"data file names 1 data files where the volume has 4 parts"}},
+        {"a.nhdr", nrrd(encoding, encoding + "\ndata file: s%d.raw 0 3 1"), {"s0.raw", "could not be opened"}},
         {"a.nhdr", nrrd(encoding, encoding + "\ndata file: missing.raw"), {"missing.raw", "could not be opened"}},
         {"a.nrrd", nrrd(encoding, "encoding: gzip", "this is not gzip, though long"), {"damaged compressed data"}},
         {"a.nrrd", nrrd(encoding, "encoding: gzip", deflated(std::string(20, 'v'), 31)), {"holds only 20 bytes"}},
@@ -195,6 +197,8 @@ std::vector<MalformedRow> nrrdRows() {
         {"a.nrrd", four("kinds: domain time domain domain\n"), {"kinds has its time axis in the middle"}},
         {"a.nrrd", four("kinds: vector domain domain domain\n"), {"kinds has an axis of kind \"vector\""}},
         {"a.nrrd", four("kinds: rgb-color domain domain domain\n"), {"colour axis"}},
+        {"a.nrrd", nrrd(encoding, "kinds: RGB-color domain domain\n" + encoding), {"2D colour picture"}},
+        {"a.nrrd", nrrd(encoding, "kinds: vector domain domain\n" + encoding), {"2D picture of several values"}},
     };
 }
 
@@ -243,9 +247,9 @@ TEST(UnknownFiles, AreRefusedWithWhatToDo) {
         return study ? std::string("was read") : study.error().sentence();
     };
     EXPECT_THAT(sentenceOf("whatever"),
-                AllOf(HasSubstr("is not a MetaImage, NRRD or DICOM file"), HasSubstr("--raw-size")));
+                AllOf(HasSubstr("is not a MetaImage, NRRD, NIfTI or DICOM file"), HasSubstr("--raw-size")));
     EXPECT_THAT(sentenceOf(""), HasSubstr("is empty"));
-    EXPECT_THAT(sentenceOf(deflated("x", 31)), HasSubstr("gzip"));
+    EXPECT_THAT(sentenceOf("PK\x03\x04 and more"), HasSubstr("is a ZIP archive"));
     EXPECT_THAT(sentenceOf("KRETZFILE 1.0   "), HasSubstr("GE Voluson"));
     EXPECT_THAT(readStudy(folder.file("nothing.mha")).error().sentence(), HasSubstr("does not exist"));
     EXPECT_THAT(readStudy(folder.path()).error().sentence(), HasSubstr("folder without DICOM images"));

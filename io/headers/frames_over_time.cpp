@@ -1,0 +1,119 @@
+#include "io/headers/frames_over_time.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+/// What the keys of a sequence say, such as Seq_Frame0012_ProbeToTrackerTransform.
+struct SequenceKeys {
+    std::set<std::string> frames, tracked;  ///< the numbers of frames that have any key, and a transform
+    std::string frameKey, transformKey;     ///< the first of each
+};
+
+SequenceKeys sequenceKeys(const std::vector<std::string>& keys) {
+    constexpr std::string_view beginning = "Seq_Frame";
+    SequenceKeys found;
+    for (const std::string& key : keys) {
+        if (!key.starts_with(beginning)) continue;
+        const auto end = key.find('_', beginning.size());
+        const std::string number = key.substr(beginning.size(), end - beginning.size());
+        if (end == std::string::npos || !wholeNumber(number)) continue;
+        if (found.frames.insert(number).second && found.frameKey.empty()) found.frameKey = key;
+        if (!key.ends_with("Transform")) continue;
+        if (found.tracked.insert(number).second && found.transformKey.empty()) found.transformKey = key;
+    }
+    return found;
+}
+
+tl::unexpected<Failure> refuseSweep(const StoredVolume& stored, const SequenceKeys& keys) {
+    const std::int64_t frames = stored.phases > 1 ? stored.phases : stored.geometry.size[2];
+    auto refused =
+        fail(FailureKind::unreadable, stored.path, keys.transformKey,
+             fmt::format("tells where the probe was: this is a tracked 2D sweep of {} frames, not a volume", frames),
+             "Reconstruct a volume from it with Plus (VolumeReconstructor) or 3D Slicer (SlicerIGT), or add "
+             "--frames-as-slices to take its frames as slices of unknown spacing.");
+    refused.value().framesCouldBeSlices = true;
+    return refused;
+}
+
+tl::unexpected<Failure> refuseCine(const std::string& path, const std::string& key, const std::string& says) {
+    auto refused = fail(FailureKind::unreadable, path, key, says + ": these are 2D frames over time, not a volume",
+                        "Add --frames-as-slices to take the frames as slices of unknown spacing.");
+    refused.value().framesCouldBeSlices = true;
+    return refused;
+}
+
+/// A single slice over time: its phases become slices, along x where the phase is the fastest axis.
+std::size_t turnPhasesIntoSlices(StoredVolume& stored) {
+    VolumeGeometry& geometry = stored.geometry;
+    const std::size_t axis = stored.phasesFastest ? 0 : 2;
+    if (axis == 0) {
+        geometry.size = {stored.phases, geometry.size[0], geometry.size[1]};
+        geometry.spacing = {1.0, geometry.spacing[0], geometry.spacing[1]};
+    } else {
+        geometry.size[2] = stored.phases;
+    }
+    stored.phases = 1;
+    stored.phasesFastest = false;
+    stored.phaseSeconds.reset();
+    return axis;
+}
+
+/// The frames lie along `axis`; what the scale in them is stays.
+void takeAsSlices(StoredVolume& stored, std::size_t axis, const std::string& story) {
+    VolumeGeometry& geometry = stored.geometry;
+    const auto across = static_cast<int>(axis == 0 ? 1 : 0), down = static_cast<int>(axis == 2 ? 1 : 2);
+    geometry.spacing[static_cast<int>(axis)] = std::min(geometry.spacing[across], geometry.spacing[down]);
+    geometry.spacingKnown = false;
+    geometry.direction = Mat3::eye();
+    geometry.origin = {0, 0, 0};
+    geometry.patientFrameKnown = false;
+    if (!stored.spacingSource.empty()) stored.spacingSource += " in the frames, assumed between them";
+    stored.warnings.push_back(story);
+}
+
+}  // namespace
+
+Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices) {
+    const SequenceKeys keys = sequenceKeys(words.keys);
+    const bool flat = stored.phases > 1 && stored.geometry.size[2] == 1;
+    const bool framesAlongZ = flat || (stored.phases == 1 && keys.frames.size() > 1);
+    if (framesAlongZ && keys.tracked.size() > 1) {
+        if (!framesAsSlices) return refuseSweep(stored, keys);
+        takeAsSlices(stored, flat ? turnPhasesIntoSlices(stored) : 2,
+                     "A tracked 2D sweep is taken as slices: where its frames lay (" + keys.transformKey +
+                         " and the others) is left out.");
+        return {};
+    }
+    const auto time = std::find(words.kinds.begin(), words.kinds.end(), "time");
+    const bool overTime = time != words.kinds.end();
+    if (overTime || (framesAlongZ && (!flat || framesAsSlices))) {
+        const auto axis = overTime ? static_cast<std::size_t>(time - words.kinds.begin()) : 2;
+        if (!framesAsSlices)
+            return overTime ? refuseCine(stored.path, words.kindsKey, fmt::format("says that {} is time", "xyz"[axis]))
+                            : refuseCine(stored.path, keys.frameKey, "tells of one frame among others");
+        takeAsSlices(stored, flat ? turnPhasesIntoSlices(stored) : axis, "2D frames over time are taken as slices.");
+        return {};
+    }
+    const auto list = std::find(words.kinds.begin(), words.kinds.end(), "list");
+    if (list != words.kinds.end()) {
+        stored.geometry.spacingKnown = false;
+        stored.warnings.push_back(fmt::format(
+            "{} calls the axis {} a list, which 2D frames carry as well as volumes: nothing says for sure that it is "
+            "space.",
+            words.kindsKey, "xyz"[list - words.kinds.begin()]));
+    }
+    if (stored.phases > 1 && keys.tracked.size() > 1)
+        stored.warnings.push_back("The probe was tracked over the phases (" + keys.transformKey +
+                                  " and the others); its movement is left out.");
+    return {};
+}
+
+}  // namespace echolucent

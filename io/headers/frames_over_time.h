@@ -1,0 +1,26 @@
+// 2D frames that a MetaImage or an NRRD stores as if they were the slices of a volume: cines and tracked sweeps.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/stored_volume.h"
+
+namespace echolucent {
+
+/// What a header says of its axes and frames.
+struct FrameWords {
+    std::array<std::string, 3> kinds;  ///< of x, y and z, in lower case: "domain", "list", "time"; empty where not said
+    std::string kindsKey;              ///< "Kinds", "kinds"
+    std::vector<std::string> keys;     ///< all keys of the header, of which Seq_Frame0000_ProbeToTrackerTransform and
+                                       ///< the like tell of frames
+};
+
+/// Settles whether `stored` (its size, spacing and phases are read) holds frames, not a volume: an axis of kind time,
+/// keys of several frames along z, or keys of a tracked probe over phases of one slice. Fails (unreadable) where it
+/// does, with the way out, unless `framesAsSlices` is set: then the frames become slices of unknown spacing. An axis of
+/// kind list alone, which true volumes carry too, makes the spacing unknown, with a note.
+[[nodiscard]] Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices);
+
+}  // namespace echolucent

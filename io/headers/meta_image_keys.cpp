@@ -1,0 +1,106 @@
+#include "io/headers/meta_image_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+// Keys that decide how voxels are read; all others are allowed and ignored.
+constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
+                                                   "NDims",
+                                                   "BinaryData",
+                                                   "DimSize",
+                                                   "ElementType",
+                                                   "ElementNumberOfChannels",
+                                                   "ElementSpacing",
+                                                   "ElementSize",
+                                                   "Kinds",
+                                                   "SpacingKnown",
+                                                   "TransformMatrix",
+                                                   "Rotation",
+                                                   "Orientation",
+                                                   "Offset",
+                                                   "Position",
+                                                   "Origin",
+                                                   "BinaryDataByteOrderMSB",
+                                                   "ElementByteOrderMSB",
+                                                   "CompressedData",
+                                                   "CompressedDataSize",
+                                                   "HeaderSize",
+                                                   "WhiteLevel",
+                                                   "ElementDataFile"};
+
+Result<void> readListedNames(const InputFile& file, std::string_view rest, MetaImageKeys& keys) {
+    if (file.size() > headerLimit)
+        return keys.wrong("ElementDataFile", fmt::format("begins a list that is longer than {} bytes", headerLimit),
+                          "Save the volume as one .mha file.");
+    while (const auto line = nextLine(rest))
+        if (std::string name = trimmed(*line); !name.empty()) keys.listed.push_back(std::move(name));
+    return {};
+}
+
+}  // namespace
+
+bool isMetaImageList(const std::string& dataFile) { return dataFile == "LIST" || dataFile.starts_with("LIST "); }
+
+const std::string* MetaImageKeys::find(const std::string& key) const {
+    const auto found = values.find(key);
+    return found == values.end() ? nullptr : &found->second;
+}
+
+std::string MetaImageKeys::firstOf(std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+        if (find(key) != nullptr) return key;
+    return {};
+}
+
+Result<bool> MetaImageKeys::flag(const std::string& key) const {
+    const std::string* value = find(key);
+    if (value == nullptr) return false;
+    const std::string lower = lowerCase(*value);
+    if (lower == "true" || lower == "t" || lower == "1" || lower == "yes") return true;
+    if (lower == "false" || lower == "f" || lower == "0" || lower == "no") return false;
+    return wrong(key, "must be True or False, not " + quotedText(*value));
+}
+
+tl::unexpected<Failure> MetaImageKeys::wrong(const std::string& key, const std::string& problem,
+                                             const std::string& remedy) const {
+    return fail(FailureKind::unreadable, path, key, problem, remedy);
+}
+
+Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
+    const auto beginning = file.beginning(headerLimit);
+    if (!beginning) return tl::unexpected(beginning.error());
+    MetaImageKeys keys;
+    keys.path = file.path();
+    std::string_view rest = *beginning;
+    for (int number = 1; const auto line = nextLine(rest); ++number) {
+        if (trimmed(*line).empty()) continue;
+        const auto equals = line->find('=');
+        if (equals == std::string_view::npos || trimmed(line->substr(0, equals)).empty())
+            return keys.wrong(
+                "", fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
+                "This is no MetaImage file, or its header is damaged.");
+        const std::string key = trimmed(line->substr(0, equals));
+        const bool isNew = keys.values.emplace(key, trimmed(line->substr(equals + 1))).second;
+        const bool ours = std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end();
+        if (!isNew && ours) return keys.wrong(key, "appears twice in the header");
+        if (key != "ElementDataFile") continue;
+        keys.headerBytes = beginning->size() - rest.size();
+        if (isMetaImageList(*keys.find(key)))
+            if (auto listed = readListedNames(file, rest, keys); !listed) return tl::unexpected(listed.error());
+        return keys;
+    }
+    return keys.wrong("ElementDataFile",
+                      fmt::format("is missing from the header (looked through {} bytes)", beginning->size()),
+                      "The file is cut off or damaged: copy or export it again.");
+}
+
+}  // namespace echolucent

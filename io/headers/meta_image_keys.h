@@ -1,0 +1,40 @@
+// The keys of a MetaImage header as text.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/input_file.h"
+#include "processing/result.h"
+
+namespace echolucent {
+
+/// The "Key = Value" lines of a header.
+struct MetaImageKeys {
+    std::string path;  ///< of the file, for sentences
+    std::map<std::string, std::string> values;
+    std::vector<std::string> listed;  ///< the lines after "ElementDataFile = LIST", which end the header
+    std::size_t headerBytes = 0;      ///< length of the header, with the line of ElementDataFile
+
+    /// The value of a key; null where the header does not hold it.
+    [[nodiscard]] const std::string* find(const std::string& key) const;
+    /// The first of several keys for the same thing that the header holds; empty where it holds none of them.
+    [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const;
+    /// True or False; false where the header does not hold the key. Fails (unreadable) for other values.
+    [[nodiscard]] Result<bool> flag(const std::string& key) const;
+    /// A failure (unreadable) about one key.
+    [[nodiscard]] tl::unexpected<Failure> wrong(
+        const std::string& key, const std::string& problem,
+        const std::string& remedy = "Correct the header or export the volume again.") const;
+};
+
+/// Whether the value of ElementDataFile says that a list of files follows.
+[[nodiscard]] bool isMetaImageList(const std::string& dataFile);
+
+/// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) where a line is no "Key = Value",
+/// where ElementDataFile is missing, and where a key that decides how voxels are read appears twice.
+[[nodiscard]] Result<MetaImageKeys> readMetaImageKeys(const InputFile& file);
+
+}  // namespace echolucent

@@ -1,0 +1,148 @@
+#include "io/headers/nrrd_axes.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Whether a kind is that of a space axis, or says nothing.
+bool saysSpace(const std::string& kind) {
+    return kind.empty() || kind == "domain" || kind == "space" || kind == "???" || kind == "none";
+}
+
+class AxesReader {
+public:
+    AxesReader(const std::string& path, const NrrdFields& fields, StoredType type)
+        : m_path(path), m_fields(fields), m_type(type) {}
+    Result<NrrdAxes> read();
+
+private:
+    Result<void> readShape();
+    Result<void> readRoles();
+    Result<void> readThreeAxes();
+    Result<void> readFourAxes();
+    Result<void> checkColourAxis(std::size_t axis) const;
+    [[nodiscard]] bool isPlainSpace(std::size_t axis) const;
+    [[nodiscard]] bool isColour(std::size_t axis) const {
+        return m_axes.kindOf(axis) == "rgb-color" || m_axes.kindOf(axis) == "3-color";
+    }
+    [[nodiscard]] const std::string* find(const std::string& field) const {
+        const auto found = m_fields.fields.find(field);
+        return found == m_fields.fields.end() ? nullptr : &found->second;
+    }
+    [[nodiscard]] tl::unexpected<Failure> wrong(
+        const std::string& field, const std::string& problem,
+        const std::string& remedy = "Correct the header or export the volume again.") const {
+        return fail(FailureKind::unreadable, m_path, field, problem, remedy);
+    }
+
+    const std::string& m_path;
+    const NrrdFields& m_fields;
+    StoredType m_type;
+    NrrdAxes m_axes;
+};
+
+Result<NrrdAxes> AxesReader::read() {
+    if (auto shape = readShape(); !shape) return tl::unexpected(shape.error());
+    if (auto roles = readRoles(); !roles) return tl::unexpected(roles.error());
+    return std::move(m_axes);
+}
+
+Result<void> AxesReader::readShape() {
+    const auto* dimensionText = find("dimension");
+    if (dimensionText == nullptr) return wrong("dimension", "is missing");
+    const auto dimension = wholeNumber(*dimensionText);
+    if (dimension == 2)
+        return wrong("dimension", "is 2: this is a 2D picture, not a volume", "Open a 3D or 4D volume.");
+    if (dimension != 3 && dimension != 4)
+        return wrong("dimension", "must be 3 or 4, not " + quotedText(*dimensionText), "Open a 3D or 4D volume.");
+    const auto* text = find("sizes");
+    if (text == nullptr) return wrong("sizes", "is missing");
+    const auto sizes = wholeNumbers(*text);
+    if (!sizes || static_cast<std::int64_t>(sizes->size()) != *dimension ||
+        std::any_of(sizes->begin(), sizes->end(), [](std::int64_t size) { return size < 1; }))
+        return wrong("sizes", fmt::format("must be {} whole numbers above 0, not {}", *dimension, quotedText(*text)));
+    m_axes.sizes = *sizes;
+    return {};
+}
+
+Result<void> AxesReader::readRoles() {
+    if (const auto* text = find("kinds")) {
+        m_axes.kinds = wordsOf(*text);
+        if (m_axes.kinds.size() != m_axes.sizes.size())
+            return wrong("kinds", fmt::format("must be {} words, not {}", m_axes.sizes.size(), quotedText(*text)));
+        for (std::string& kind : m_axes.kinds) kind = lowerCase(kind);
+    }
+    if (const auto* text = find("space directions")) {
+        const auto vectors = nrrdVectors(*text);
+        if (!vectors || vectors->size() != m_axes.sizes.size())
+            return wrong("space directions",
+                         fmt::format("must be {} vectors or \"none\", not {}", m_axes.sizes.size(), quotedText(*text)));
+        m_axes.directions = *vectors;
+    }
+    m_axes.roles.assign(m_axes.sizes.size(), NrrdAxisRole::space);
+    return m_axes.sizes.size() == 4 ? readFourAxes() : readThreeAxes();
+}
+
+bool AxesReader::isPlainSpace(std::size_t axis) const {
+    return saysSpace(m_axes.kindOf(axis)) && (m_axes.directions.empty() || m_axes.directions[axis]);
+}
+
+Result<void> AxesReader::readThreeAxes() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (isColour(axis))
+            return wrong("kinds", "says that one of three axes is colour: this is a 2D colour picture, not a volume",
+                         "Open a 3D or 4D volume.");
+        const std::string kind = m_axes.kindOf(axis);
+        if (!saysSpace(kind) && !m_axes.mayBeNoSpace(axis) && m_axes.sizes[axis] != 1)
+            return wrong("kinds",
+                         "has an axis of kind " + quotedText(kind) +
+                             ": this is a 2D picture of several values a pixel, not a volume",
+                         "Open a 3D or 4D volume.");
+    }
+    return {};
+}
+
+Result<void> AxesReader::checkColourAxis(std::size_t axis) const {
+    const bool unsignedBytes = m_type == StoredType::uint8 || m_type == StoredType::uint16;
+    if (axis == 0 && m_axes.sizes[axis] == 3 && unsignedBytes) return {};
+    return wrong("kinds", "has a colour axis that is not the first, of size 3, with 8 or 16 unsigned bits");
+}
+
+Result<void> AxesReader::readFourAxes() {
+    std::vector<std::size_t> others;
+    for (std::size_t axis = 0; axis < 4; ++axis)
+        if (!isPlainSpace(axis)) others.push_back(axis);
+    // Colour and something like time beside two space axes: 2D frames in colour.
+    const bool colourFrames = others.size() == 2 && isColour(others[0]) && m_axes.mayBeNoSpace(others[1]);
+    if (others.size() > 1 && !colourFrames)
+        return wrong("kinds", "names more than one axis that is not space", "Save one scalar volume over time.");
+    const std::size_t axis = others.empty() ? 3 : others[0];
+    const std::string kind = m_axes.kindOf(axis);
+    if (isColour(axis)) {
+        if (auto colour = checkColourAxis(axis); !colour) return colour;
+        m_axes.roles[axis] = NrrdAxisRole::colour;
+        return {};
+    }
+    if (!saysSpace(kind) && !m_axes.mayBeNoSpace(axis) && m_axes.sizes[axis] != 1)
+        return wrong("kinds", "has an axis of kind " + quotedText(kind) + ", which cannot be read",
+                     "Save one scalar for each voxel.");
+    if (axis != 0 && axis != 3)
+        return wrong("kinds", "has its time axis in the middle; it must be the first or the last",
+                     "Export the volume with time as the last axis.");
+    m_axes.roles[axis] = NrrdAxisRole::time;
+    return {};
+}
+
+}  // namespace
+
+Result<NrrdAxes> readNrrdAxes(const std::string& path, const NrrdFields& fields, StoredType type) {
+    return AxesReader(path, fields, type).read();
+}
+
+}  // namespace echolucent

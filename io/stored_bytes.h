@@ -1,0 +1,48 @@
+// The bytes of a stored volume's voxels, out of one data file or out of several, one after the other.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/stored_volume.h"
+
+namespace echolucent {
+
+/// Gives the bytes of all data files in their order. One file is open at a time.
+class StoredBytes {
+public:
+    /// The volume must outlive this. Each of its data files holds an equal part of `counts`.
+    StoredBytes(const StoredVolume& stored, const ByteCounts& counts);
+
+    /// Checks of every data file, before memory is taken, that it can hold its part. Fails (unreadable) where it holds
+    /// less; compressed bytes that claim to be many times more are counted.
+    [[nodiscard]] Result<void> check(const Progress& progress);
+    /// Sentences of check() on bytes that play no part.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+
+    /// Fills `bytes` with what comes next, as VoxelSource::read().
+    [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
+
+private:
+    /// Where the voxels lie in an opened data file.
+    [[nodiscard]] Result<VoxelExtent> extentIn(const InputFile& file) const;
+    [[nodiscard]] Result<VoxelExtent> extentOfRaw(const InputFile& file, VoxelExtent extent) const;
+    [[nodiscard]] Result<VoxelExtent> extentOfEncoded(const InputFile& file, VoxelExtent extent) const;
+    [[nodiscard]] Result<std::uint64_t> skippedLines(const InputFile& file) const;
+    [[nodiscard]] Result<void> checkDecoded(const InputFile& file, const VoxelExtent& extent,
+                                            const Progress& progress) const;
+    void noteRest(const InputFile& file, const VoxelExtent& extent);
+    [[nodiscard]] Result<void> beginNext(const Progress& progress);
+    [[nodiscard]] tl::unexpected<Failure> tooShort(const std::string& held) const;
+
+    const StoredVolume& m_stored;
+    ByteCounts m_counts;
+    std::uint64_t m_part;      // bytes of voxels in each data file
+    std::size_t m_begun = 0;   // data files that were begun
+    std::uint64_t m_left = 0;  // bytes that the one begun last has still to give
+    std::unique_ptr<VoxelSource> m_source;
+    std::vector<std::string> m_warnings;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,241 @@
+// Volumes whose voxels lie in several data files or are written as text.
+#include <bzlib.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "temporary_folder.h"
+#include "zlib_bytes.h"
+
+namespace echolucent {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string bzipped(const std::string& bytes) {
+    std::string out(bytes.size() + bytes.size() / 100 + 700, '\0');
+    auto length = static_cast<unsigned>(out.size());
+    BZ2_bzBuffToBuffCompress(out.data(), &length, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()),
+                             1, 0, 0);
+    out.resize(length);
+    return out;
+}
+
+std::string nrrd(const std::string& fields) {
+    return "NRRD0004\ntype: ushort\nendian: big\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\n" + fields;
+}
+std::string metaImage(const std::string& more) {
+    return "NDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nElementType = MET_USHORT\n"
+           "BinaryDataByteOrderMSB = True\n" +
+           more;
+}
+
+/// The numbers from 1 to 24 as big-endian 16 bits.
+std::string voxels() {
+    std::vector<std::uint16_t> values(24);
+    std::iota(values.begin(), values.end(), std::uint16_t{1});
+    return bytesFrom(values, true);
+}
+constexpr std::size_t sliceBytes = 12;
+
+class DataFiles : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directory(m_folder.file("sub"));
+        for (std::size_t z = 0; z < 4; ++z) {
+            const std::string slice = voxels().substr(z * sliceBytes, sliceBytes);
+            m_folder.write("s" + std::to_string(z) + ".raw", slice);
+            m_folder.write("p" + std::to_string(z) + ".raw", "head\n" + slice);
+            m_folder.write("z" + std::to_string(z) + ".raw.gz", deflated(slice, 31));
+            m_folder.write(fmt::format("sub/n{:03}.raw", 10 + 5 * z), slice);
+        }
+        m_folder.write("low.raw", voxels().substr(0, 2 * sliceBytes));
+        m_folder.write("high.raw", voxels().substr(2 * sliceBytes));
+    }
+    void expectVoxels(const std::string& header, std::size_t files) const {
+        const auto study = readStudy(m_folder.write("v.nhdr", header), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        const auto values = storedValues(*study->phases[0]);
+        ASSERT_EQ(values.size(), 24U);
+        for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(values[i], i + 1) << header;
+        EXPECT_EQ(study->files.size(), files + 1) << header;
+        EXPECT_EQ(factOf(*study, "data files"), files > 1 ? std::to_string(files) : "none");
+    }
+    [[nodiscard]] std::string sentenceOf(const std::string& header) const {
+        const auto study = readStudy(m_folder.write("v.nhdr", header));
+        return study ? "was read" : study.error().sentence();
+    }
+    TemporaryFolder m_folder;
+};
+
+TEST_F(DataFiles, OfNrrdAreAListOrAPattern) {
+    expectVoxels(nrrd("encoding: raw\ndata file: LIST\ns0.raw\ns1.raw\n./s2.raw\ns3.raw\n"), 4);
+    expectVoxels(nrrd("encoding: raw\ndata file: LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw"), 4);
+    expectVoxels(nrrd("encoding: raw\ndata file: LIST 3\nlow.raw\nhigh.raw\n"), 2);
+    expectVoxels(nrrd("encoding: raw\nline skip: 1\ndata file: LIST\np0.raw\np1.raw\np2.raw\np3.raw\n"), 4);
+    expectVoxels(nrrd("encoding: raw\nbyte skip: 5\ndata file: p%d.raw 0 3 1\n"), 4);
+    expectVoxels(nrrd("encoding: raw\nbyte skip: -1\ndata file: p%d.raw 0 3 1\n"), 4);
+    expectVoxels(nrrd("encoding: gzip\ndata file: z%d.raw.gz 0 3 1 2\n"), 4);
+    expectVoxels(nrrd("encoding: raw\ndata file: sub/n%03d.raw 10 25 5\n"), 4);
+}
+
+TEST_F(DataFiles, OfNrrdMayCountDown) {
+    const auto study = readStudy(m_folder.write("v.nhdr", nrrd("encoding: raw\ndata file: s%d.raw 3 0 -1\n")));
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->storedValue(0), 19);
+}
+
+TEST_F(DataFiles, OfMetaImageAreAListOrAPattern) {
+    expectVoxels(metaImage("ElementDataFile = LIST\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
+    expectVoxels(metaImage("ElementDataFile = LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
+    expectVoxels(metaImage("HeaderSize = 5\nElementDataFile = p%d.raw 0 3 1\n"), 4);
+    expectVoxels(metaImage("HeaderSize = -1\nElementDataFile = p%d.raw 0 3\n"), 4);
+    expectVoxels(metaImage("CompressedData = True\nElementDataFile = z%d.raw.gz 0\n"), 4);
+    expectVoxels(metaImage("ElementDataFile = sub/n%03d.raw 10 25 5\n"), 4);
+    m_folder.write("whole.raw", voxels());
+    expectVoxels(metaImage("ElementDataFile = LIST 3\nwhole.raw\n"), 1);
+}
+
+TEST_F(DataFiles, OfAMovingVolumeMayHoldAPhaseOrASlice) {
+    const std::string begin = "NDims = 4\nDimSize = 2 3 2 2\nElementType = MET_USHORT\nBinaryDataByteOrderMSB = True\n";
+    for (const char* data :
+         {"LIST\nlow.raw\nhigh.raw\n", "LIST 3\nlow.raw\nhigh.raw\n", "LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"}) {
+        const auto study = readStudy(m_folder.write("v.mhd", begin + "ElementDataFile = " + data), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        ASSERT_EQ(study->phases.size(), 2U);
+        EXPECT_EQ(study->phases[1]->storedValue(0), 13) << data;
+    }
+}
+
+TEST_F(DataFiles, ThatDoNotFitAreRefused) {
+    const std::string raw = "encoding: raw\ndata file: ";
+    const auto list = [&](const std::string& data) { return sentenceOf(nrrd(raw + data)); };
+    EXPECT_THAT(list("LIST\n"), HasSubstr("data file names 0 data files where the volume has 4 parts"));
+    EXPECT_THAT(list("LIST\ns0.raw\ns1.raw\ns2.raw\n"), HasSubstr("names 3 data files where the volume has 4 parts"));
+    EXPECT_THAT(list("LIST 3\ns0.raw\ns1.raw\ns2.raw\n"), HasSubstr("names 3 data files, which cannot share 4 slices"));
+    EXPECT_THAT(list("LIST 7\ns0.raw\n"), HasSubstr("gives each file 7 dimensions; it must be 2 to 3"));
+    EXPECT_THAT(list("LIST x\ns0.raw\n"), HasSubstr("must be LIST and the dimensions of each file"));
+    EXPECT_THAT(list("LIST\ns0.raw\ns1.raw\ns2.raw\nmissing.raw\n"), HasSubstr("missing.raw: could not be opened"));
+    EXPECT_THAT(list("LIST\ns0.raw\ns1.raw\ns2.raw\n../s3.raw\n"), HasSubstr("own folder"));
+    EXPECT_THAT(list("LIST\ns0.raw\ns1.raw\ns2.raw\n/etc/passwd\n"), HasSubstr("own folder"));
+    EXPECT_THAT(list("LIST\ns0.raw\ns1.raw\ns2.raw\nsub/../../s3.raw\n"), HasSubstr("own folder"));
+    EXPECT_THAT(list("s%d.raw 0 3\n"), HasSubstr("must be a pattern with the first number, the last and the step"));
+    EXPECT_THAT(list("s%d.raw 0 3 0\n"), HasSubstr("in steps of 0, which never ends"));
+    EXPECT_THAT(list("s%d.raw 0 3 -1\n"), HasSubstr("in steps of -1, which never ends"));
+    EXPECT_THAT(list("s%d.raw 0 1000000000 1\n"), HasSubstr("names 1000000001 data files, more than the 10000"));
+    EXPECT_THAT(list("s%d.raw 0 9223372036854775807 1\n"), HasSubstr("counts with 9223372036854775807"));
+    for (const char* pattern :
+         {"s%n.raw", "s%s.raw", "s%d%d.raw", "s%999d.raw", "s%-3d.raw", "s%.raw", "s%", "s%ld.raw"})
+        EXPECT_THAT(list(std::string(pattern) + " 0 3 1\n"), HasSubstr("which is no pattern with one number"))
+            << pattern;
+    EXPECT_THAT(list("s%d.raw 0 2 1\n"), HasSubstr("names 3 data files where the volume has 4 parts"));
+    EXPECT_THAT(list("%d/../../s%d.raw 0 3 1\n"), HasSubstr("no pattern with one number"));
+    EXPECT_THAT(list("../s%d.raw 0 3 1\n"), HasSubstr("own folder"));
+    m_folder.write("s2.raw", "short");
+    EXPECT_THAT(list("s%d.raw 0 3 1\n"), AllOf(HasSubstr("sizes declares 48 bytes"), HasSubstr("12 in each of 4 files"),
+                                               HasSubstr("s2.raw holds only 5")));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = LIST 1\ns0.raw\n")), HasSubstr("2 to 3"));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = LIST\ns0.raw\n")), HasSubstr("names 1 data files"));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = s%n.raw 0 3 1\n")), HasSubstr("no pattern"));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = s%d.raw 0 3 x\n")), HasSubstr("whole numbers, not \"x\""));
+    EXPECT_THAT(
+        sentenceOf(metaImage("CompressedData = True\nCompressedDataSize = 9\nElementDataFile = LIST\ns0.raw\n")),
+        HasSubstr("CompressedDataSize is one number beside several data files"));
+}
+
+TEST_F(DataFiles, AreNeverReachedOverALinkOutOfTheFolder) {
+    const TemporaryFolder elsewhere;
+    elsewhere.write("secret.raw", voxels());
+    std::filesystem::create_symlink(elsewhere.file("secret.raw"), m_folder.file("link.raw"));
+    std::filesystem::create_directory_symlink(elsewhere.path(), m_folder.file("out"));
+    std::filesystem::create_symlink(m_folder.file("low.raw"), m_folder.file("sub/inside.raw"));
+    for (const char* name : {"link.raw", "out/secret.raw"})
+        EXPECT_THAT(sentenceOf(nrrd("encoding: raw\ndata file: " + std::string(name) + "\n")),
+                    HasSubstr("does not lie in or below the header's own folder"));
+    EXPECT_EQ(sentenceOf(nrrd("encoding: raw\ndata file: LIST 3\nsub/inside.raw\nhigh.raw\n")), "was read");
+}
+
+TEST_F(DataFiles, OfAHugeListAreRefusedQuickly) {
+    std::string many = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 20000\nencoding: raw\ndata file: LIST\n";
+    for (int i = 0; i < 20000; ++i) many += "s0.raw\n";
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_THAT(sentenceOf(many), HasSubstr("names 20000 data files, more than the 10000 that are read"));
+    EXPECT_THAT(sentenceOf(nrrd("encoding: raw\ndata file: LIST\n") + std::string(std::size_t{2} << 20, 'x')),
+                HasSubstr("begins a list that is longer than 1048576 bytes"));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = LIST\n") + std::string(std::size_t{2} << 20, 'x')),
+                HasSubstr("begins a list that is longer than 1048576 bytes"));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
+const std::string numbers = "1 2 3 4 5 6\n7, 8,9 , 10 11 12\r\n13 14 15 16 17 18\n19 20 2.1e1 22.0 +23 24";
+
+std::string hexOf(const std::string& bytes) {
+    std::string text;
+    for (const char byte : bytes)
+        text += fmt::format("{:02x}{}", static_cast<unsigned char>(byte), text.size() % 7 ? "" : "\n");
+    return text;
+}
+
+TEST_F(DataFiles, MayBeTextHexadecimalOrBzip2) {
+    const auto attached = [&](const std::string& encoding, const std::string& bytes) {
+        const auto study =
+            readStudy(m_folder.write("v.nrrd", nrrd("encoding: " + encoding + "\n\n") + bytes), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1) << encoding;
+    };
+    for (const char* name : {"ascii", "ASCII", "text", "txt"}) attached(name, numbers);
+    attached("hex", hexOf(voxels()));
+    std::string capitals = hexOf(voxels());
+    std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                   [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
+    attached("hex", capitals);
+    for (const char* name : {"bzip2", "bz2"}) attached(name, bzipped(voxels()));
+    const auto study = readStudy(
+        m_folder.write("v.mha", metaImage("BinaryData = False\nElementDataFile = LOCAL\n") + numbers), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1);
+    EXPECT_EQ(factOf(*study, "compression"), "none, written as decimal text");
+}
+
+TEST_F(DataFiles, AsTextKeepEveryType) {
+    for (const auto& [type, text] :
+         {std::pair{"uchar", "0 255 7 1"}, std::pair{"int8", "-128 127 0 1"}, std::pair{"short", "-32768 32767 0 1"},
+          std::pair{"uint", "0 4294967295 1 1"}, std::pair{"int64", "-9223372036854775808 5 0 1"},
+          std::pair{"uint64", "18446744073709551615 0 1 1"}, std::pair{"float", "-1.5 2.25e3 nan 1"},
+          std::pair{"double", "0.5 -0.25 inf 1"}}) {
+        const std::string header =
+            "NRRD0004\ntype: " + std::string(type) + "\ndimension: 3\nsizes: 2 1 2\nencoding: ascii\n\n";
+        EXPECT_EQ(sentenceOf(header + text), "was read") << type;
+    }
+}
+
+TEST_F(DataFiles, AsTextThatIsWrongAreRefused) {
+    const auto text = [&](const std::string& bytes) { return sentenceOf(nrrd("encoding: ascii\n\n") + bytes); };
+    EXPECT_THAT(text("1 2 3"), AllOf(HasSubstr("sizes declares 48 bytes"), HasSubstr("only 5 characters")));
+    EXPECT_THAT(text("1 2 3" + std::string(200, ' ')), HasSubstr("holds only 6 bytes of voxels where 48"));
+    EXPECT_THAT(text("1 2 three " + numbers), HasSubstr("has text that is no voxel of its type near byte"));
+    EXPECT_THAT(text("1 2 -3 " + numbers), HasSubstr("no voxel of its type"));
+    EXPECT_THAT(text("1 2 65536 " + numbers), HasSubstr("\"65536\""));
+    EXPECT_THAT(text("1 2 1.5 " + numbers), HasSubstr("\"1.5\""));
+    EXPECT_THAT(text("1 2 " + std::string(3 << 20, '7') + " " + numbers), HasSubstr("no voxel of its type"));
+    const auto hex = [&](const std::string& bytes) { return sentenceOf(nrrd("encoding: hex\n\n") + bytes); };
+    EXPECT_THAT(hex(hexOf(voxels()).substr(14)), HasSubstr("characters for them"));
+    EXPECT_THAT(hex("xy" + hexOf(voxels())), HasSubstr("no hexadecimal digit"));
+    const auto bzip2 = [&](const std::string& bytes) { return sentenceOf(nrrd("encoding: bzip2\n\n") + bytes); };
+    EXPECT_THAT(bzip2("no bzip2 at all, though long enough"), HasSubstr("has damaged compressed data near byte"));
+    EXPECT_THAT(bzip2(bzipped(voxels()).substr(0, 30)), HasSubstr("where"));
+    EXPECT_THAT(bzip2(bzipped(voxels().substr(2))), HasSubstr("only 46"));
+    std::string flipped = bzipped(voxels());
+    flipped[12] = static_cast<char>(flipped[12] ^ 1);  // of the block's checksum
+    EXPECT_THAT(bzip2(flipped), HasSubstr("the bzip2 checks do not hold"));
+    EXPECT_THAT(sentenceOf(metaImage("BinaryData = False\nCompressedData = True\nElementDataFile = LOCAL\n") + numbers),
+                HasSubstr("CompressedData is True beside BinaryData = False"));
+}
+
+}  // namespace
+}  // namespace echolucent

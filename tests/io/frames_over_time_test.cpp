@@ -1,0 +1,148 @@
+// 2D frames that MetaImage and NRRD files hold as if they were slices, as Plus and 3D Slicer write them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+using testing::HasSubstr;
+
+/// Keys of `count` frames, "Seq_Frame0002_ProbeToTrackerTransform" and others, each assigned as the format does.
+std::string frameKeys(int count, const std::string& assignment, bool tracked) {
+    std::string text;
+    for (int frame = 0; frame < count; ++frame) {
+        const std::string key = fmt::format("Seq_Frame{:04}_", frame);
+        if (tracked)
+            text += key + "ProbeToTrackerTransform" + assignment +
+                    fmt::format("1 0 0 {} 0 1 0 0 0 0 1 0 0 0 0 1\n", frame) + key + "ProbeToTrackerTransformStatus" +
+                    assignment + "OK\n";
+        text += key + "Timestamp" + assignment + fmt::format("{}\n", 0.1 * frame);
+    }
+    return text;
+}
+
+std::string metaImage(const std::string& size, const std::string& more) {
+    return fmt::format(
+        "ObjectType = Image\nNDims = {}\nDimSize = {}\nElementSpacing = 0.2 0.25 1{}\n"
+        "ElementType = MET_UCHAR\nTransformMatrix = {}\n{}ElementDataFile = LOCAL\n{}",
+        size.size() > 6 ? 4 : 3, size, size.size() > 6 ? " 1" : "",
+        size.size() > 6 ? "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" : "1 0 0 0 1 0 0 0 1", more, std::string(24, 'v'));
+}
+std::string nrrd(const std::string& sizes, const std::string& kinds, const std::string& more) {
+    return fmt::format("NRRD0004\ntype: uchar\ndimension: {}\nsizes: {}\nkinds: {}\nencoding: raw\n{}\n{}",
+                       std::count(sizes.begin(), sizes.end(), ' ') + 1, sizes, kinds, more, std::string(72, 'v'));
+}
+
+struct FramesRow {
+    std::string file, bytes, words;
+    Vec3 spacing;  ///< where the frames are taken as slices
+    std::array<std::int64_t, 3> size{2, 3, 4};
+};
+
+class FramesOverTime : public testing::TestWithParam<FramesRow> {};
+
+TEST_P(FramesOverTime, AreRefusedWithTheWayOutAndTakenAsSlicesWhenAsked) {
+    const FramesRow& row = GetParam();
+    const TemporaryFolder folder;
+    const std::string file = folder.write(row.file, row.bytes);
+    const auto refused = readStudy(file);
+    ASSERT_FALSE(refused) << "was read as a volume";
+    EXPECT_TRUE(refused.error().framesCouldBeSlices);
+    EXPECT_THAT(refused.error().sentence(), HasSubstr(row.words));
+    EXPECT_THAT(refused.error().sentence(), HasSubstr("--frames-as-slices"));
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
+    const auto study = readStudy(file, options);
+    ASSERT_TRUE(study) << study.error().sentence();
+    ASSERT_EQ(study->phases.size(), 1U);
+    const VolumeGeometry& geometry = study->phases[0]->geometry();
+    EXPECT_EQ(geometry.size, row.size);
+    EXPECT_EQ(geometry.spacing, row.spacing);
+    EXPECT_FALSE(geometry.spacingKnown);
+    EXPECT_FALSE(geometry.patientFrameKnown);
+    EXPECT_TRUE(warnsOf(*study, "spacing of the voxels is unknown"));
+    EXPECT_TRUE(warnsOf(*study, "taken as slices"));
+}
+
+const std::string sweep = "this is a tracked 2D sweep of 4 frames, not a volume";
+const std::string cine = "these are 2D frames over time, not a volume";
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FramesOverTime,
+    testing::Values(
+        FramesRow{"plus.mha",
+                  metaImage("2 3 4", "Kinds = domain domain list\n" + frameKeys(4, " = ", true)),
+                  sweep,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"old.igs.mha", metaImage("2 3 4", frameKeys(4, " = ", true)), sweep, {0.2, 0.25, 0.2}},
+        FramesRow{"four.seq.mha", metaImage("2 3 1 4", frameKeys(4, " = ", true)), sweep, {0.2, 0.25, 0.2}},
+        FramesRow{"times.mha", metaImage("2 3 4", frameKeys(4, " = ", false)), cine, {0.2, 0.25, 0.2}},
+        FramesRow{"kind.mha", metaImage("2 3 4", "Kinds = domain domain time\n"), cine, {0.2, 0.25, 0.2}},
+        FramesRow{"plus.nrrd",
+                  nrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
+                  sweep,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"slicer.seq.nrrd",
+                  nrrd("4 2 3 1", "list domain domain domain",
+                       "space: LPS\nspace directions: none (0.2,0,0) (0,0.25,0) (0,0,1)\n" + frameKeys(4, ":=", true)),
+                  sweep,
+                  {0.2, 0.2, 0.25},
+                  {4, 2, 3}},
+        FramesRow{
+            "colour.nrrd",
+            nrrd("3 2 3 4", "RGB-color domain domain list", "spacings: NaN 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
+            sweep,
+            {0.2, 0.25, 0.2}},
+        FramesRow{"time.nrrd", nrrd("2 3 4", "domain domain time", "spacings: 0.2 0.25 NaN\n"), cine, {0.2, 0.25, 0.2}},
+        FramesRow{
+            "first.nrrd", nrrd("2 3 4", "time domain domain", "spacings: NaN 0.25 0.5\n"), cine, {0.25, 0.25, 0.5}},
+        FramesRow{"colourtime.nrrd",
+                  nrrd("3 2 3 4", "RGB-color domain domain time", "spacings: NaN 0.2 0.25 0.04\n"),
+                  cine,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"directions.nrrd",
+                  nrrd("2 3 4", "domain domain time",
+                       "space: RAS\nspace directions: (0.2,0,0) (0,0.25,0) none\nspace origin: (1,2,3)\n"),
+                  cine,
+                  {0.2, 0.25, 0.2}}),
+    [](const auto& row) {
+        std::string name = row.param.file;
+        std::replace(name.begin(), name.end(), '.', '_');
+        return name;
+    });
+
+TEST(FramesOfAList, AloneMakeTheSpacingUnknownAndAreSaid) {
+    const TemporaryFolder folder;
+    for (const std::string& file :
+         {folder.write("v.mha", metaImage("2 3 4", "Kinds = domain domain list\n")),
+          folder.write("v.nrrd", nrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 1\n"))}) {
+        const auto study = readStudy(file, withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
+        EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(0.2, 0.25, 1));
+        EXPECT_TRUE(warnsOf(*study, "calls the axis z a list"));
+    }
+}
+
+TEST(TrueVolumes, MayCarryKeysOfOneFrameOrOfAMovingProbe) {
+    const TemporaryFolder folder;
+    // A reconstructed volume keeps the state of the one frame that it is; in a moving one each phase is a volume.
+    const auto reconstructed = readStudy(
+        folder.write("v.mha", metaImage("2 3 4", "Kinds = domain domain domain\n" + frameKeys(1, " = ", true))),
+        withoutGuess());
+    ASSERT_TRUE(reconstructed) << reconstructed.error().sentence();
+    EXPECT_TRUE(reconstructed->phases[0]->geometry().spacingKnown);
+    const auto moving =
+        readStudy(folder.write("m.mha", metaImage("2 3 2 2", frameKeys(2, " = ", true))), withoutGuess());
+    ASSERT_TRUE(moving) << moving.error().sentence();
+    EXPECT_EQ(moving->phases.size(), 2U);
+    EXPECT_TRUE(moving->phases[0]->geometry().spacingKnown);
+    EXPECT_TRUE(warnsOf(*moving, "its movement is left out"));
+}
+
+}  // namespace
+}  // namespace echolucent
