@@ -52,6 +52,10 @@ Result<InputFile> InputFile::open(const std::string& path) {
     if (number < 0)
         return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),
                     "Check the name and the permissions.");
+    return adopt(path, number);
+}
+
+Result<InputFile> InputFile::adopt(const std::string& path, int number) {
     auto descriptor = std::make_shared<const Descriptor>(number);
     struct stat status {};
     if (fstat(number, &status) != 0 || !S_ISREG(status.st_mode))

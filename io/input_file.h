@@ -27,6 +27,9 @@ class InputFile {
 public:
     /// Opens the file at `path`. Fails (unreadable) where it cannot be opened or is no regular file.
     [[nodiscard]] static Result<InputFile> open(const std::string& path);
+    /// Takes over an open descriptor, and closes it with the last copy; sentences name the file `path`. Fails
+    /// (unreadable) where it is no regular file.
+    [[nodiscard]] static Result<InputFile> adopt(const std::string& path, int descriptor);
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     /// Fills `bytes` with what the file holds from byte `offset` on. Fails where the file ends before. May be called

@@ -2,13 +2,17 @@
 #include <new>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "io/curve_file.h"
 #include "io/dicom/dicom_reader.h"
 #include "io/document/preset_file.h"
+#include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
+#include "io/nifti/nifti_reader.h"
 #include "io/study.h"
 #include "io/study_assembly.h"
 
@@ -16,10 +20,11 @@ namespace echolucent {
 
 namespace {
 
-enum class Format { metaImage, nrrd, dicom, unknown };
+enum class Format { metaImage, nrrd, nifti, dicom, unknown };
 
 Format formatFromContent(std::string_view beginning) {
     if (looksLikeNrrd(beginning)) return Format::nrrd;
+    if (looksLikeNifti(beginning)) return Format::nifti;
     if (looksLikeDicom(beginning)) return Format::dicom;
     if (looksLikeMetaImage(beginning)) return Format::metaImage;
     return Format::unknown;
@@ -38,14 +43,12 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
     const auto refuse = [&](const char* problem, const char* remedy) {
         return fail(FailureKind::unreadable, path, "", problem, remedy).value();
     };
-    if (beginning.starts_with("\x1f\x8b"))
-        return refuse("is compressed with gzip as a whole", "Unpack it with gunzip and open what comes out.");
     if (beginning.starts_with("PK\x03\x04")) return refuse("is a ZIP archive", "Unpack it and open what comes out.");
     if (beginning.starts_with("KRETZFILE"))
         return refuse("is a GE Voluson volume (Kretz), which cannot be read yet",
                       "Export it as a Cartesian volume: MetaImage, NRRD or DICOM slices.");
-    if (beginning.size() >= 348 && (beginning.substr(344, 3) == "n+1" || beginning.substr(344, 3) == "ni1"))
-        return refuse("is a NIfTI volume, which cannot be read yet", "Convert it to MetaImage or NRRD.");
+    if (looksLikeAnalyze(beginning))
+        return refuse("is an Analyze 7.5 header, which does not say where left and right are", "Convert it to NIfTI.");
     const auto text = beginning.find_first_not_of(" \t\r\n");
     if (text == std::string_view::npos || beginning[text] != '{') return std::nullopt;
     if (beginning.find(curveFormatName) != std::string_view::npos) {
@@ -61,54 +64,103 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
     return std::nullopt;
 }
 
+/// A layout of a raw file, and where it is from.
+struct KnownLayout {
+    RawLayout layout;
+    std::string source;  ///< "--raw-size", or the name of the file that keeps it
+    std::string path;    ///< the file that keeps it; empty where a person gave the layout
+};
+
+/// The layout that a person gave, or the one that is kept beside the file or, where that is packed, beside what it was
+/// packed from; no value where there is none.
+Result<std::optional<KnownLayout>> knownLayout(const std::string& path, const ReadOptions& options) {
+    if (options.raw) return std::optional(KnownLayout{*options.raw, "--raw-size", ""});
+    for (const std::string& described : {path, withoutGzipEnding(path)}) {
+        const auto recalled = recalledRawLayout(described);
+        if (!recalled) return tl::unexpected(recalled.error());
+        const std::string kept = rawLayoutPath(described);
+        if (*recalled) return std::optional(KnownLayout{**recalled, nameFromPath(kept), kept});
+    }
+    return std::optional<KnownLayout>();
+}
+
 Result<Study> readUnknown(const InputFile& file, std::string_view beginning, const ReadOptions& options,
                           const Progress& progress) {
     const std::string& path = file.path();
-    auto layout = options.raw;
-    std::string source = "--raw-size";
-    if (!layout) {
-        const auto recalled = recalledRawLayout(path);
-        if (!recalled) return tl::unexpected(recalled.error());
-        layout = *recalled;
-        source = nameFromPath(rawLayoutPath(path));
-    }
-    if (!layout) {
+    const auto known = knownLayout(path, options);
+    if (!known) return tl::unexpected(known.error());
+    if (!*known) {
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
         auto unknown = fail(FailureKind::unreadable, path, "",
-                            beginning.empty() ? "is empty" : "is not a MetaImage, NRRD or DICOM file",
+                            beginning.empty() ? "is empty" : "is not a MetaImage, NRRD, NIfTI or DICOM file",
                             "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
                             "--raw-byte-order, --raw-header-bytes and --raw-spacing.");
         unknown.value().layoutUnknown = !beginning.empty();
         return unknown;
     }
-    auto stored = storedVolumeFromLayout(file, *layout, source);
+    auto stored = storedVolumeFromLayout(file, (*known)->layout, (*known)->source);
     if (!stored) return tl::unexpected(stored.error());
-    if (!options.raw) stored->layoutPath = rawLayoutPath(path);
+    stored->layoutPath = (*known)->path;
     return readStoredVolume(std::move(*stored), options, progress);
 }
 
-Result<Study> readFile(const std::string& path, const ReadOptions& options, const Progress& progress) {
-    const auto file = InputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    const auto beginning = file->beginning(4096);
+Result<Study> readStored(Result<StoredVolume> stored, const ReadOptions& options, const Progress& progress) {
+    if (!stored) return tl::unexpected(stored.error());
+    return readStoredVolume(std::move(*stored), options, progress);
+}
+
+/// Reads an opened file; what was packed as a whole is unpacked.
+Result<Study> readOpened(const InputFile& file, const ReadOptions& options, const Progress& progress) {
+    const auto beginning = file.beginning(4096);
     if (!beginning) return tl::unexpected(beginning.error());
     Format format = formatFromContent(*beginning);
-    if (format == Format::unknown && !knownButNotRead(path, *beginning)) format = formatFromName(path);
+    if (format == Format::unknown && !knownButNotRead(file.path(), *beginning))
+        format = formatFromName(withoutGzipEnding(file.path()));
     switch (format) {
-        case Format::metaImage: {
-            auto stored = readMetaImageHeader(*file, options.framesAsSlices);
-            if (!stored) return tl::unexpected(stored.error());
-            return readStoredVolume(std::move(*stored), options, progress);
-        }
-        case Format::nrrd: {
-            auto stored = readNrrdHeader(*file, options.framesAsSlices);
-            if (!stored) return tl::unexpected(stored.error());
-            return readStoredVolume(std::move(*stored), options, progress);
-        }
-        case Format::dicom: return readDicom(*file, options, progress);
+        case Format::metaImage: return readStored(readMetaImageHeader(file, options.framesAsSlices), options, progress);
+        case Format::nrrd: return readStored(readNrrdHeader(file, options.framesAsSlices), options, progress);
+        case Format::nifti:
+            return readStored(readNiftiHeader(file, options.framesAsSlices, progress), options, progress);
+        case Format::dicom: return readDicom(file, options, progress);
         case Format::unknown: break;
     }
-    return readUnknown(*file, *beginning, options, progress);
+    return readUnknown(file, *beginning, options, progress);
+}
+
+/// Whether a file is to be unpacked. Voxels that a layout describes may begin like gzip by chance; then the name tells.
+Result<bool> isPacked(const InputFile& file, const ReadOptions& options) {
+    const auto beginning = file.beginning(3);
+    if (!beginning) return tl::unexpected(beginning.error());
+    if (!looksLikeGzip(*beginning)) return false;
+    if (withoutGzipEnding(file.path()) != file.path()) return true;
+    const auto layout = knownLayout(file.path(), options);
+    if (!layout) return tl::unexpected(layout.error());
+    return !layout->has_value();
+}
+
+/// Half the way is unpacking.
+Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, const Progress& progress) {
+    const auto unpacked = unpackGzip(packed, {[&](double share) { progress.at(0.5 * share); }, progress.cancel});
+    if (!unpacked) return tl::unexpected(unpacked.error());
+    const auto beginning = unpacked->beginning(3);
+    if (beginning && looksLikeGzip(*beginning))
+        return fail(FailureKind::unreadable, packed.path(), "", "is compressed with gzip twice",
+                    "Unpack it with gunzip and open what comes out.");
+    auto study =
+        readOpened(*unpacked, options, {[&](double share) { progress.at(0.5 + 0.5 * share); }, progress.cancel});
+    if (study)
+        study->facts.push_back(
+            {"file", fmt::format("gzip, {} bytes unpacked to {}", packed.size(), unpacked->size()), "its beginning"});
+    return study;
+}
+
+Result<Study> readFile(const std::string& path, const ReadOptions& options, const Progress& progress) {
+    // The voxels of a NIfTI pair may be named as well as its header.
+    const auto file = InputFile::open(niftiHeaderBeside(path).value_or(path));
+    if (!file) return tl::unexpected(file.error());
+    const auto packed = isPacked(*file, options);
+    if (!packed) return tl::unexpected(packed.error());
+    return *packed ? readPacked(*file, options, progress) : readOpened(*file, options, progress);
 }
 
 }  // namespace

@@ -1,0 +1,312 @@
+#include "io/nifti/nifti_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "io/gzip_file.h"
+#include "io/headers/frames_over_time.h"
+#include "io/headers/header_text.h"
+#include "io/nifti/nifti_geometry.h"
+#include "io/study_assembly.h"
+
+namespace echolucent {
+
+namespace {
+
+const std::string exportAgain = "Correct the header or export the volume again.";
+
+struct TypeCode {
+    std::int64_t code;
+    StoredType type;
+};
+constexpr std::array<TypeCode, 10> typeCodes{{{2, StoredType::uint8},
+                                              {4, StoredType::int16},
+                                              {8, StoredType::int32},
+                                              {16, StoredType::float32},
+                                              {64, StoredType::float64},
+                                              {256, StoredType::int8},
+                                              {512, StoredType::uint16},
+                                              {768, StoredType::uint32},
+                                              {1024, StoredType::int64},
+                                              {1280, StoredType::uint64}}};
+constexpr std::int64_t rgb24 = 128;
+
+/// A kind of data by its code, and what it is in words.
+struct CodeWords {
+    std::int64_t code;
+    const char* words;
+};
+constexpr std::array<CodeWords, 7> refusedTypes{{{1, "single bits"},
+                                                 {32, "complex numbers (complex64)"},
+                                                 {1792, "complex numbers (complex128)"},
+                                                 {2048, "complex numbers (complex256)"},
+                                                 {1536, "128-bit floats"},
+                                                 {2304, "colours with opacity (RGBA32)"},
+                                                 {0, "an unknown type"}}};
+constexpr std::array<CodeWords, 10> refusedIntents{{{1004, "matrices"},
+                                                    {1005, "symmetric matrices"},
+                                                    {1006, "displacements (a deformation)"},
+                                                    {1007, "vectors"},
+                                                    {1008, "points of a surface"},
+                                                    {1009, "triangles of a surface"},
+                                                    {1010, "quaternions"},
+                                                    {2002, "indices of nodes on a surface"},
+                                                    {2003, "colours on a surface"},
+                                                    {2004, "colours with opacity on a surface"}}};
+
+template <std::size_t count>
+const char* wordsFor(const std::array<CodeWords, count>& table, std::int64_t code) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const CodeWords& row) { return row.code == code; });
+    return found == table.end() ? nullptr : found->words;
+}
+
+class NiftiReader {
+public:
+    NiftiReader(const InputFile& file, const NiftiHeader& header) : m_file(file), m_header(header) {
+        m_stored.path = file.path();
+        m_stored.sizeKey = "dim";
+        m_stored.bigEndian = header.bigEndian;
+    }
+    Result<StoredVolume> read(bool framesAsSlices, const Progress& progress);
+
+private:
+    Result<void> readShape(bool framesAsSlices);
+    Result<void> readIntent();
+    Result<void> readType();
+    Result<void> readTime();
+    Result<void> readScale();
+    Result<void> readVoxelPlace(const Progress& progress);
+    Result<std::int64_t> offsetOfVoxels() const;
+    void readWindow();
+    [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
+                                                const std::string& remedy = exportAgain) const {
+        return fail(FailureKind::unreadable, m_stored.path, key, problem, remedy);
+    }
+    void note(std::string_view sentence) { m_stored.warnings.emplace_back(sentence); }
+
+    const InputFile& m_file;
+    NiftiHeader m_header;
+    StoredVolume m_stored;
+    bool m_frames = false;  // 2D frames over time, taken as slices
+};
+
+Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& progress) {
+    m_stored.facts.push_back(
+        {"format",
+         fmt::format("NIfTI-{}{}", m_header.version, m_header.voxelsApart ? ", voxels in a file of their own" : ""),
+         ""});
+    if (auto shape = readShape(framesAsSlices); !shape) return tl::unexpected(shape.error());
+    if (auto intent = readIntent(); !intent) return tl::unexpected(intent.error());
+    if (auto type = readType(); !type) return tl::unexpected(type.error());
+    if (auto placed = placeNifti(m_header, m_stored); !placed) return tl::unexpected(placed.error());
+    if (auto time = readTime(); !time) return tl::unexpected(time.error());
+    if (m_frames) {
+        FrameWords words;
+        words.kinds[2] = "time";
+        words.kindsKey = "dim";
+        if (auto settled = settleFrames(m_stored, words, true); !settled) return tl::unexpected(settled.error());
+    }
+    if (auto scale = readScale(); !scale) return tl::unexpected(scale.error());
+    readWindow();
+    if (auto place = readVoxelPlace(progress); !place) return tl::unexpected(place.error());
+    return m_stored;
+}
+
+Result<void> NiftiReader::readShape(bool framesAsSlices) {
+    auto& dim = m_header.dim;
+    if (dim[0] < 1 || dim[0] > 7) return wrong("dim[0]", fmt::format("must be 1 to 7, not {}", dim[0]));
+    // What lies beyond dim[0] has no meaning.
+    for (std::size_t axis = static_cast<std::size_t>(dim[0]) + 1; axis < dim.size(); ++axis) dim[axis] = 1;
+    for (std::size_t axis = 1; axis < dim.size(); ++axis)
+        if (dim[axis] < 1)
+            return wrong(fmt::format("dim[{}]", axis), fmt::format("must be above 0, not {}", dim[axis]));
+    for (std::size_t axis = 5; axis < dim.size(); ++axis)
+        if (dim[axis] > 1)
+            return wrong(fmt::format("dim[{}]", axis), fmt::format("is {}: each voxel has several values", dim[axis]),
+                         "Save one scalar volume, or one over time.");
+    if (dim[0] < 3)
+        return wrong("dim[0]", fmt::format("is {}: this is a 2D picture, not a volume", dim[0]),
+                     "Open a 3D or 4D volume.");
+    m_stored.phases = dim[4];
+    m_frames = dim[3] == 1 && dim[4] > 1;
+    if (!m_frames || framesAsSlices) return {};
+    auto refused = wrong("dim",
+                         fmt::format("has one slice and {} time points: these are 2D frames over time, not a "
+                                     "volume",
+                                     dim[4]),
+                         "Add --frames-as-slices to take the frames as slices of unknown spacing.");
+    refused.value().framesCouldBeSlices = true;
+    return refused;
+}
+
+Result<void> NiftiReader::readIntent() {
+    const std::int64_t code = m_header.intentCode;
+    if (const char* words = wordsFor(refusedIntents, code))
+        return wrong("intent_code", fmt::format("is {}: the file holds {}, not a volume of echoes", code, words),
+                     "Open a scalar volume.");
+    if (code == 1002 || code == 1003)
+        note(fmt::format("intent_code {} says that the voxels are labels, not echoes.", code));
+    else if (code >= 2 && code <= 24)
+        note(fmt::format("intent_code {} says that the voxels are values of a statistic, not echoes.", code));
+    return {};
+}
+
+Result<void> NiftiReader::readType() {
+    const std::int64_t code = m_header.datatype;
+    if (const char* words = wordsFor(refusedTypes, code))
+        return wrong("datatype", fmt::format("is {}: {}, which cannot be shown", code, words),
+                     "Save it as uint8, uint16, int16 or float32.");
+    const auto known = std::find_if(typeCodes.begin(), typeCodes.end(),
+                                    [&](const TypeCode& candidate) { return candidate.code == code; });
+    if (known == typeCodes.end() && code != rgb24)
+        return wrong("datatype", fmt::format("is {}, which is not known", code),
+                     "Save it as uint8, uint16, int16 or float32.");
+    m_stored.type = code == rgb24 ? StoredType::uint8 : known->type;
+    m_stored.channels = code == rgb24 ? 3 : 1;
+    const std::int64_t bits = 8 * bytesOf(m_stored.type) * m_stored.channels;
+    if (m_header.bitpix != bits)
+        note(fmt::format("bitpix says {} bits a voxel where datatype {} has {}; datatype counts.", m_header.bitpix,
+                         code, bits));
+    return {};
+}
+
+Result<void> NiftiReader::readTime() {
+    if (m_stored.phases < 2) return {};
+    const double step = m_header.pixdim[4];
+    constexpr int timeBits = 0x38;
+    double seconds = 1.0;
+    std::string source = "pixdim[4], s by xyzt_units";
+    switch (m_header.xyztUnits & timeBits) {
+        case 0: source = "pixdim[4], assumed to be seconds"; break;
+        case 8: break;
+        case 16:
+            seconds = 1e-3;
+            source = "pixdim[4], ms by xyzt_units";
+            break;
+        case 24:
+            seconds = 1e-6;
+            source = "pixdim[4], us by xyzt_units";
+            break;
+        case 32:
+        case 40:
+        case 48:
+            return wrong("xyzt_units", "says that the fourth dimension is a frequency, not time",
+                         "Save one volume, or one over time.");
+        default: return wrong("xyzt_units", fmt::format("is {}, which names no time", m_header.xyztUnits));
+    }
+    const bool unitGiven = (m_header.xyztUnits & timeBits) != 0;
+    if (unitGiven && std::isfinite(m_header.toffset) && m_header.toffset != 0)
+        m_stored.facts.push_back(
+            {"time of the first phase", fmt::format("{:.9g} s", m_header.toffset * seconds), "toffset"});
+    // Where there is no unit, 1 is what programs write that know no time.
+    if (!std::isfinite(step) || step <= 0 || (!unitGiven && step == 1.0)) return {};
+    m_stored.phaseSeconds = step * seconds;
+    m_stored.phaseSource = source;
+    return {};
+}
+
+Result<void> NiftiReader::readScale() {
+    const double slope = m_header.sclSlope, intercept = m_header.sclInter;
+    if (slope == 0.0) return {};
+    if (!std::isfinite(slope)) {
+        note("scl_slope is no number: the values are taken as they are stored.");
+        return {};
+    }
+    if (!std::isfinite(intercept)) return wrong("scl_inter", "is no number beside a scl_slope that is one");
+    if (slope == 1.0 && intercept == 0.0) return {};
+    if (m_stored.channels == 3) return wrong("scl_slope", "rescales colours, which NIfTI does not allow");
+    m_stored.rescale = Rescale{slope, intercept};
+    m_stored.rescaleSource = "scl_slope, scl_inter";
+    if (slope < 0) note("scl_slope is negative: what is stored as dark becomes bright.");
+    return {};
+}
+
+void NiftiReader::readWindow() {
+    if (std::isfinite(m_header.calMax) && std::isfinite(m_header.calMin) && m_header.calMax > m_header.calMin) {
+        m_stored.window =
+            WindowWhite{m_header.calMax, fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax),
+                        "cal_min, cal_max"};
+        return;
+    }
+    // Eight bits are white at 255 wherever they come from, and so are they on the file's line.
+    if (!m_stored.rescale || m_stored.type != StoredType::uint8) return;
+    const double white = m_stored.rescale->slope * 255.0 + m_stored.rescale->intercept;
+    if (m_stored.rescale->slope < 0 || white <= 0) return;
+    m_stored.whiteLevel = white;
+    m_stored.whiteLevelSource = "255 of 8 bits, by scl_slope and scl_inter";
+}
+
+Result<std::int64_t> NiftiReader::offsetOfVoxels() const {
+    const double offset = m_header.voxOffset;
+    const double least = m_header.voxelsApart ? 0.0 : m_header.version == 1 ? 352.0 : 544.0;
+    constexpr double largest = 4.5e15;  // below which doubles tell whole numbers apart
+    if (!(offset >= least && offset <= largest) || offset != std::floor(offset))
+        return wrong("vox_offset", fmt::format("must be a whole number of {} or more, not {:.9g}", least, offset));
+    return static_cast<std::int64_t>(offset);
+}
+
+/// The name of the file of voxels beside a header: "a.img" for "a.hdr", and "A.IMG" for "A.HDR".
+std::string imageBeside(const std::string& header) {
+    const std::filesystem::path plain = withoutGzipEnding(header);
+    const std::string ending = plain.extension().string();
+    const bool capitals = !ending.empty() && ending != lowerCase(ending);
+    return plain.stem().string() + (capitals ? ".IMG" : ".img");
+}
+
+Result<void> NiftiReader::readVoxelPlace(const Progress& progress) {
+    const auto offset = offsetOfVoxels();
+    if (!offset) return tl::unexpected(offset.error());
+    m_stored.extent.offset = static_cast<std::uint64_t>(*offset);
+    if (!m_header.voxelsApart) {
+        m_stored.data = {{m_stored.path, m_file}};
+        return {};
+    }
+    const std::string name = imageBeside(m_stored.path);
+    for (const std::string& candidate : {name, name + ".gz"}) {
+        auto beside = dataFileBeside({m_stored.path, "the magic \"ni\""}, candidate);
+        if (!beside) return tl::unexpected(beside.error());
+        std::error_code error;
+        if (!std::filesystem::exists(beside->path, error)) continue;
+        auto file = beside->open();
+        if (!file) return tl::unexpected(file.error());
+        const auto beginning = file->beginning(3);
+        if (beginning && looksLikeGzip(*beginning) && candidate.ends_with(".gz")) {
+            file = unpackGzip(*file, progress);
+            if (!file) return tl::unexpected(file.error());
+        }
+        m_stored.data = {{beside->path, *file}};
+        return {};
+    }
+    return wrong("", "is a NIfTI header whose voxels are missing: there is no " + quotedText(name) + " beside it",
+                 "Put both files into one folder.");
+}
+
+}  // namespace
+
+Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices, const Progress& progress) {
+    const auto beginning = file.beginning(niftiHeaderBytes);
+    if (!beginning) return tl::unexpected(beginning.error());
+    const auto header = niftiHeaderIn(*beginning);
+    if (!header)
+        return fail(FailureKind::unreadable, file.path(), "", "has no NIfTI header", "Check what kind of file it is.");
+    return NiftiReader(file, *header).read(framesAsSlices, progress);
+}
+
+std::optional<std::string> niftiHeaderBeside(const std::string& path) {
+    const std::filesystem::path plain = withoutGzipEnding(path);
+    if (lowerCase(plain.extension().string()) != ".img") return std::nullopt;
+    for (const char* ending : {".hdr", ".HDR", ".hdr.gz"}) {
+        std::filesystem::path header = plain;
+        header.replace_extension();
+        header += ending;
+        std::error_code error;
+        if (std::filesystem::is_regular_file(header, error)) return header.string();
+    }
+    return std::nullopt;
+}
+
+}  // namespace echolucent
