@@ -7,6 +7,7 @@
 #include "app/cli/option_text.h"
 #include "io/output/enhanced_us_writer.h"
 #include "io/output/meta_image_writer.h"
+#include "io/output/nifti_writer.h"
 
 namespace echolucent::cli {
 
@@ -15,6 +16,8 @@ namespace {
 using Phases = std::vector<std::shared_ptr<const Volume>>;
 
 Result<void> writeAsMetaImage(const std::string& path, const Phases& phases) { return writeMetaImage(path, phases); }
+
+Result<void> writeAsNifti(const std::string& path, const Phases& phases) { return writeNifti(path, phases); }
 
 /// The transducer lies on the middle of the face that a +z beam enters. The simulated sound runs in parallel, so that
 /// its apex is a nominal one: as far before the face as the volume is deep.
@@ -33,6 +36,7 @@ struct PhantomFormat {
 };
 
 constexpr std::array formats{PhantomFormat{".mha", writeAsMetaImage}, PhantomFormat{".mhd", writeAsMetaImage},
+                             PhantomFormat{".nii", writeAsNifti}, PhantomFormat{".nii.gz", writeAsNifti},
                              PhantomFormat{".dcm", writeAsEnhancedUs}};
 
 /// The format for a name; null where none has its ending. Names without an ending (devices, the standard output) are

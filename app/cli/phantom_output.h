@@ -10,7 +10,7 @@
 
 namespace echolucent::cli {
 
-/// The endings that writePhantom() knows, for help and messages: ".mha, .mhd or .dcm".
+/// The endings that writePhantom() knows, for help and messages: ".mha, .mhd, .nii, .nii.gz or .dcm".
 [[nodiscard]] std::string phantomEndings();
 
 /// Whether a phantom can be written to a file of this name. Fails (wrongUsage) where no format has its ending.

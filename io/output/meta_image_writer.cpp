@@ -1,7 +1,5 @@
 #include "io/output/meta_image_writer.h"
 
-#include <zlib.h>
-
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -9,53 +7,11 @@
 #include <fmt/format.h>
 
 #include "io/output/atomic_file.h"
+#include "io/output/deflate_stream.h"
 
 namespace echolucent {
 
 namespace {
-
-// Speckle hardly compresses: higher levels cost much time and win little.
-constexpr int compressionLevel = 3;
-
-class Compressor {
-public:
-    Compressor() {
-        if (deflateInit(&m_stream, compressionLevel) != Z_OK) throw std::bad_alloc();
-    }
-    ~Compressor() { deflateEnd(&m_stream); }
-    Compressor(const Compressor&) = delete;
-    Compressor& operator=(const Compressor&) = delete;
-
-    void add(const std::uint8_t* bytes, std::size_t count) {
-        constexpr std::size_t piece = std::size_t{1} << 30;  // zlib counts in 32 bits
-        for (std::size_t done = 0; done < count;) {
-            const std::size_t next = std::min(piece, count - done);
-            m_stream.next_in = const_cast<Bytef*>(bytes + done);
-            m_stream.avail_in = static_cast<uInt>(next);
-            drain(Z_NO_FLUSH);
-            done += next;
-        }
-    }
-    std::string finish() {
-        m_stream.avail_in = 0;
-        drain(Z_FINISH);
-        return std::move(m_output);
-    }
-
-private:
-    void drain(int flush) {
-        do {
-            m_stream.next_out = m_buffer.data();
-            m_stream.avail_out = static_cast<uInt>(m_buffer.size());
-            deflate(&m_stream, flush);
-            m_output.append(reinterpret_cast<const char*>(m_buffer.data()), m_buffer.size() - m_stream.avail_out);
-        } while (m_stream.avail_out == 0);
-    }
-
-    z_stream m_stream{};
-    std::vector<std::uint8_t> m_buffer = std::vector<std::uint8_t>(std::size_t{1} << 18);
-    std::string m_output;
-};
 
 std::string plain(const std::vector<std::shared_ptr<const Volume>>& phases) {
     std::string bytes;
@@ -69,7 +25,7 @@ std::string plain(const std::vector<std::shared_ptr<const Volume>>& phases) {
 }
 
 std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases) {
-    Compressor compressor;
+    DeflateStream compressor(DeflateFormat::zlib);
     for (const auto& phase : phases)
         std::visit(
             [&](const auto& values) {

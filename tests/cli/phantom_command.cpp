@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -153,8 +154,23 @@ TEST_F(PhantomCommand, TheEndingChoosesTheFormat) {
               json::parse(contentOf(path("v.mha.json"))).at("otf"));
     const Outcome refused = run("phantom " + path("v.xyz") + " --size 16");
     EXPECT_EQ(refused.status, 2);
-    EXPECT_NE(refused.output.find("Use .mha, .mhd or .dcm."), std::string::npos) << refused.output;
+    EXPECT_NE(refused.output.find("Use .mha, .mhd, .nii, .nii.gz or .dcm."), std::string::npos) << refused.output;
     EXPECT_FALSE(fs::exists(path("v.xyz")));
+}
+
+TEST_F(PhantomCommand, WritesNiftiOfTheSameVoxels) {
+    const std::string options = " --size 20x18x22 --spacing 0.4x0.5x0.9 --bits 12 --phases 2";
+    for (const char* name : {"v.mha", "v.nii", "v.nii.gz"}) ASSERT_EQ(run("phantom " + path(name) + options).status, 0);
+    const auto volumeOf = [&](const std::string& name) {
+        json volume = json::parse(run("info " + path(name) + " --phase 1 --json").output).at("volume");
+        volume.erase("name");
+        // NIfTI-1 holds spacings as float32.
+        for (json& mm : volume.at("spacing_mm")) mm = std::round(mm.get<double>() * 1e4);
+        return volume;
+    };
+    EXPECT_EQ(volumeOf("v.nii"), volumeOf("v.mha"));
+    EXPECT_EQ(volumeOf("v.nii.gz"), volumeOf("v.mha"));
+    EXPECT_EQ(contentOf(path("v.nii")).substr(344, 3), "n+1");
 }
 
 TEST_F(PhantomCommand, SameBytesForAnyNumberOfThreads) {

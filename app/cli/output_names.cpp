@@ -1,0 +1,59 @@
+#include "app/cli/output_names.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "app/cli/option_text.h"
+#include "io/headers/header_text.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+// Endings that say what a file is, written here or not.
+constexpr std::array<std::string_view, 21> pictureEndings{".bmp", ".exr", ".gif", ".heic", ".jp2",  ".jpe",  ".jpeg",
+                                                          ".jpg", ".jxl", ".pbm", ".pdf",  ".pgm",  ".png",  ".pnm",
+                                                          ".ppm", ".svg", ".tga", ".tif",  ".tiff", ".webp", ".xpm"};
+constexpr std::array<std::string_view, 10> movieEndings{".avi",  ".m4v", ".mkv", ".mov",  ".mp4",
+                                                        ".mpeg", ".mpg", ".ogv", ".webm", ".wmv"};
+constexpr std::array<std::string_view, 12> volumeEndings{".dcm", ".dicom", ".gipl", ".gz",  ".hdr",  ".img",
+                                                         ".mha", ".mhd",   ".nhdr", ".nii", ".nrrd", ".vtk"};
+
+template <std::size_t count>
+bool holds(const std::array<std::string_view, count>& endings, std::string_view ending) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::string endingOf(const std::string& path) { return lowerCase(std::filesystem::path(path).extension().string()); }
+
+Result<void> refused(const std::string& path, const std::string& option, const std::string& written,
+                     const std::string& remedy) {
+    return wrongUsage(option, "is " + quotedText(path) + ", but " + written, remedy);
+}
+
+bool isPictureOrMovie(std::string_view ending) { return holds(pictureEndings, ending) || holds(movieEndings, ending); }
+
+}  // namespace
+
+Result<void> checkPictureName(const std::string& path, const std::string& option) {
+    const std::string ending = endingOf(path);
+    if (!isPictureOrMovie(ending) || ending == ".png") return {};
+    return refused(path, option, "pictures are written as PNG", "Give it a name that ends in .png.");
+}
+
+Result<void> checkMovieName(const std::string& path, const std::string& option) {
+    const std::string ending = endingOf(path);
+    if (!isPictureOrMovie(ending) || ending == ".avi") return {};
+    return refused(path, option, "movies are written as Motion JPEG in AVI", "Give it a name that ends in .avi.");
+}
+
+Result<void> checkMetaImageName(const std::string& path, const std::string& option) {
+    const std::string ending = endingOf(path);
+    const bool known = isPictureOrMovie(ending) || holds(volumeEndings, ending);
+    if (!known || ending == ".mha" || ending == ".mhd") return {};
+    return refused(path, option, "volumes are written as MetaImage", "Give it a name that ends in .mha.");
+}
+
+}  // namespace echolucent::cli
