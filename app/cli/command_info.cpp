@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,8 @@ using nlohmann::ordered_json;
 
 struct InfoOptions {
     VolumeOptions volume;
-    bool json = false;
+    bool toJson = false;
+    std::string json;  ///< where the JSON goes; "-" is standard output
 };
 
 /// Smallest and largest stored value of the voxels that are data; no value where none is.
@@ -96,15 +98,16 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
 }
 
 Result<void> runInfo(const InfoOptions& options) {
-    const auto study = options.volume.readAll({});
+    if (options.volume.path.empty()) return wrongUsage("VOLUME", "is required", "Name a volume.");
+    const auto study = options.volume.readAll({options.json});
     if (!study) return tl::unexpected(study.error());
     const Volume& volume = *study->phases[static_cast<std::size_t>(options.volume.phase)];
     // Text in files may be in any encoding; JSON must be UTF-8.
-    const std::string output = options.json ? infoJson(*study, volume, options.volume.phase)
-                                                      .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
-                                                  "\n"
-                                            : infoText(*study, volume, options.volume.phase);
-    return writeFileAtomically("-", output);
+    const std::string output = options.toJson ? infoJson(*study, volume, options.volume.phase)
+                                                        .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+                                                    "\n"
+                                              : infoText(*study, volume, options.volume.phase);
+    return writeFileAtomically(options.toJson ? options.json : "-", output);
 }
 
 }  // namespace
@@ -113,9 +116,21 @@ void addInfoCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a volume file holds and how it was read");
     options->volume.addTo(*command);
-    command->add_flag("--json", options->json, "Write one JSON object (docs/cli-info.md) instead of text");
+    // Required by runInfo(): "--json VOLUME" leaves it empty while the command line is parsed.
+    command->get_option("VOLUME")->required(false);
+    CLI::Option* json = command
+                            ->add_option("--json", options->json,
+                                         "Write one JSON object (docs/cli-info.md) instead of text; - is standard "
+                                         "output, also where no FILE is given")
+                            ->type_name("FILE")
+                            ->expected(0, 1);
     command->footer("Example:\n  echolucent-cli info heart.nrrd --phase 2 --json");
-    command->callback([options, &action] { action = [options] { return runInfo(*options); }; });
+    command->callback([options, json, &action] {
+        options->toJson = json->count() > 0;
+        if (options->toJson && options->volume.path.empty()) std::swap(options->volume.path, options->json);
+        if (options->json.empty()) options->json = "-";
+        action = [options] { return runInfo(*options); };
+    });
 }
 
 }  // namespace echolucent::cli

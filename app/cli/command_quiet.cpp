@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/look_options.h"
+#include "app/cli/output_names.h"
 #include "io/output/meta_image_writer.h"
 
 namespace echolucent::cli {
@@ -20,6 +21,7 @@ struct QuietOptions {
 Result<void> writeQuiet(const QuietOptions& options) {
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
+    if (auto checked = checkMetaImageName(options.output, "-o"); !checked) return checked;
     const auto volume = options.volume.readPhase({options.output});
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const auto quiet = std::make_shared<const Volume>(*quietVolume(**volume, look->reduction));

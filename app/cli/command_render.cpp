@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/cli/document_render.h"
 #include "app/cli/look_options.h"
+#include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
 #include "io/output/picture_file.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -77,6 +78,7 @@ void explainEmptiness(const Picture& picture, const OpacityCurve& curve, const V
 /// What a view of a document shows, without labels.
 Result<void> renderDocument(const RenderOptions& options, const CLI::App& command) {
     if (auto checked = options.document.checkAlone(command); !checked) return checked;
+    if (auto checked = checkPictureName(options.output, "-o"); !checked) return checked;
     if (auto checked = checkOutputs({options.output}); !checked) return checked;
     const auto size = sizeFrom(options.size);
     if (!size) return tl::unexpected<Failure>(size.error());
@@ -93,6 +95,7 @@ Result<void> renderDocument(const RenderOptions& options, const CLI::App& comman
 Result<void> render(const RenderOptions& options) {
     if (options.volume.path.empty())
         return wrongUsage("VOLUME", "is required", "Name a volume, or a document with --document.");
+    if (auto checked = checkPictureName(options.output, "-o"); !checked) return checked;
     if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked) return checked;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();

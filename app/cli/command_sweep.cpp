@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/look_options.h"
+#include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
 #include "app/cli/sweep_report.h"
 #include "io/output/atomic_file.h"
@@ -119,6 +120,7 @@ std::vector<std::string> outputsOf(const SweepOptions& options) { return {option
 Result<void> checkSweepOutputs(const SweepOptions& options) {
     if ((options.json == "-") + (options.csv == "-") + (options.movie == "-") > 1)
         return wrongUsage("", "only one of --csv, --json and --movie can go to standard output");
+    if (auto checked = checkMovieName(options.movie, "--movie"); !checked) return checked;
     return checkOutputs(outputsOf(options), {options.method.initial});
 }
 

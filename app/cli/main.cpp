@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -27,24 +28,42 @@ std::vector<std::string> joinedArguments(int count, char** arguments) {
     return joined;
 }
 
-/// The word that stands where a command should, where it is none; else empty.
-std::string unknownCommand(const CLI::App& program, int count, char** arguments) {
+/// A command, or the program itself, that needs another command after it.
+struct NeedsCommand {
+    const CLI::App* command;
+    std::string word;  ///< that stands where the command should; empty where the line ends there
+};
+
+/// What is wrong with the commands of a command line; no value where each is one that exists.
+std::optional<NeedsCommand> wrongCommand(const CLI::App& program, int count, char** arguments) {
+    const CLI::App* command = &program;
     for (int i = 1; i < count; ++i) {
+        if (command->get_require_subcommand_min() == 0) return std::nullopt;
         const std::string word = arguments[i];
         if (word == "--threads") ++i;
         if (word.starts_with("-")) continue;
-        const auto commands =
-            program.get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
-        return commands.empty() ? word : std::string();
+        const auto named = command->get_subcommands([&](const CLI::App* other) { return other->check_name(word); });
+        if (named.empty()) return NeedsCommand{command, word};
+        command = named.front();
     }
-    return {};
+    if (command->get_require_subcommand_min() == 0) return std::nullopt;
+    return NeedsCommand{command, ""};
 }
 
-/// "info, otf or render".
+/// The commands of a program, or of a command: "info, otf or render".
 std::string commandsOf(const CLI::App& program) {
     std::vector<std::string_view> names;
     for (const CLI::App* command : program.get_subcommands({})) names.emplace_back(command->get_name());
     return echolucent::cli::listed(names);
+}
+
+std::string sentenceOn(const NeedsCommand& wrong, const CLI::App& program) {
+    const bool top = wrong.command == &program;
+    const std::string use = ": use " + commandsOf(*wrong.command) + ".";
+    if (!wrong.word.empty())
+        return "\"" + (top ? "" : wrong.command->get_name() + " ") + wrong.word + "\" is not a command" + use;
+    if (top) return "No command is given" + use;
+    return "\"" + wrong.command->get_name() + "\" is only the beginning of a command" + use;
 }
 
 }  // namespace
@@ -80,10 +99,11 @@ int main(int count, char** arguments) {
     try {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {
-        if (const std::string word = unknownCommand(program, count, arguments); !word.empty()) {
-            std::fprintf(stderr, "\"%s\" is not a command: use %s.\n", word.c_str(), commandsOf(program).c_str());
-            return 2;
-        }
+        if (error.get_exit_code() != 0)
+            if (const auto wrong = wrongCommand(program, count, arguments)) {
+                std::fprintf(stderr, "%s\n", sentenceOn(*wrong, program).c_str());
+                return 2;
+            }
         return program.exit(error) == 0 ? 0 : 2;
     }
 

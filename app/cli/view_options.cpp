@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -74,6 +76,30 @@ ChosenBeam ViewOptions::beamOf(const Volume& volume) const {
     return {guess->axis, std::string(nameOf(guess->evidence)), guess->confidence, guess->sentence};
 }
 
+namespace {
+
+/// The view, where its near cut leaves something of the data; else what --near would have to be.
+Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view) {
+    const Vec3 forward = frameOf(view).forward;
+    const double nearest = volume.geometry().depthsAlong(forward).nearest;
+    const DataBox& box = volume.dataBox();
+    double depth = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 at = box.lowMm;
+        for (int axis = 0; axis < 3; ++axis)
+            if ((corner >> axis & 1) != 0) at[axis] = box.highMm[axis];
+        depth = std::max(depth, at.dot(forward) - nearest);
+    }
+    if (view.nearCutMm < depth) return view;
+    return wrongUsage("--near",
+                      fmt::format("is {:.6g} mm, but along this view the volume ends {:.4g} mm behind its foremost "
+                                  "corner: nothing is left",
+                                  view.nearCutMm, depth),
+                      fmt::format("Give less than {:.4g}.", depth));
+}
+
+}  // namespace
+
 Result<Viewpoint> ViewOptions::get(const Volume& volume) const { return get(volume, beamOf(volume)); }
 
 Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam) const {
@@ -87,7 +113,7 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam)
         chosen->nearCutMm = nearCutMm;
     }
     if (beam.source != "assumed" && !beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
-    if (!nearCutSuggested()) return chosen;
+    if (!nearCutSuggested()) return leavesSomething(volume, *chosen);
     const auto found = findNearCut(volume, *chosen);
     chosen->nearCutMm = found->nearCutMm;
     std::fprintf(stderr, "%s\n", found->message.c_str());

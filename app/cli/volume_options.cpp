@@ -85,7 +85,8 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
 void VolumeOptions::addTo(CLI::App& command) {
     command
         .add_option("VOLUME", path,
-                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), DICOM file or folder, or raw with --raw-size")
+                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), DICOM file or folder, "
+                    "or raw with --raw-size; any of these files packed with gzip")
         ->required();
     command.add_option("--phase", phase, "Phase of a 4D volume, from 0")->capture_default_str();
     command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");

@@ -33,8 +33,8 @@ TEST_P(ExitStatus, AndOneSentenceForAPerson) {
 
 INSTANTIATE_TEST_SUITE_P(
     Otf, ExitStatus,
-    testing::Values(Row{"", 2, ""}, Row{"otf", 2, "VOLUME"}, Row{"otf VOLUME --nonsense", 2, "nonsense"},
-                    Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
+    testing::Values(Row{"", 2, "No command is given: use info, otf, "}, Row{"otf", 2, "VOLUME"},
+                    Row{"otf VOLUME --nonsense", 2, "nonsense"}, Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
                     Row{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
                     Row{"otf VOLUME --cell-size 99", 2, "--cell-size must be 2 to 32"},
                     Row{"otf VOLUME --cell-size five", 2, "cell-size"},
@@ -88,6 +88,69 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"phantom FOLDER/p.mha --contrast 1,2", 2, "--contrast must be like 14,85,170"},
                     Row{"render VOLUME --background 1 -o FOLDER/x.png", 2, "--background must be like 14,85,170"},
                     Row{"render VOLUME --light 40 -o FOLDER/x.png", 2, "--light must be like 40,-20"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Outputs, ExitStatus,
+    testing::Values(Row{"render VOLUME -o FOLDER/x.jpg", 2,
+                        "x.jpg\", but pictures are written as PNG. Give it a name that ends in .png."},
+                    Row{"render VOLUME -o FOLDER/x.TIFF", 2, "pictures are written as PNG"},
+                    Row{"render VOLUME -o FOLDER/x.avi", 2, "pictures are written as PNG"},
+                    Row{"render --document FOLDER/none.json -o FOLDER/x.jpeg", 2, "pictures are written as PNG"},
+                    Row{"sweep VOLUME --movie FOLDER/x.mp4", 2, "movies are written as Motion JPEG in AVI"},
+                    Row{"sweep VOLUME --movie FOLDER/x.gif", 2, "movies are written as Motion JPEG in AVI"},
+                    Row{"quiet VOLUME -o FOLDER/x.nrrd", 2,
+                        "volumes are written as MetaImage. Give it a name that ends in .mha."},
+                    Row{"phantom FOLDER/x.nrrd", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+                    Row{"phantom FOLDER/x.mha.gz", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+                    Row{"phantom FOLDER/x.png", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."}));
+
+INSTANTIATE_TEST_SUITE_P(
+    NearCuts, ExitStatus,
+    testing::Values(
+        Row{"render VOLUME --beam-axis +z --near 300 -o FOLDER/x.png", 2,
+            "--near is 300 mm, but along this view the volume ends 60 mm behind its foremost corner: nothing is left. "
+            "Give less than 60."},
+        Row{"otf VOLUME --beam-axis +z --near 60", 2, "nothing is left"},
+        Row{"otf VOLUME --beam-axis +z --near 59.9 --json FOLDER/none/o.json", 4, "o.json"},
+        Row{"otf VOLUME --beam-axis +y --near 50.1", 2, "ends 50 mm behind"},
+        Row{"sweep VOLUME --beam-axis +z --near 1e6", 2, "nothing is left"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, ExitStatus,
+    testing::Values(Row{"study", 2, "\"study\" is only the beginning of a command: use otf, contrast, "},
+                    Row{"study nonsense", 2, "\"study nonsense\" is not a command: use otf, contrast, "},
+                    Row{"bench", 2, "\"bench\" is only the beginning of a command: use otf."},
+                    Row{"--threads 2", 2, "No command is given: use info, otf, "},
+                    Row{"--threads 2 otff VOLUME", 2, "\"otff\" is not a command: use info, otf, "}));
+
+TEST(Usage, ARawSizeThatIsTooLargeIsNoFaultOfAHeader) {
+    const Folder folder;
+    write(folder / "v.raw", std::string(4, 'x'));
+    const Outcome outcome = runProgram("info \"" + folder / "v.raw" + "\" --raw-size 2x2x2");
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.errors.find("--raw-size declares 8 bytes of voxels"), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("Correct the size, the type, or the bytes before the voxels."), std::string::npos);
+    for (const char* wrong : {"header is wrong", "incomplete", "damaged"})
+        EXPECT_EQ(outcome.errors.find(wrong), std::string::npos) << outcome.errors;
+}
+
+TEST(Usage, InfoWritesJsonWhereOtherCommandsDo) {
+    const Folder folder;
+    const std::string volume = "\"" + shapesFile() + "\"";
+    const std::string text = runProgram("info " + volume + " --json").output;
+    EXPECT_EQ(nlohmann::json::parse(text).at("volume").at("phases"), 1);
+    EXPECT_EQ(runProgram("info " + volume + " --json -").output, text);
+    EXPECT_EQ(runProgram("info --json " + volume).output, text);
+    EXPECT_EQ(runProgram("info --json - " + volume).output, text);
+    const Outcome toFile = runProgram("info " + volume + " --json \"" + folder / "i.json" + "\"");
+    EXPECT_EQ(toFile.status, 0) << toFile.errors;
+    EXPECT_EQ(toFile.output, "");
+    EXPECT_EQ(contentsOf(folder / "i.json"), text);
+    const Outcome over = runProgram("info " + volume + " --json " + volume);
+    EXPECT_EQ(over.status, 2);
+    EXPECT_NE(over.errors.find("would overwrite"), std::string::npos) << over.errors;
+    EXPECT_EQ(runProgram("info --json").status, 2);
+}
 
 TEST(Usage, ASpacingThatNoScannerMakesIsRefusedBeforeAnythingIsComputed) {
     const Folder folder;
