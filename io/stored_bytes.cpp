@@ -146,6 +146,17 @@ Result<void> StoredBytes::beginNext(const Progress& progress) {
     return {};
 }
 
+Result<void> StoredBytes::endFile() {
+    const VoxelEncoding encoding = m_stored.extent.encoding;
+    if (encoding == VoxelEncoding::raw) return {};  // check() has said what is left
+    const auto more = m_source->hasMore();
+    if (!more && isCompressed(encoding)) return tl::unexpected(more.error());
+    if (more && !*more) return {};
+    if (m_warnings.empty())
+        m_warnings.push_back("The file holds more than the declared voxels; what follows them is ignored.");
+    return {};
+}
+
 Result<void> StoredBytes::read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to) {
     const double share = (to - from) / static_cast<double>(bytes.size());
     for (std::size_t done = 0; done < bytes.size();) {
@@ -158,6 +169,8 @@ Result<void> StoredBytes::read(std::span<std::uint8_t> bytes, const Progress& pr
         if (!read) return read;
         done += count;
         m_left -= count;
+        if (m_left > 0) continue;
+        if (auto ended = endFile(); !ended) return ended;
     }
     return {};
 }

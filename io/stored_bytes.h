@@ -18,10 +18,11 @@ public:
     /// Checks of every data file, before memory is taken, that it can hold its part. Fails (unreadable) where it holds
     /// less; compressed bytes that claim to be many times more are counted.
     [[nodiscard]] Result<void> check(const Progress& progress);
-    /// Sentences of check() on bytes that play no part.
+    /// Sentences of check() and read() on bytes that play no part.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
-    /// Fills `bytes` with what comes next, as VoxelSource::read().
+    /// Fills `bytes` with what comes next, as VoxelSource::read(). At the end of a data file the checksum of compressed
+    /// voxels is verified.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
 private:
@@ -34,6 +35,7 @@ private:
                                             const Progress& progress) const;
     void noteRest(const InputFile& file, const VoxelExtent& extent);
     [[nodiscard]] Result<void> beginNext(const Progress& progress);
+    [[nodiscard]] Result<void> endFile();
     [[nodiscard]] tl::unexpected<Failure> tooShort(const std::string& held) const;
 
     const StoredVolume& m_stored;

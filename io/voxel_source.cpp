@@ -1,6 +1,7 @@
 #include "io/voxel_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -89,6 +90,13 @@ Result<void> VoxelSource::read(std::span<std::uint8_t> bytes, const Progress& pr
         m_given += *count;
     }
     return {};
+}
+
+Result<bool> VoxelSource::hasMore() {
+    std::array<std::uint8_t, 8> oneValue{};
+    const auto count = readSome(oneValue);
+    if (!count) return tl::unexpected(count.error());
+    return *count > 0;
 }
 
 Result<std::uint64_t> VoxelSource::countBytes(std::uint64_t limit, const Progress& progress) {

@@ -32,6 +32,10 @@ public:
     /// shares from `from` to `to`. Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
+    /// Whether more follows the bytes that were read. Where nothing does, the checksum of compressed bytes has been
+    /// verified once this is answered. Fails (unreadable) where what follows is damaged or no voxels.
+    [[nodiscard]] Result<bool> hasMore();
+
     /// How many bytes there are to be read, counted up to `limit` without keeping them. To be called before the first
     /// read().
     [[nodiscard]] Result<std::uint64_t> countBytes(std::uint64_t limit, const Progress& progress);

@@ -237,5 +237,31 @@ TEST_F(DataFiles, AsTextThatIsWrongAreRefused) {
                 HasSubstr("CompressedData is True beside BinaryData = False"));
 }
 
+TEST_F(DataFiles, ThatAreCompressedAreCheckedToTheirLastBit) {
+    for (const int window : {15, 31}) {
+        const std::string whole = deflated(voxels(), window);
+        const auto sentenceWith = [&](const std::string& bytes) {
+            return sentenceOf(metaImage("CompressedData = True\nElementDataFile = LOCAL\n") + bytes);
+        };
+        EXPECT_EQ(sentenceWith(whole), "was read");
+        std::string wrongSum = whole;
+        wrongSum[whole.size() - (window == 15 ? 1 : 7)] ^= 1;
+        EXPECT_THAT(sentenceWith(wrongSum), HasSubstr("has damaged compressed data near byte"));
+    }
+}
+
+TEST_F(DataFiles, WithMoreThanTheVoxelsSaySo) {
+    const auto saysSo = [&](const std::string& bytes) {
+        const auto study = readStudy(m_folder.write("v.nrrd", bytes), withoutGuess());
+        EXPECT_TRUE(study) << study.error().sentence();
+        return study && warnsOf(*study, "more than the declared voxels");
+    };
+    EXPECT_FALSE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " \n"));
+    EXPECT_TRUE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " 25"));
+    EXPECT_TRUE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " end"));
+    EXPECT_TRUE(saysSo(nrrd("encoding: gzip\n\n") + deflated(voxels() + "xx", 31)));
+    EXPECT_FALSE(saysSo(nrrd("encoding: gzip\n\n") + deflated(voxels(), 31)));
+}
+
 }  // namespace
 }  // namespace echolucent
