@@ -1,4 +1,4 @@
-// What the header of a MetaImage, an NRRD or a raw layout says: everything needed to read the voxels.
+// What the header of a MetaImage, an NRRD, a NIfTI or a raw layout says: everything needed to read the voxels.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "io/data_files.h"
-#include "io/study.h"
 #include "io/study_assembly.h"
 #include "io/voxel_source.h"
 #include "io/voxel_types.h"
@@ -51,9 +50,5 @@ struct ByteCounts {
 };
 /// Counts the bytes that `stored` declares. Fails (unreadable) where they cannot be counted in 63 bits.
 [[nodiscard]] Result<ByteCounts> countBytes(const StoredVolume& stored);
-
-/// Reads the voxels that `stored` describes. The declared size is compared with what the file can hold before memory is
-/// taken. Fails (unreadable) where the file holds fewer voxels or is damaged. `progress` is polled for cancel.
-[[nodiscard]] Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress);
 
 }  // namespace echolucent

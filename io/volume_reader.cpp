@@ -13,6 +13,7 @@
 #include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
 #include "io/nifti/nifti_reader.h"
+#include "io/stored_volume_reader.h"
 #include "io/study.h"
 #include "io/study_assembly.h"
 
@@ -34,6 +35,7 @@ Format formatFromName(const std::string& path) {
     const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
     if (extension == ".mha" || extension == ".mhd") return Format::metaImage;
     if (extension == ".nrrd" || extension == ".nhdr") return Format::nrrd;
+    if (extension == ".nii") return Format::nifti;
     if (extension == ".dcm" || extension == ".dicom" || extension == ".ima") return Format::dicom;
     return Format::unknown;
 }

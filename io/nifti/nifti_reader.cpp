@@ -292,7 +292,8 @@ Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices,
     if (!beginning) return tl::unexpected(beginning.error());
     const auto header = niftiHeaderIn(*beginning);
     if (!header)
-        return fail(FailureKind::unreadable, file.path(), "", "has no NIfTI header", "Check what kind of file it is.");
+        return fail(FailureKind::unreadable, file.path(), "", "does not begin with a NIfTI header",
+                    "It is cut off, or of another kind than its name says.");
     return NiftiReader(file, *header).read(framesAsSlices, progress);
 }
 

@@ -400,6 +400,16 @@ TEST(MalformedNifti, EveryTruncationIsRefused) {
     }
 }
 
+TEST(MalformedNifti, AFileThatOnlyItsNameCallsNiftiIsNoNifti) {
+    const TemporaryFolder folder;
+    for (const std::string& bytes : {std::string(), std::string("whatever"), std::string(400, '\0')})
+        for (const char* name : {"v.nii", "v.nii.gz"}) {
+            const auto study = readStudy(folder.write(name, name[5] == '\0' ? bytes : deflated(bytes, 31)));
+            ASSERT_FALSE(study);
+            EXPECT_THAT(study.error().sentence(), HasSubstr("does not begin with a NIfTI header"));
+        }
+}
+
 TEST(MalformedNifti, APairWithoutItsOtherFileIsNamed) {
     const TemporaryFolder folder;
     NiftiFields fields;

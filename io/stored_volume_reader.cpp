@@ -1,0 +1,108 @@
+#include "io/stored_volume_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "io/stored_bytes.h"
+#include "io/study_assembly.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Takes apart phases that are interleaved voxel by voxel.
+std::vector<std::vector<std::uint8_t>> splitPhases(const std::vector<std::uint8_t>& all, std::size_t phases,
+                                                   std::size_t voxelBytes) {
+    std::vector<std::vector<std::uint8_t>> split(phases, std::vector<std::uint8_t>(all.size() / phases));
+    const std::size_t voxels = all.size() / phases / voxelBytes;
+    for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+        for (std::size_t phase = 0; phase < phases; ++phase)
+            std::memcpy(split[phase].data() + voxel * voxelBytes, all.data() + (voxel * phases + phase) * voxelBytes,
+                        voxelBytes);
+    return split;
+}
+
+Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredVolume& stored, StoredBytes& source,
+                                                          const ByteCounts& counts, const Progress& progress) {
+    if (stored.phasesFastest) {
+        std::vector<std::uint8_t> all(static_cast<std::size_t>(counts.all));
+        if (const auto read = source.read(all, progress, 0.0, 0.8); !read) return tl::unexpected(read.error());
+        return splitPhases(all, static_cast<std::size_t>(stored.phases),
+                           static_cast<std::size_t>(bytesOf(stored.type) * stored.channels));
+    }
+    std::vector<std::vector<std::uint8_t>> phases;
+    for (std::int64_t phase = 0; phase < stored.phases; ++phase) {
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(counts.phase));
+        const double share = 0.8 / static_cast<double>(stored.phases);
+        const auto read =
+            source.read(bytes, progress, share * static_cast<double>(phase), share * static_cast<double>(phase + 1));
+        if (!read) return tl::unexpected(read.error());
+        phases.push_back(std::move(bytes));
+    }
+    return phases;
+}
+
+void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
+    if (bytesOf(stored.type) > 1 && stored.extent.encoding != VoxelEncoding::text)
+        parts.facts.push_back({"byte order", stored.bigEndian ? "big endian" : "little endian", ""});
+    parts.facts.push_back({"compression", std::string(compressionWords(stored.extent.encoding)), ""});
+    if (stored.data.size() > 1) parts.facts.push_back({"data files", std::to_string(stored.data.size()), ""});
+    if (stored.rescale)
+        parts.facts.push_back(
+            {"rescale",
+             fmt::format("value = {:.9g} x stored {} {:.9g}", stored.rescale->slope,
+                         stored.rescale->intercept < 0 ? "-" : "+", std::abs(stored.rescale->intercept)),
+             stored.rescaleSource});
+    if (stored.channels == 3) {
+        parts.facts.push_back({"colour", "reduced to luma", "3 channels"});
+        parts.warnings.push_back("The voxels are in colour; they were reduced to luma.");
+    }
+}
+
+}  // namespace
+
+Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress) {
+    const auto counts = countBytes(stored);
+    if (!counts) return tl::unexpected(counts.error());
+    StoredBytes source(stored, *counts);
+    if (auto checked = source.check(progress); !checked) return tl::unexpected(checked.error());
+    const std::int64_t memory =
+        stored.rescale ? counts->all / bytesOf(stored.type) * bytesOf(StoredType::float32) : counts->all;
+    const auto largest = static_cast<std::uint64_t>(std::max(memory, counts->all));
+    if (auto enough = requireMemory(stored.path, stored.sizeKey, largest); !enough)
+        return tl::unexpected(enough.error());
+
+    auto phases = readPhases(stored, source, *counts, progress);
+    if (!phases) return tl::unexpected(phases.error());
+    for (auto& bytes : *phases) {
+        toMachineByteOrder(bytes, stored.type, stored.bigEndian);
+        if (stored.channels == 3) reduceToLuma(bytes, stored.type);
+    }
+
+    StudyParts parts;
+    parts.path = stored.path;
+    parts.files = {stored.path};
+    for (const DataFile& file : stored.data)
+        if (file.path != stored.path) parts.files.push_back(file.path);
+    if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
+    parts.geometry = stored.geometry;
+    parts.spacingSource = stored.spacingSource;
+    parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(*phases), stored.type, *stored.rescale)
+                                  : convertVoxels(std::move(*phases), stored.type);
+    parts.whiteLevel = stored.whiteLevel;
+    parts.whiteLevelSource = stored.whiteLevelSource;
+    parts.window = stored.window;
+    parts.phaseSeconds = stored.phaseSeconds;
+    parts.phaseSource = stored.phaseSource;
+    parts.facts = stored.facts;
+    parts.warnings = stored.warnings;
+    const auto& warnings = source.warnings();
+    parts.warnings.insert(parts.warnings.end(), warnings.begin(), warnings.end());
+    addStorageFacts(stored, parts);
+    return assembleStudy(std::move(parts), options, progress);
+}
+
+}  // namespace echolucent
