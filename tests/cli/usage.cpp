@@ -33,7 +33,7 @@ TEST_P(ExitStatus, AndOneSentenceForAPerson) {
 
 INSTANTIATE_TEST_SUITE_P(
     Otf, ExitStatus,
-    testing::Values(Row{"", 2, "No command is given: use info, otf, "}, Row{"otf", 2, "VOLUME"},
+    testing::Values(Row{"", 2, "No command is given: use info, "}, Row{"otf", 2, "VOLUME"},
                     Row{"otf VOLUME --nonsense", 2, "nonsense"}, Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
                     Row{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
                     Row{"otf VOLUME --cell-size 99", 2, "--cell-size must be 2 to 32"},
@@ -120,8 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Row{"study", 2, "\"study\" is only the beginning of a command: use otf, contrast, "},
                     Row{"study nonsense", 2, "\"study nonsense\" is not a command: use otf, contrast, "},
                     Row{"bench", 2, "\"bench\" is only the beginning of a command: use otf."},
-                    Row{"--threads 2", 2, "No command is given: use info, otf, "},
-                    Row{"--threads 2 otff VOLUME", 2, "\"otff\" is not a command: use info, otf, "}));
+                    Row{"--threads 2", 2, "No command is given: use info, "},
+                    Row{"--threads 2 otff VOLUME", 2, "\"otff\" is not a command: use info, "}));
 
 TEST(Usage, ARawSizeThatIsTooLargeIsNoFaultOfAHeader) {
     const Folder folder;
