@@ -71,46 +71,10 @@ Problem readBits(DcmItem& item, DicomPixelFormat& format) {
     return std::nullopt;
 }
 
-std::uint8_t lumaOf(double red, double green, double blue) {
-    return static_cast<std::uint8_t>(std::lround(0.299 * red + 0.587 * green + 0.114 * blue));
-}
-
-/// One palette's entries as 8-bit values; empty where the palette is missing or too short.
-std::vector<std::uint8_t> paletteEntries(DcmItem& item, DicomTag descriptorTag, DicomTag dataTag) {
-    const auto descriptor = dicomNumbers(item, descriptorTag, 3);
-    const auto words = dicomWords(item, dataTag);
-    if (descriptor.empty() || words.empty()) return {};
-    const std::size_t count =
-        descriptor[0] == 0 ? 65536 : static_cast<std::size_t>(std::clamp(descriptor[0], 0.0, 65536.0));
-    if (count == 0) return {};
-    const bool packed = words.size() < count && words.size() * 2 >= count;  // a word holds two 8-bit entries
-    if (words.size() < count && !packed) return {};
-    // Some programs declare 16 bits and store 8.
-    const bool high =
-        !packed && *std::max_element(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count)) > 255;
-    std::vector<std::uint8_t> entries(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint16_t word = words[packed ? i / 2 : i];
-        const int shift = packed ? (i % 2 == 0 ? 0 : 8) : (high ? 8 : 0);
-        entries[i] = static_cast<std::uint8_t>(word >> shift);
-    }
-    return entries;
-}
-
-Problem readPalette(DcmItem& item, DicomPixelFormat& format) {
-    constexpr DicomTag redDescriptor{0x0028, 0x1101};
-    const auto red = paletteEntries(item, redDescriptor, {0x0028, 0x1201});
-    const auto green = paletteEntries(item, {0x0028, 0x1102}, {0x0028, 0x1202});
-    const auto blue = paletteEntries(item, {0x0028, 0x1103}, {0x0028, 0x1203});
-    if (red.empty() || green.size() != red.size() || blue.size() != red.size())
-        return problemAt(
-            redDescriptor, "Palette Color Lookup Table",
-            dicomHas(item, {0x0028, 0x1221}) ? "is segmented, which cannot be read" : "is missing or too short");
-    format.paletteFirst =
-        static_cast<std::int64_t>(std::clamp(dicomNumbers(item, redDescriptor, 3)[1], -65536.0, 65536.0));
-    format.paletteLuma.resize(red.size());
-    for (std::size_t i = 0; i < red.size(); ++i) format.paletteLuma[i] = lumaOf(red[i], green[i], blue[i]);
-    return std::nullopt;
+Problem readColours(DcmItem& item, DicomPixelFormat& format) {
+    std::string problem = readPalette(item, format.palette);
+    if (problem.empty()) return std::nullopt;
+    return problemAt({0x0028, 0x1101}, "Palette Color Lookup Table", std::move(problem));
 }
 
 Problem readColour(DcmItem& item, DicomPixelFormat& format) {
@@ -134,7 +98,7 @@ Problem readColour(DcmItem& item, DicomPixelFormat& format) {
         return problemAt(samplesTag, "Samples per Pixel",
                          fmt::format("is {} where {} needs {}", format.samples, name, samples));
     format.halved = name == "YBR_FULL_422" || name == "YBR_PARTIAL_422";
-    return format.model == ColourModel::palette ? readPalette(item, format) : std::nullopt;
+    return format.model == ColourModel::palette ? readColours(item, format) : std::nullopt;
 }
 
 /// Sample `index` of the frame with the bits the data set says are in use.
@@ -206,9 +170,9 @@ void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span
             case ColourModel::monochrome2: value = sample.at(i); break;
             case ColourModel::monochrome1: value = low + high - sample.at(i); break;
             case ColourModel::palette: {
-                const auto entry = std::clamp<std::int64_t>(sample.at(i) - format.paletteFirst, 0,
-                                                            static_cast<std::int64_t>(format.paletteLuma.size()) - 1);
-                value = format.paletteLuma[static_cast<std::size_t>(entry)];
+                const auto entry = std::clamp<std::int64_t>(sample.at(i) - format.palette.first, 0,
+                                                            static_cast<std::int64_t>(format.palette.luma.size()) - 1);
+                value = format.palette.luma[static_cast<std::size_t>(entry)];
                 break;
             }
             case ColourModel::rgb:

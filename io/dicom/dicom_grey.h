@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/dicom_palette.h"
 #include "io/voxel_types.h"
 
 class DcmItem;
@@ -29,8 +30,7 @@ struct DicomPixelFormat {
     bool halved = false;  ///< uncompressed 4:2:2, where Y Y Cb Cr stand for two pixels
     ColourModel model = ColourModel::monochrome2;
     std::string photometric;
-    std::vector<std::uint8_t> paletteLuma;  ///< luma of each palette entry
-    std::int64_t paletteFirst = 0;          ///< pixel value that stands for the first entry
+    DicomPalette palette;  ///< of PALETTE COLOR
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
