@@ -17,6 +17,7 @@ struct SeriesFile {
     std::string path;
     std::int64_t instance = 0;        ///< Instance Number; 0 where it is missing
     std::optional<SlicePlane> plane;  ///< where its picture lies; no value where the file does not say it
+    bool rescaled = false;            ///< whether Rescale Slope and Intercept change its values
 };
 
 /// One choice: slices that make up a volume, or one multi-frame file.
@@ -25,11 +26,12 @@ struct SeriesEntry {
     /// it, the one with most slices has it; a multi-frame file beside it has its SOP Instance UID, slices of another
     /// size have ":COLUMNSxROWS" behind it.
     std::string uid;
+    std::string object;       ///< SOP Instance UID of the first file
     std::string description;  ///< Series Description in UTF-8 or as stored; empty where it may name the patient
     std::string modality;     ///< "US"; empty where the files do not say it
-    /// Columns, rows, and slices or frames.
+    /// Columns, rows, and slices or frames; of a GE Voluson volume in a DICOM file those of the picture beside it.
     std::array<std::int64_t, 3> size{0, 0, 0};
-    bool multiframe = false;        ///< whether it is one file of many frames
+    bool multiframe = false;        ///< whether it is one file: many frames, or a maker's private volume
     std::vector<SeriesFile> files;  ///< in the order of the slices where they can be stacked; never empty
     /// Why it cannot be opened, as far as its headers say it; no value where nothing is against it. Where
     /// `framesCouldBeSlices` is set, ReadOptions::framesAsSlices opens it all the same.
@@ -39,15 +41,18 @@ struct SeriesEntry {
 /// What a folder holds.
 struct SeriesList {
     std::string path;                 ///< the folder or DICOMDIR, as the person gave it
-    std::vector<SeriesEntry> series;  ///< most slices first; never empty once listed
+    std::vector<SeriesEntry> series;  ///< those that can be opened first, most slices first; never empty once listed
     std::vector<std::string> files;   ///< all DICOM files found, those that cannot be read among them
     std::vector<std::string> warnings;
 };
 
+/// Whether the file or folder at `path` is one that listSeries() reads: a folder, or a DICOMDIR.
+[[nodiscard]] bool holdsSeries(const std::string& path);
+
 /// Reads the headers (not the pixels) of all DICOM files in the folder at `path` and the folders in it, four deep, each
 /// once and on all processors; of a DICOMDIR those that it names in or below its own folder. `progress` is polled for
-/// cancel between files and between elements. Fails (unreadable) where there is no DICOM image, (cancelled) where the
-/// person ended it.
+/// cancel between files and between elements, and told the first 0.3 of what reading takes. Fails (unreadable) where
+/// there is no DICOM image, (cancelled) where the person ended it.
 [[nodiscard]] Result<SeriesList> listSeries(const std::string& path, const Progress& progress = {});
 
 /// The entry named `uid`; the first where `uid` is empty. Fails (unreadable, naming those that there are) where the

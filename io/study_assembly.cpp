@@ -113,8 +113,9 @@ double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
 
 void addGeometryFacts(const StudyParts& parts, Study& study) {
     study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", ""});
-    study.facts.push_back({"spacing", spacingText(parts.geometry.spacing),
-                           parts.spacingSource.empty() ? "assumed" : parts.spacingSource});
+    std::string source = parts.spacingSource.empty() ? "assumed" : parts.spacingSource;
+    if (parts.inPlaneSpacingKnown) source += "; distance of slices assumed";
+    study.facts.push_back({"spacing", spacingText(parts.geometry.spacing), source});
     study.facts.push_back({"voxel type", parts.voxels.story, ""});
 }
 
@@ -122,7 +123,7 @@ void addPhaseFacts(const StudyParts& parts, Study& study) {
     if (study.phases.size() < 2) return;
     study.facts.push_back({"phases", std::to_string(study.phases.size()), ""});
     study.facts.push_back({"time between phases",
-                           parts.phaseSeconds ? fmt::format("{} s", *parts.phaseSeconds) : "unknown",
+                           parts.phaseSeconds ? fmt::format("{:.6g} s", *parts.phaseSeconds) : "unknown",
                            parts.phaseSource});
 }
 
@@ -233,7 +234,12 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
                            maskSource(parts, options)});
     addProbeFacts(parts, study);
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
-    if (!parts.geometry.spacingKnown)
+    if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)
+        study.warnings.push_back(
+            fmt::format("The distance of the slices is unknown; {:.6g} mm is assumed, so lengths "
+                        "across them cannot be trusted. Within a slice the spacing is known.",
+                        parts.geometry.spacing[2]));
+    else if (!parts.geometry.spacingKnown)
         study.warnings.push_back("The spacing of the voxels is unknown; " + spacingText(parts.geometry.spacing) +
                                  " is assumed, so lengths and proportions cannot be trusted.");
     return study;

@@ -23,6 +23,9 @@ struct StudyParts {
     std::vector<std::string> files;  ///< every file that was read (Study::files)
     VolumeGeometry geometry;
     std::string spacingSource;  ///< key or tag that gave the spacing; empty where the spacing is assumed
+    /// Whether spacingSource gives the spacing along x and y of slices whose distance is a guess
+    /// (VolumeGeometry::spacingKnown is false).
+    bool inPlaneSpacingKnown = false;
     ConvertedVoxels voxels;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;       ///< key or tag that gave whiteLevel

@@ -6,6 +6,7 @@
 
 #include "io/curve_file.h"
 #include "io/dicom/dicom_reader.h"
+#include "io/dicom/dicom_scan.h"
 #include "io/document/preset_file.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"

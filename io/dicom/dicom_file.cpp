@@ -8,43 +8,78 @@
 
 #include <algorithm>
 #include <mutex>
+#include <span>
 
-#include "io/headers/header_text.h"
+#include "io/dicom/dicom_names.h"
 
 namespace echolucent {
 
 namespace {
 
-/// Silences DCMTK, whose own messages go to stderr and may hold patient data.
-void quietLibrary() {
+/// Silences DCMTK, whose own messages go to stderr and may hold patient data, and lets it take values of VR UN for what
+/// its dictionary knows of them.
+void prepareLibrary() {
     static std::once_flag once;
-    std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
+    std::call_once(once, [] {
+        OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+        dcmEnableUnknownVRConversion.set(OFTrue);
+    });
 }
 
 std::optional<Failure> refusal(const std::string& path, const DicomScan& scan) {
     const auto refuse = [&](const std::string& element, const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unreadable, path, element, problem, remedy).value();
     };
-    if (scan.sopClass == "1.2.840.10008.1.3.10")
-        return refuse("", "is a DICOMDIR, a list of files and no image", "Open the folder that holds the images.");
-    if (scan.sopClass == "1.2.840.113543.6.6.1.3.10002")
-        return refuse("", "is a Philips QLAB Cartesian export, which cannot be read yet",
-                      "Convert it to MetaImage, NRRD or DICOM slices.");
     if (scan.hasPixelData && scan.pixelBytesDeclared > scan.pixelBytesHeld)
         return refuse(
             "(7fe0,0010) Pixel Data",
             fmt::format("declares {} bytes where the file holds only {}", scan.pixelBytesDeclared, scan.pixelBytesHeld),
             "The file is incomplete: copy or export it again.");
-    if (!scan.transferSyntax.empty() && DcmXfer(scan.transferSyntax.c_str()).getXfer() == EXS_Unknown)
-        return refuse("(0002,0010) Transfer Syntax", "is " + quotedText(scan.transferSyntax) + ", which cannot be read",
+    const E_TransferSyntax syntax = DcmXfer(scan.transferSyntax.c_str()).getXfer();
+    if (!scan.transferSyntax.empty() && syntax == EXS_Unknown)
+        return refuse("(0002,0010) Transfer Syntax",
+                      "is " + transferSyntaxName(scan.transferSyntax) + ", which cannot be read",
                       "Save it uncompressed, or with RLE, JPEG, JPEG-LS or JPEG 2000.");
+    if (scan.pixelBytesDeclared > 0 && DcmXfer(syntax).isEncapsulated())
+        return refuse("(7fe0,0010) Pixel Data",
+                      "is not split into fragments, as the transfer syntax (" +
+                          transferSyntaxName(scan.transferSyntax) + ") needs",
+                      "The transfer syntax (0002,0010) is false: export it again.");
     return std::nullopt;
 }
 
-/// Hands the bytes of an opened file to DCMTK, until the person cancels.
+/// The bytes of an opened file with its repairs.
+class RepairedBytes {
+public:
+    RepairedBytes(InputFile file, std::vector<DicomRepair> repairs)
+        : m_file(std::move(file)), m_repairs(std::move(repairs)), m_size(m_file.size()) {
+        for (const DicomRepair& repair : m_repairs)
+            m_size = std::max<std::uint64_t>(m_size, repair.offset + repair.bytes.size());
+    }
+    [[nodiscard]] std::uint64_t size() const { return m_size; }
+    /// Fills `bytes` from `position` on; they lie within size().
+    [[nodiscard]] bool read(std::uint64_t position, std::span<std::uint8_t> bytes) const {
+        const std::uint64_t held = m_file.size() - std::min(position, m_file.size());
+        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), held));
+        if (!m_file.readAt(position, bytes.first(count))) return false;
+        for (const DicomRepair& repair : m_repairs)
+            for (std::size_t i = 0; i < repair.bytes.size(); ++i)
+                if (repair.offset + i >= position && repair.offset + i - position < bytes.size())
+                    bytes[static_cast<std::size_t>(repair.offset + i - position)] =
+                        static_cast<std::uint8_t>(repair.bytes[i]);
+        return true;
+    }
+
+private:
+    InputFile m_file;
+    std::vector<DicomRepair> m_repairs;
+    std::uint64_t m_size;
+};
+
+/// Hands the bytes of a file to DCMTK, until the person cancels.
 class FileProducer : public DcmProducer {
 public:
-    FileProducer(InputFile file, std::uint64_t position, const Progress* progress)
+    FileProducer(RepairedBytes file, std::uint64_t position, const Progress* progress)
         : m_file(std::move(file)), m_position(std::min(position, m_file.size())), m_progress(progress) {}
     [[nodiscard]] OFBool good() const override { return status().good(); }
     [[nodiscard]] OFCondition status() const override {
@@ -53,13 +88,14 @@ public:
     OFBool eos() override { return m_position >= m_file.size(); }
     offile_off_t avail() override { return static_cast<offile_off_t>(m_file.size() - m_position); }
     offile_off_t read(void* bytes, offile_off_t count) override {
-        const auto length = static_cast<std::size_t>(within(count));
-        if (!m_file.readAt(m_position, {static_cast<std::uint8_t*>(bytes), length})) {
-            m_failed = true;
-            return 0;
+        const std::span whole(static_cast<std::uint8_t*>(bytes), static_cast<std::size_t>(within(count)));
+        std::span rest = whole;
+        while (!rest.empty()) {
+            const std::size_t taken = take(rest);
+            if (taken == 0) return 0;
+            rest = rest.subspan(taken);
         }
-        m_position += length;
-        return static_cast<offile_off_t>(length);
+        return static_cast<offile_off_t>(whole.size());
     }
     offile_off_t skip(offile_off_t count) override {
         const std::uint64_t skipped = within(count);
@@ -72,9 +108,34 @@ private:
     [[nodiscard]] std::uint64_t within(offile_off_t count) const {
         return count < 0 ? 0 : std::min(static_cast<std::uint64_t>(count), m_file.size() - m_position);
     }
-    InputFile m_file;
+    /// Copies what comes next into the front of `bytes`; returns how much, 0 where it cannot be read. DCMTK asks for
+    /// headers in pieces of two bytes, so that a block is kept.
+    std::size_t take(std::span<std::uint8_t> bytes) {
+        const bool kept = m_position >= m_blockStart && m_position < m_blockStart + m_block.size();
+        if (!kept && bytes.size() >= blockBytes) {
+            m_failed = !m_file.read(m_position, bytes);
+            m_position += m_failed ? 0 : bytes.size();
+            return m_failed ? 0 : bytes.size();
+        }
+        if (!kept) {
+            m_block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(blockBytes, m_file.size() - m_position)));
+            m_blockStart = m_position;
+            m_failed = !m_file.read(m_position, m_block);
+            if (m_failed) return 0;
+        }
+        const auto from = static_cast<std::size_t>(m_position - m_blockStart);
+        const std::size_t count = std::min(bytes.size(), m_block.size() - from);
+        std::copy_n(m_block.begin() + static_cast<std::ptrdiff_t>(from), count, bytes.begin());
+        m_position += count;
+        return count;
+    }
+
+    static constexpr std::size_t blockBytes = 8192;
+    RepairedBytes m_file;
     std::uint64_t m_position;
     const Progress* m_progress;
+    std::vector<std::uint8_t> m_block;
+    std::uint64_t m_blockStart = 0;
     bool m_failed = false;
 };
 
@@ -83,13 +144,13 @@ private:
 class FileStream : public DcmInputStream {
 public:
     // The base class only keeps the pointer until the first read.
-    FileStream(const InputFile& file, std::uint64_t position, const Progress* progress)
+    FileStream(const RepairedBytes& file, std::uint64_t position, const Progress* progress)
         : DcmInputStream(&m_producer), m_file(file), m_start(position), m_producer(file, position, progress) {}
     /// Lets DCMTK read long values later; what is compressed has to be read at once.
     [[nodiscard]] DcmInputStreamFactory* newFactory() const override;
 
 private:
-    InputFile m_file;
+    RepairedBytes m_file;
     std::uint64_t m_start;
     FileProducer m_producer;
 };
@@ -97,15 +158,33 @@ private:
 /// Makes streams that begin where a long value does.
 class FileStreamFactory : public DcmInputStreamFactory {
 public:
-    FileStreamFactory(InputFile file, std::uint64_t position) : m_file(std::move(file)), m_position(position) {}
+    FileStreamFactory(RepairedBytes file, std::uint64_t position) : m_file(std::move(file)), m_position(position) {}
     [[nodiscard]] DcmInputStream* create() const override { return new FileStream(m_file, m_position, nullptr); }
     [[nodiscard]] DcmInputStreamFactory* clone() const override { return new FileStreamFactory(*this); }
     [[nodiscard]] DcmInputStreamFactoryType ident() const override { return DFT_DcmInputFileStreamFactory; }
 
 private:
-    InputFile m_file;
+    RepairedBytes m_file;
     std::uint64_t m_position;
 };
+
+/// Says in words why DCMTK could not go on.
+tl::unexpected<Failure> damaged(const InputFile& input, const OFCondition& done, std::uint64_t position) {
+    const bool atEnd = position >= input.size() || done == EC_StreamNotifyClient || done == EC_EndOfStream;
+    if (!atEnd)
+        return fail(FailureKind::unreadable, input.path(), "",
+                    fmt::format("is damaged: what stands before byte {} is no DICOM element", position),
+                    "Copy or export it again.");
+    return fail(FailureKind::unreadable, input.path(), "",
+                fmt::format("ends after {} bytes in the middle of an element", input.size()),
+                "The file is incomplete or damaged: copy or export it again.");
+}
+
+/// Whether the file begins with a preamble, or with an element that a data set or its meta header begins with.
+bool beginsAsDicom(const InputFile& input) {
+    const auto beginning = input.beginning(132);
+    return beginning && looksLikeDicom(*beginning);
+}
 
 DcmInputStreamFactory* FileStream::newFactory() const {
     if (currentProducer() != &m_producer) return nullptr;
@@ -123,21 +202,28 @@ DicomFile::~DicomFile() = default;
 DcmDataset& DicomFile::dataset() const { return *m_file->getDataset(); }
 
 Result<DicomFile> DicomFile::load(const InputFile& input, bool headerOnly, const Progress& progress) {
-    quietLibrary();
+    prepareLibrary();
     const std::string& path = input.path();
-    auto scan = scanDicom(input, progress);
+    if (!beginsAsDicom(input))
+        return fail(FailureKind::unreadable, path, "", "does not begin as a DICOM file does",
+                    "Copy or export it again, or name it as what it is.");
+    auto scan = scanDicom(input, progress, headerOnly);
     if (!scan) return tl::unexpected(scan.error());
-    if (auto refused = refusal(path, *scan)) return tl::unexpected(*refused);
+    // The lengths that QLAB declares are often false; its reader looks at what the file holds.
+    const bool qlab = scan->sopClass == qlabSopClass;
+    const bool pixelsWanted = !headerOnly && !qlab;
+    if (auto refused = qlab ? std::nullopt : refusal(path, *scan); refused) return tl::unexpected(*refused);
     DicomFile file(path, *scan);
-    FileStream stream(input, 0, &progress);
+    FileStream stream(RepairedBytes(input, scan->repairs), 0, &progress);
     file.m_file->transferInit();
     const OFCondition done = file.m_file->readUntilTag(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
-                                                       headerOnly ? DCM_PixelData : DCM_UndefinedTagKey);
+                                                       pixelsWanted ? DCM_UndefinedTagKey : DCM_PixelData);
     file.m_file->transferEnd();
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
-    if (done.bad())
-        return fail(FailureKind::unreadable, path, "",
-                    fmt::format("is damaged or not DICOM ({})", lowerCase(done.text())), "Copy or export it again.");
+    if (done.good()) return file;
+    if (!pixelsWanted || !scan->pixelsEnd || !file.dataset().tagExists(DCM_PixelData))
+        return damaged(input, done, static_cast<std::uint64_t>(stream.tell()));
+    file.m_scan.notes.emplace_back("What stands behind the pixels is no DICOM; it is left out.");
     return file;
 }
 

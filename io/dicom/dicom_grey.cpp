@@ -140,6 +140,11 @@ StoredType DicomPixelFormat::greyType() const {
     return isSigned ? StoredType::int16 : StoredType::uint16;
 }
 
+double DicomPixelFormat::smallestValue() const {
+    const bool negative = isSigned && model != ColourModel::palette;
+    return negative ? -static_cast<double>(1 << (bitsStored - 1)) : 0.0;
+}
+
 double DicomPixelFormat::largestValue() const {
     if (model == ColourModel::palette) return 255.0;
     return static_cast<double>((1 << (isSigned ? bitsStored - 1 : bitsStored)) - 1);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/dicom/dicom_palette.h"
+#include "io/dicom/pixels/dicom_palette.h"
 #include "io/voxel_types.h"
 
 class DcmItem;
@@ -38,7 +38,8 @@ struct DicomPixelFormat {
     [[nodiscard]] std::int64_t storedFrameBytes() const { return pixels() * bytesPerSample() * (halved ? 2 : samples); }
     /// The type that grey values of these pixels have.
     [[nodiscard]] StoredType greyType() const;
-    /// The largest grey value that the stored bits can hold.
+    /// The smallest and the largest grey value that the stored bits can hold.
+    [[nodiscard]] double smallestValue() const;
     [[nodiscard]] double largestValue() const;
 };
 

@@ -6,6 +6,7 @@
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"
+#include "io/dicom/picture_scale.h"
 #include "io/input_file.h"
 
 namespace echolucent {
@@ -53,6 +54,11 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     for (std::size_t frame = 0; frame < layout.phases[0].size(); ++frame) layout.phases[0][frame] = frame;
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), m_frames.frames()};
     layout.geometry.spacingKnown = false;
+    if (const auto scale = pictureScaleOf(m_file.dataset())) {
+        layout.geometry.spacing = scale->spacing;
+        layout.spacingSource = scale->source;
+        layout.inPlaneSpacingKnown = true;
+    }
     layout.warnings.emplace_back("The frames of a 2D cine are taken as slices: this is no true volume.");
     return layout;
 }
@@ -102,6 +108,7 @@ Result<Study> MultiframeReader::read() {
     parts.files = {m_file.path()};
     parts.geometry = layout->geometry;
     parts.spacingSource = layout->spacingSource;
+    parts.inPlaneSpacingKnown = layout->inPlaneSpacingKnown;
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
     m_frames.sayWhite(parts);
     parts.phaseSeconds = layout->phaseSeconds;
@@ -135,7 +142,7 @@ Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, 
     auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
     if (!frames) return tl::unexpected(frames.error());
     if (frames->frames() < 2)
-        return fail(FailureKind::unreadable, file.path(), "", "holds a single 2D picture, not a volume",
+        return fail(FailureKind::unreadable, file.path(), "", "is a single 2D picture, not a volume",
                     "Open the folder that holds all slices, or a multi-frame file.");
     return MultiframeReader(file, *frames, options, progress).read();
 }

@@ -76,7 +76,7 @@ constexpr std::array transferSyntaxes{
     Name{".7.1", "SMPTE video over a network"},
     Name{".7.2", "SMPTE video over a network"},
     Name{".7.3", "SMPTE sound over a network"},
-    Name{".8.1", "frames deflated one by one"},
+    Name{".8.1", "deflated frame by frame"},
 };
 
 /// Behind storageRoot.
@@ -217,8 +217,9 @@ std::string transferSyntaxName(std::string_view uid) {
 }
 
 std::string objectName(std::string_view sopClassUid) {
-    if (sopClassUid == "1.2.840.10008.1.3.10") return "a DICOMDIR (a list of files)";
-    if (sopClassUid == "1.2.840.113543.6.6.1.3.10002") return "a Philips QLAB Cartesian volume";
+    if (sopClassUid.empty()) return "an object that does not say of what kind it is";
+    if (sopClassUid == directorySopClass) return "a DICOMDIR (a list of files)";
+    if (sopClassUid == qlabSopClass) return "a Philips QLAB Cartesian volume";
     if (sopClassUid == "1.2.840.113543.6.6.1.3.10001") return "a Philips 3D volume in its maker's own coding";
     if (const char* name = nameIn(storageClasses, sopClassUid, storageRoot)) return name;
     for (const auto& [family, name] : families)

@@ -6,6 +6,9 @@
 
 namespace echolucent {
 
+constexpr std::string_view directorySopClass = "1.2.840.10008.1.3.10";  ///< of a DICOMDIR
+constexpr std::string_view qlabSopClass = "1.2.840.113543.6.6.1.3.10002";
+
 /// A transfer syntax in words: "JPEG-LS, lossless". An unknown UID becomes "a coding that is not known here".
 [[nodiscard]] std::string transferSyntaxName(std::string_view uid);
 

@@ -10,15 +10,19 @@
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <mutex>
 
 #include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_fragments.h"
 #include "io/dicom/dicom_grey.h"
-#include "io/dicom/dicom_rle.h"
+#include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_window.h"
-#include "io/dicom/jpeg2000.h"
+#include "io/dicom/pixels/dicom_fragments.h"
+#include "io/dicom/pixels/dicom_rescale.h"
+#include "io/dicom/pixels/dicom_rle.h"
+#include "io/dicom/pixels/jpeg2000.h"
 #include "io/input_file.h"
 
 namespace echolucent {
@@ -51,6 +55,8 @@ Coding codingOf(E_TransferSyntax syntax) {
     }
 }
 
+std::string syntaxNameOf(E_TransferSyntax syntax) { return transferSyntaxName(DcmXfer(syntax).getXferID()); }
+
 void registerDecoders() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -67,17 +73,26 @@ struct DicomFrames::State {
     DcmDataset* dataset = nullptr;
     DcmPixelData* pixelData = nullptr;
     DcmPixelSequence* fragments = nullptr;
-    FragmentMap map;  // which fragments make up which frame
+    FrameFragments map;  // which fragments make up which frame
     DcmFileCache cache;
     E_TransferSyntax syntax = EXS_Unknown;
     Coding coding = Coding::unknown;
     DicomPixelFormat format;
+    std::vector<LinearRescale> rescales;  // one for all frames, or one a frame
+    bool rescaled = false;                // whether grey values are float32
     DicomWindow window;
+    std::vector<std::string> notes;  // on what was wrong with the file and read all the same
 
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& problem, const std::string& element = "",
                                                 const std::string& remedy = copyAgain) const {
         return fail(FailureKind::unreadable, path, element, problem, remedy);
     }
+    [[nodiscard]] const LinearRescale& rescaleOf(std::size_t frame) const {
+        return rescales[std::min(frame, rescales.size() - 1)];
+    }
+    /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any frame can mean.
+    [[nodiscard]] double extreme(double sign) const;
+    Result<void> readDescription(bool rescaledAmongOthers);
     Result<void> checkNative(const DicomScan& scan);
     Result<void> checkEncapsulated();
     Result<std::vector<std::uint8_t>> codestream(std::int64_t index);
@@ -91,27 +106,54 @@ DicomFrames::DicomFrames(std::unique_ptr<State> state) : m_state(std::move(state
 DicomFrames::DicomFrames(DicomFrames&&) noexcept = default;
 DicomFrames::~DicomFrames() = default;
 
-Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& path, const DicomScan& scan) {
+Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
+                                      bool rescaled) {
     registerDecoders();
     auto state = std::make_unique<State>();
     state->path = path;
     state->dataset = &dataset;
+    state->notes = scan.notes;
     DcmElement* element = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr ||
-        element->ident() != EVR_PixelData)
-        return state->wrong("holds no pixels: it is no image", "(7fe0,0010) Pixel Data", "Open an ultrasound volume.");
+        element->ident() != EVR_PixelData) {
+        const bool floats = dicomHas(dataset, {0x7fe0, 0x0008}) || dicomHas(dataset, {0x7fe0, 0x0009});
+        return state->wrong(fmt::format("is {}, and {}", objectName(scan.sopClass),
+                                        floats ? "keeps its pixels as floating-point numbers, which cannot be read"
+                                               : "(7fe0,0010) Pixel Data is absent"),
+                            "", "Open an ultrasound volume.");
+    }
     state->pixelData = static_cast<DcmPixelData*>(element);
-    if (const auto problem = readPixelFormat(dataset, state->format))
-        return state->wrong(problem->text, problem->element, "Export it again as 8- or 16-bit grey or colour.");
-    state->window = readWindow(dataset, state->format);
+    if (const auto described = state->readDescription(rescaled); !described) return tl::unexpected(described.error());
     state->syntax = dataset.getOriginalXfer();
     state->coding = codingOf(state->syntax);
     if (state->coding == Coding::unknown)
-        return state->wrong(fmt::format("is stored as {}, which cannot be read", DcmXfer(state->syntax).getXferName()),
-                            "", saveUncompressed);
+        return state->wrong(fmt::format("is {}, which cannot be read", syntaxNameOf(state->syntax)),
+                            "(0002,0010) Transfer Syntax", saveUncompressed);
     const auto checked = state->coding == Coding::native ? state->checkNative(scan) : state->checkEncapsulated();
     if (!checked) return tl::unexpected(checked.error());
     return DicomFrames(std::move(state));
+}
+
+Result<void> DicomFrames::State::readDescription(bool rescaledAmongOthers) {
+    const std::string remedy = "Export it again as 8- or 16-bit grey or colour.";
+    if (const auto problem = readPixelFormat(*dataset, format)) return wrong(problem->text, problem->element, remedy);
+    auto read = readRescales(*dataset, format);
+    if (!read) return wrong(read.error().text, read.error().element, "Export it again with a true rescaling.");
+    rescales = std::move(*read);
+    const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
+    rescaled = grey && (rescaledAmongOthers || std::any_of(rescales.begin(), rescales.end(),
+                                                           [](const auto& rescale) { return !rescale.isIdentity(); }));
+    if (grey && dicomHas(*dataset, {0x0028, 0x3000}))
+        notes.emplace_back("The Modality LUT of the file is not applied.");
+    window = readWindow(*dataset, format, rescales.front());
+    return {};
+}
+
+double DicomFrames::State::extreme(double sign) const {
+    double found = -HUGE_VAL;
+    for (const LinearRescale& rescale : rescales)
+        found = std::max({found, sign * rescale.of(format.smallestValue()), sign * rescale.of(format.largestValue())});
+    return sign * found;
 }
 
 Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
@@ -119,6 +161,7 @@ Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
     // DICOM counts in 32 bits: no file can hold more.
+    if (held == 0) return wrong("is there but empty", "(7fe0,0010) Pixel Data");
     if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
         return wrong(
             fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns, format.rows,
@@ -130,15 +173,24 @@ Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
 Result<void> DicomFrames::State::checkEncapsulated() {
     if (pixelData->getEncapsulatedRepresentation(syntax, nullptr, fragments).bad() || fragments == nullptr)
         return wrong("is not split into fragments, as its transfer syntax needs", "(7fe0,0010) Pixel Data");
-    auto mapped = mapFragments(*fragments, format.frames);
+    std::vector<std::uint64_t> extendedOffsets;
+    const Uint64* offsets = nullptr;
+    unsigned long count = 0;
+    if (dataset->findAndGetUint64Array(DcmTagKey(0x7fe0, 0x0001), offsets, &count).good() && offsets != nullptr)
+        extendedOffsets.assign(offsets, offsets + count);
+    const Codestream kind = coding == Coding::jpeg2000                           ? Codestream::jpeg2000
+                            : coding == Coding::jpeg || coding == Coding::jpegLs ? Codestream::jpeg
+                                                                                 : Codestream::none;
+    auto mapped = mapFragments(*fragments, format.frames, kind, std::move(extendedOffsets));
     if (!mapped) return wrong(mapped.error(), "(7fe0,0010) Pixel Data");
     map = std::move(*mapped);
+    if (!map.warning.empty()) notes.push_back(map.warning);
     return requireMemory(path, "(7fe0,0010) Pixel Data",
                          static_cast<std::uint64_t>(format.pixels() * format.bytesPerSample() * format.samples));
 }
 
 Result<std::vector<std::uint8_t>> DicomFrames::State::codestream(std::int64_t index) {
-    auto bytes = fragmentBytes(*fragments, map[static_cast<std::size_t>(index)]);
+    auto bytes = fragmentBytes(map, static_cast<std::size_t>(index));
     if (!bytes) return wrong(fmt::format("has no readable data for frame {}", index + 1), "(7fe0,0010) Pixel Data");
     return *bytes;
 }
@@ -180,7 +232,8 @@ Result<void> DicomFrames::State::decodeByLibrary(std::int64_t index, DecodedFram
     if (bytes > 0x7ffffffeLL) return wrong("has frames of more than 2 GB", "(7fe0,0010) Pixel Data");
     frame.bytes.resize(static_cast<std::size_t>(bytes + bytes % 2));
     frame.rightAligned = true;
-    Uint32 first = static_cast<Uint32>(map[static_cast<std::size_t>(index)].first);
+    // The library counts the offset table as a fragment.
+    Uint32 first = static_cast<Uint32>(map.frames[static_cast<std::size_t>(index)].first + 1);
     OFString model;
     const OFCondition done =
         pixelData->getUncompressedFrame(dataset, static_cast<Uint32>(index), first, frame.bytes.data(),
@@ -212,16 +265,19 @@ Result<void> DicomFrames::State::decode(std::int64_t index, DecodedFrame& frame)
 std::int64_t DicomFrames::columns() const { return m_state->format.columns; }
 std::int64_t DicomFrames::rows() const { return m_state->format.rows; }
 std::int64_t DicomFrames::frames() const { return m_state->format.frames; }
-StoredType DicomFrames::type() const { return m_state->format.greyType(); }
+StoredType DicomFrames::type() const { return m_state->rescaled ? StoredType::float32 : m_state->format.greyType(); }
+int DicomFrames::bitsStored() const { return m_state->format.bitsStored; }
 std::int64_t DicomFrames::frameBytes() const { return m_state->format.pixels() * bytesOf(type()); }
-double DicomFrames::largestValue() const { return m_state->format.largestValue(); }
+double DicomFrames::largestValue() const { return m_state->extreme(1); }
 
 void DicomFrames::sayWhite(StudyParts& parts) const {
     parts.window = m_state->window.white;
     const bool palette = m_state->format.model == ColourModel::palette;
     if (!palette && m_state->format.bitsStored > 8) return;
+    if (!(largestValue() > 0)) return;
     parts.whiteLevel = largestValue();
     parts.whiteLevelSource = palette ? "(0028,1101) Palette Color" : "(0028,0101) Bits Stored";
+    if (m_state->rescaled) parts.whiteLevelSource += ", (0028,1053) Rescale Slope";
 }
 
 bool DicomFrames::lossyCompressed() const {
@@ -233,9 +289,19 @@ bool DicomFrames::lossyCompressed() const {
 }
 
 std::vector<ImportFact> DicomFrames::facts() const {
-    return {{"transfer syntax", DcmXfer(m_state->syntax).getXferName(), "(0002,0010)"},
-            {"photometric interpretation", m_state->format.photometric, "(0028,0004)"},
-            {"lossy compression", lossyCompressed() ? "yes" : "no", "(0028,2110), transfer syntax"}};
+    std::vector<ImportFact> facts{{"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
+                                  {"photometric interpretation", m_state->format.photometric, "(0028,0004)"}};
+    if (m_state->rescaled) {
+        const LinearRescale& first = m_state->rescales.front();
+        facts.push_back({"rescaling",
+                         fmt::format("slope {:.6g}, intercept {:.6g}{}", first.slope, first.intercept,
+                                     m_state->rescales.size() > 1 ? " in the first frame; each frame has its own" : ""),
+                         "(0028,1053), (0028,1052)"});
+    }
+    if (m_state->format.palette.segmented)
+        facts.push_back({"palette", "stored in segments", "(0028,1221), (0028,1222), (0028,1223)"});
+    facts.push_back({"lossy compression", lossyCompressed() ? "yes" : "no", "(0028,2110), transfer syntax"});
+    return facts;
 }
 
 std::vector<std::string> DicomFrames::warnings() const {
@@ -248,14 +314,25 @@ std::vector<std::string> DicomFrames::warnings() const {
     if (lossyCompressed())
         sentences.emplace_back(
             "The pixels were compressed with loss, which changes their distribution and so the OTF.");
+    if (m_state->rescaled && m_state->extreme(-1) < 0)
+        sentences.push_back(fmt::format(
+            "Rescaled values may lie below 0 (down to {:.6g}); what does is shown as black.", m_state->extreme(-1)));
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
+    for (const std::string& note : m_state->notes) sentences.push_back(note);
     return sentences;
 }
 
 Result<void> DicomFrames::readGrey(std::int64_t index, std::span<std::uint8_t> out) {
     DecodedFrame frame;
     if (const auto decoded = m_state->decode(index, frame); !decoded) return tl::unexpected(decoded.error());
-    toGrey(m_state->format, frame, out);
+    if (!m_state->rescaled) {
+        toGrey(m_state->format, frame, out);
+        return {};
+    }
+    const StoredType stored = m_state->format.greyType();
+    std::vector<std::uint8_t> grey(static_cast<std::size_t>(m_state->format.pixels() * bytesOf(stored)));
+    toGrey(m_state->format, frame, grey);
+    applyRescale(m_state->rescaleOf(static_cast<std::size_t>(index)), grey, stored, out);
     return {};
 }
 

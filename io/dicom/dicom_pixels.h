@@ -20,16 +20,20 @@ class DicomFrames {
 public:
     /// Checks everything that the data set says about its pixels against what is there, before memory is taken for
     /// them. Fails (unreadable, naming `path` and the tag) where both disagree or cannot be read.
-    [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan);
+    /// Where the values of a frame are rescaled, or where `rescaled` says so for a slice among others, all grey values
+    /// are float32.
+    [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
+                                                  bool rescaled = false);
     DicomFrames(DicomFrames&&) noexcept;
     ~DicomFrames();
 
     [[nodiscard]] std::int64_t columns() const;
     [[nodiscard]] std::int64_t rows() const;
     [[nodiscard]] std::int64_t frames() const;
-    [[nodiscard]] StoredType type() const;          ///< of the grey values: uint8, int8, uint16 or int16
+    [[nodiscard]] StoredType type() const;  ///< of the grey values: uint8, int8, uint16 or int16; float32 if rescaled
+    [[nodiscard]] int bitsStored() const;
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
-    [[nodiscard]] double largestValue() const;      ///< the largest grey value that the stored bits can hold
+    [[nodiscard]] double largestValue() const;      ///< the largest grey value that the stored bits can mean
     /// Sets white level, its source and window of `parts`: where 8 bits or fewer are stored, white is the largest value
     /// that they can hold; files of more bits mostly use a small part of these and may declare a window.
     void sayWhite(StudyParts& parts) const;

@@ -2,20 +2,16 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "io/input_file.h"
 #include "io/study.h"
 
 namespace echolucent {
 
-/// Whether the beginning of a file looks like DICOM, with or without preamble and meta header.
-[[nodiscard]] bool looksLikeDicom(std::string_view beginning);
-
-/// Reads an opened DICOM file. No type of the DICOM library
-/// crosses this line. `progress` is polled for cancel between files, elements and frames.
+/// Reads an opened DICOM file; of a DICOMDIR the series that the options name, else the first of its list. No type of
+/// the DICOM library crosses this line. `progress` is polled for cancel between files, elements and frames.
 [[nodiscard]] Result<Study> readDicom(const InputFile& file, const ReadOptions& options, const Progress& progress);
-/// Reads the series that the options name, else the one with most slices, of the folder at `path`.
+/// Reads the series that the options name, else the first of listSeries(), of the folder or DICOMDIR at `path`.
 [[nodiscard]] Result<Study> readDicomFolder(const std::string& path, const ReadOptions& options,
                                             const Progress& progress);
 

@@ -25,6 +25,9 @@ constexpr std::uint32_t itemTag = 0xfffee000U;
 constexpr std::uint32_t itemEndTag = 0xfffee00dU;
 constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
 constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+constexpr std::uint32_t sopClassTag = 0x00080016U;
+constexpr std::uint32_t kretzGroup = 0x7fe1;
+constexpr std::string_view kretzCreator = "KRETZ_US";
 
 /// The file's bytes in order, from the file or through inflate, with a position that can be moved forward.
 class ByteStream {
@@ -32,6 +35,7 @@ public:
     explicit ByteStream(const InputFile& file) : m_file(&file) {}
 
     [[nodiscard]] std::uint64_t position() const { return m_position; }
+    [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
     /// Takes everything from here on as a raw deflate stream.
     void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
 
@@ -88,7 +92,12 @@ struct Level {
     LevelKind kind = LevelKind::dataset;
     std::uint64_t end = endless;
     bool implicitVr = false;
+    bool pixels = false;                            // whether it is the pixel data
+    std::optional<std::uint64_t> falseLength = {};  // where a length stands that has to be written anew
+    std::uint64_t start = 0;
 };
+
+bool isVrLetter(char character) { return character >= 'A' && character <= 'Z'; }
 
 bool isVr(const std::uint8_t* bytes) {
     return bytes[0] >= 'A' && bytes[0] <= 'Z' && bytes[1] >= 'A' && bytes[1] <= 'Z';
@@ -105,10 +114,12 @@ public:
     Walk(const InputFile& file, DicomScan& scan) : m_file(file), m_stream(file), m_scan(scan) {}
 
     /// False where sequences are nested too deep. Ends early where the person cancels.
-    bool run(const Progress& progress) {
+    bool run(const Progress& progress, bool headerOnly) {
         if (!readMeta()) return true;
-        while (!progress.cancelled() && step() && m_sequences <= deepestSequence) {
+        const auto enough = [&] { return headerOnly && m_behindKretz; };
+        while (!progress.cancelled() && !enough() && step() && m_sequences <= deepestSequence) {
         }
+        if (!progress.cancelled() && !enough() && m_sequences <= deepestSequence) closeAtEnd();
         return m_sequences <= deepestSequence;
     }
 
@@ -120,6 +131,9 @@ private:
     bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
     bool enterIfItem(std::uint32_t length);
     bool recover();
+    bool leaveOutItem(std::uint32_t length);
+    void closeAtEnd();
+    void writeLength();
     void push(LevelKind kind, std::uint32_t length, bool implicitVr);
     void pop();
     void notePixelData(std::uint32_t length);
@@ -134,7 +148,10 @@ private:
     std::vector<Level> m_levels;
     int m_sequences = 0;
     bool m_bigEndian = false;
-    std::optional<std::uint32_t> m_pendingTag;  // a tag that was read ahead
+    std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
+    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that is declared to be empty
+    bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
+    std::uint64_t m_stepStart = 0;               // where the last step began
 };
 
 std::optional<std::uint32_t> Walk::read16() {
@@ -208,11 +225,17 @@ bool Walk::readMeta() {
 
 void Walk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
     const std::uint64_t start = m_stream.position() - (m_pendingTag ? 4 : 0);
-    m_levels.push_back({kind, length == undefinedLength ? endless : start + length, implicitVr});
+    Level level;
+    level.kind = kind;
+    level.start = start;
+    level.end = length == undefinedLength ? endless : start + length;
+    level.implicitVr = implicitVr;
+    m_levels.push_back(level);
     m_sequences += kind == LevelKind::sequence ? 1 : 0;
 }
 
 void Walk::pop() {
+    m_scan.pixelsEnd = m_scan.pixelsEnd || m_levels.back().pixels;
     m_sequences -= m_levels.back().kind == LevelKind::sequence ? 1 : 0;
     m_levels.pop_back();
 }
@@ -232,6 +255,7 @@ bool Walk::recover() {
 
 bool Walk::step() {
     const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
+    m_stepStart = position;
     if (m_levels.size() > 1 && position >= m_levels.back().end) {
         pop();
         return true;
@@ -240,6 +264,11 @@ bool Walk::step() {
     if (!tag) return false;
     if (*tag >> 16 == 0xfffe) return readDelimiter(*tag);
     const LevelKind kind = m_levels.back().kind;
+    if (m_levels.back().falseLength) {
+        m_pendingTag = tag;
+        writeLength();
+        return true;
+    }
     if (kind == LevelKind::sequence || kind == LevelKind::fragments) return recover();
     return readElement(*tag);
 }
@@ -250,7 +279,15 @@ bool Walk::readDelimiter(std::uint32_t tag) {
     const LevelKind kind = m_levels.back().kind;
     if (tag == itemTag) {
         if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
-        if (kind != LevelKind::sequence) return recover();
+        if (kind != LevelKind::sequence && !m_stream.inflates() && m_levels.size() == 1 &&
+            m_stream.position() - 8 == m_emptySequenceEnd) {
+            // The items of a sequence follow although its length is declared as 0.
+            push(LevelKind::sequence, undefinedLength, false);
+            m_levels.back().start = m_emptySequenceEnd;
+            m_levels.back().falseLength = m_emptySequenceEnd - 4;
+        } else if (kind != LevelKind::sequence) {
+            return leaveOutItem(*length) || recover();
+        }
         push(LevelKind::item, *length, m_levels.back().implicitVr);
         return true;
     }
@@ -281,6 +318,7 @@ bool Walk::readElement(std::uint32_t tag) {
 
 void Walk::notePixelData(std::uint32_t length) {
     m_scan.hasPixelData = true;
+    m_scan.pixelStart = m_stream.position();
     if (length == undefinedLength) return;
     m_scan.pixelBytesDeclared = length;
     if (m_scan.transferSyntax != "1.2.840.10008.1.2.1.99")
@@ -290,19 +328,87 @@ void Walk::notePixelData(std::uint32_t length) {
 }
 
 bool Walk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
-    if (tag == pixelDataTag && m_levels.size() == 1) notePixelData(length);
+    const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
+    m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
+    if (m_levels.size() == 1 && tag >> 16 == kretzGroup && length == kretzCreator.size()) {
+        std::string value(length, '\0');
+        if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+        m_scan.holdsKretz = m_scan.holdsKretz || ((tag & 0xffff) <= 0xff && value == kretzCreator);
+        return true;
+    }
+    if (pixels) notePixelData(length);
+    if (tag == sopClassTag && m_levels.size() == 1 && m_scan.sopClass.empty() && length <= 64) {
+        std::string value(length, '\0');
+        if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+        m_scan.sopClass = trimmed(value.substr(0, value.find('\0')));
+        return true;
+    }
     const bool implicitVr = m_levels.back().implicitVr;
     if (length == undefinedLength) {
         const bool fragments = !implicitVr && vr != "SQ" && vr != "UN";
         push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
+        m_levels.back().pixels = pixels;
         return true;
     }
     if (vr == "SQ") {
+        if (length == 0) m_emptySequenceEnd = m_stream.position();
         push(LevelKind::sequence, length, false);
         return true;
     }
     if (implicitVr || vr == "UN") return enterIfItem(length);
-    return m_stream.skip(length) == length;
+    const bool whole = m_stream.skip(length) == length;
+    m_scan.pixelsEnd = m_scan.pixelsEnd || (pixels && whole);
+    return whole;
+}
+
+/// Makes an element of an item that stands in the data set itself, in no sequence: one that nobody asks for. False
+/// where that cannot be.
+bool Walk::leaveOutItem(std::uint32_t length) {
+    const Level& level = m_levels.back();
+    if (m_stream.inflates() || m_levels.size() > 1 || level.implicitVr || m_bigEndian || length > 0xfffe) return false;
+    const std::uint64_t start = m_stream.position() - 8;
+    if (m_stream.skip(length) != length) return false;
+    std::string header("\x08\x00\xff\xffST", 6);
+    header += static_cast<char>(length & 0xff);
+    header += static_cast<char>(length >> 8);
+    m_scan.repairs.push_back({start, header});
+    m_scan.notes.emplace_back("An item that belongs to no sequence is left out.");
+    return true;
+}
+
+/// Ends a sequence that is declared to be empty where its last item ended, and notes its true length.
+void Walk::writeLength() {
+    const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
+    const Level level = m_levels.back();
+    pop();
+    const auto length = static_cast<std::uint32_t>(position - level.start);
+    std::string bytes;
+    for (int byte = 0; byte < 4; ++byte)
+        bytes += static_cast<char>(length >> 8 * (m_bigEndian ? 3 - byte : byte) & 0xff);
+    m_scan.repairs.push_back({*level.falseLength, bytes});
+    if (m_scan.repairs.size() == 1)
+        m_scan.notes.emplace_back(
+            "A sequence is declared to be empty although items follow; they are read as its own.");
+}
+
+/// Where the file ends between elements and nothing but delimiters is missing, they are noted.
+void Walk::closeAtEnd() {
+    if (m_stream.inflates() || m_levels.empty() || m_stepStart != m_file.size()) return;
+    while (m_levels.size() > 1 && m_levels.back().end == m_stream.position()) pop();
+    if (m_levels.back().falseLength) writeLength();
+    std::string delimiters;
+    for (std::size_t i = m_levels.size(); i-- > 1;) {
+        if (m_levels[i].end != endless || m_levels[i].falseLength) return;
+        const std::uint32_t tag = m_levels[i].kind == LevelKind::item ? itemEndTag : sequenceEndTag;
+        for (const int shift : m_bigEndian ? std::array{24, 16, 8, 0} : std::array{16, 24, 0, 8})
+            delimiters += static_cast<char>(tag >> shift & 0xff);
+        delimiters.append(4, '\0');
+    }
+    if (delimiters.empty()) return;
+    m_scan.pixelsEnd = m_scan.pixelsEnd ||
+                       std::any_of(m_levels.begin(), m_levels.end(), [](const Level& level) { return level.pixels; });
+    m_scan.repairs.push_back({m_file.size(), delimiters});
+    m_scan.notes.emplace_back("The file ends without the delimiter that closes its last sequence.");
 }
 
 /// A value of unknown kind is a sequence where it begins with an item.
@@ -318,11 +424,24 @@ bool Walk::enterIfItem(std::uint32_t length) {
 
 }  // namespace
 
-Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress) {
+bool looksLikeDicom(std::string_view beginning) {
+    if (beginning.size() >= 132 && beginning.substr(128, 4) == "DICM") return true;
+    // A file without preamble begins with an element of the meta header (0002,xxxx) or the data set (0008,xxxx).
+    if (beginning.size() < 16) return false;
+    const auto byte = [&](std::size_t index) { return static_cast<unsigned char>(beginning[index]); };
+    const bool little = (byte(0) == 0x02 || byte(0) == 0x08) && byte(1) == 0x00;
+    const bool big = byte(0) == 0x00 && byte(1) == 0x08;
+    if (!little && !big) return false;
+    if (isVrLetter(beginning[4]) && isVrLetter(beginning[5])) return true;
+    // Without value representations, a short first value in a low element gives it away.
+    return little && byte(3) <= 0x01 && byte(5) == 0 && byte(6) == 0 && byte(7) == 0 && byte(4) > 0 && byte(4) % 2 == 0;
+}
+
+Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly) {
     const std::string& path = file.path();
     DicomScan scan;
     scan.fileSize = file.size();
-    if (!Walk(file, scan).run(progress))
+    if (!Walk(file, scan).run(progress, headerOnly))
         return fail(
             FailureKind::unreadable, path, "",
             fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence),

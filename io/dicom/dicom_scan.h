@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/input_file.h"
 #include "processing/progress.h"
@@ -10,23 +12,40 @@
 
 namespace echolucent {
 
+/// Whether the beginning of a file (132 bytes or more, or all of it) looks like DICOM, with or without preamble and
+/// meta header.
+[[nodiscard]] bool looksLikeDicom(std::string_view beginning);
+
+/// Bytes of the file that are to be read otherwise than they are written.
+struct DicomRepair {
+    std::uint64_t offset = 0;  ///< in the file, of the first byte
+    std::string bytes;         ///< in place of as many; behind the end of the file they are added to it
+};
+
 /// What the walk has seen.
 struct DicomScan {
     std::string transferSyntax;  ///< UID from the meta header; empty where it has none
-    std::string sopClass;        ///< media storage SOP class from the meta header; empty where it has none
+    std::string sopClass;        ///< SOP class from the meta header, else from the data set; empty where it has none
     std::uint64_t fileSize = 0;
     bool hasPixelData = false;             ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
+    std::uint64_t pixelStart = 0;          ///< where the value of (7FE0,0010) begins in the file, if it is not deflated
+    bool pixelsEnd = false;                ///< whether the walk came to the end of (7FE0,0010)
+    bool holdsKretz = false;               ///< whether GE's volume (private creator KRETZ_US) stands behind the pixels
+    /// What a reader that is as strict as the standard needs to get through: delimiters missing at the end of the file,
+    /// lengths of sequences that are declared empty and are not, items that belong to no sequence.
+    std::vector<DicomRepair> repairs;
+    std::vector<std::string> notes;  ///< sentences on the repairs
 };
 
 /// Sequences may lie this deep in each other; the standard's own objects need fewer than ten. DCMTK recurses into every
 /// level and runs out of stack in the thousands.
 constexpr int deepestSequence = 64;
 
-/// Walks the elements of an opened file. Fails only where sequences are nested too deep, or where the person cancelled,
-/// for which `progress` is polled at every element. Whatever else is wrong with the file is left for the DICOM library
-/// to name.
-[[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress);
+/// Walks the elements of an opened file; where `headerOnly` is set, up to the private group behind its pixel data.
+/// Fails only where sequences are nested too deep, or where the person cancelled, for which `progress` is polled at
+/// every element. Whatever else is wrong with the file is left for the DICOM library to name.
+[[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);
 
 }  // namespace echolucent

@@ -9,6 +9,10 @@ class DcmItem;
 
 namespace echolucent {
 
+/// Reads whatever volume one file holds: frames, or a maker's private volume. To be called in a thread with a large
+/// stack.
+[[nodiscard]] Result<Study> readDicomFile(const InputFile& input, const ReadOptions& options, const Progress& progress);
+
 /// Reads one file with several frames as a volume, or as the phases of one.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/dicom/dicom_grey.h"
+#include "io/dicom/pixels/dicom_rescale.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
@@ -17,9 +18,9 @@ struct DicomWindow {
 };
 
 /// Reads Window Center and Width (of several the first) at top level, else in the functional groups that all frames
-/// share, else in those of the first frame. White is centre + width / 2, of MONOCHROME1 centre - width / 2, taken back
-/// through Rescale Slope and Intercept to the grey values that toGrey() writes. Only grey pixels of more than 8 stored
-/// bits have a window here; others say nothing.
-[[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format);
+/// share, else in those of the first frame. White is centre + width / 2, of MONOCHROME1 centre - width / 2, which is
+/// inverted as the pixels are. Windows count in rescaled values; `rescale` is that of the first frame. Only grey pixels
+/// of more than 8 stored bits have a window here; others say nothing.
+[[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, const LinearRescale& rescale);
 
 }  // namespace echolucent

@@ -267,7 +267,7 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
 
 tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {
     auto refused = fail(FailureKind::unreadable, path, "", problem,
-                        "Add --frames-as-slices to take its pictures as slices of unknown spacing.");
+                        "Add --frames-as-slices to take its pictures as slices of unknown distance.");
     refused.value().framesCouldBeSlices = true;
     return refused;
 }

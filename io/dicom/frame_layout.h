@@ -21,6 +21,7 @@ struct FrameLayout {
         phases;               ///< frames counted from 0; of one frame each where there is no volume
     VolumeGeometry geometry;  ///< only its size is set where the phases hold one frame each
     std::string spacingSource;
+    bool inPlaneSpacingKnown = false;  ///< of pictures taken as slices, whose distance is a guess
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< what told the phases apart
     std::optional<FoundProbe> probe;

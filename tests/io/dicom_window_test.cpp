@@ -60,16 +60,12 @@ TEST(DicomWindow, WithoutOneTheDataSay) {
     EXPECT_TRUE(warnsOf(readBack(hot), "1 voxels hold values up to 32767"));
 }
 
-TEST(DicomWindow, IsTakenBackThroughTheRescaling) {
-    TestImage image = small("1000", "600");  // white is 1300 after 10 x + 100
+TEST(DicomWindow, CountsInRescaledValues) {
+    TestImage image = small("1000", "600");  // 10 x + 100 reaches 1680
     image.rescaleSlope = "10";
     image.rescaleIntercept = "100";
-    EXPECT_EQ(whiteOf(readBack(image)), 120);
-    image.rescaleSlope = "0";
-    EXPECT_EQ(whiteOf(readBack(image)), 158);
-    EXPECT_TRUE(warnsOf(readBack(image), "is not taken"));
-    image.rescaleSlope = "-1";
-    EXPECT_TRUE(warnsOf(readBack(image), "is not taken"));
+    EXPECT_EQ(whiteOf(readBack(image)), 1300);
+    EXPECT_EQ(readBack(image).phases[0]->storedValue(158), 1680);
 }
 
 TEST(DicomWindow, OfMonochrome1IsWhiteAtItsDarkEnd) {
@@ -85,8 +81,9 @@ TEST(DicomWindow, StandsInFunctionalGroupsToo) {
     EXPECT_EQ(whiteOf(readBack(image)), 135);
     EXPECT_THAT(sourceOfWhite(readBack(image)), testing::HasSubstr(", all frames"));
     image.rescaleSlope = "0.5";
-    image.rescaleIntercept = "60";
-    EXPECT_EQ(whiteOf(readBack(image)), 150);
+    image.rescaleIntercept = "60";  // 60 to 139
+    EXPECT_EQ(whiteOf(readBack(image)), 135);
+    EXPECT_EQ(readBack(image).phases[0]->storedValue(158), 139);
 }
 
 TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {

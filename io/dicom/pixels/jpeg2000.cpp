@@ -1,4 +1,4 @@
-#include "io/dicom/jpeg2000.h"
+#include "io/dicom/pixels/jpeg2000.h"
 
 #include <openjpeg.h>
 

@@ -7,9 +7,12 @@
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_geometry.h"
+#include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
-#include "io/dicom/large_stack.h"
+#include "io/dicom/philips_volume.h"
+#include "io/dicom/picture_scale.h"
+#include "io/dicom/series/large_stack.h"
 #include "io/input_file.h"
 #include "io/series_list.h"
 
@@ -20,6 +23,8 @@ namespace {
 /// Slices in order, with the geometry they share.
 struct SliceOrder {
     std::vector<std::string> paths;
+    bool rescaled = false;             // whether any slice is
+    bool inPlaneSpacingKnown = false;  // where the distance of slices is a guess
     VolumeGeometry geometry;
     std::string spacingSource;
     std::vector<std::string> warnings;
@@ -30,7 +35,10 @@ Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, con
     if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
         return tl::unexpected(*entry.whyNot);
     SliceOrder order;
-    for (const SeriesFile& file : entry.files) order.paths.push_back(file.path);
+    for (const SeriesFile& file : entry.files) {
+        order.paths.push_back(file.path);
+        order.rescaled = order.rescaled || file.rescaled;
+    }
     if (entry.whyNot) {
         order.geometry.spacingKnown = false;
         order.warnings.emplace_back(
@@ -66,7 +74,10 @@ public:
         }
         m_parts.geometry = m_order.geometry;
         m_parts.spacingSource = m_order.spacingSource;
+        m_parts.inPlaneSpacingKnown = m_order.inPlaneSpacingKnown;
         m_parts.warnings.insert(m_parts.warnings.end(), m_order.warnings.begin(), m_order.warnings.end());
+        if (m_differentWhite)
+            m_parts.warnings.emplace_back("The slices are rescaled by different slopes; each by its own.");
         shareWindow();
         std::vector<std::vector<std::uint8_t>> phases;
         phases.push_back(std::move(m_voxels));
@@ -78,19 +89,19 @@ private:
     Result<void> readSlice(std::size_t slice) {
         const auto file = DicomFile::load(m_order.paths[slice], false, m_progress);
         if (!file) return tl::unexpected(file.error());
-        auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
+        auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan(), m_order.rescaled);
         if (!frames) return tl::unexpected(frames.error());
         const auto bytes = static_cast<std::size_t>(frames->frameBytes());
         std::vector<std::uint8_t> grey(bytes);
         if (const auto read = frames->readGrey(0, grey); !read) return read;
         if (slice == 0)
             if (const auto begun = begin(file->dataset(), *frames); !begun) return begun;
-        if (frames->type() != m_type || bytes != m_sliceBytes || frames->largestValue() != m_largestValue)
+        if (frames->type() != m_type || bytes != m_sliceBytes || frames->bitsStored() != m_bitsStored)
             return fail(FailureKind::unreadable, file->path(), "(0028,0101) Bits Stored",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
         m_parts.lossyCompressed = m_parts.lossyCompressed || frames->lossyCompressed();
-        keepWindow(*frames);
+        keepWhite(*frames);
         return {};
     }
 
@@ -104,9 +115,12 @@ private:
         if (!memory) return memory;
         m_voxels.resize(static_cast<std::size_t>(*total));
         m_order.geometry.size = {frames.columns(), frames.rows(), slices};
+        m_bitsStored = frames.bitsStored();
         m_largestValue = frames.largestValue();
         frames.sayWhite(m_parts);
         m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), ""}};
+        if (const std::string uid = dicomText(dataset, {0x0008, 0x0016}); !uid.empty())
+            m_parts.facts.push_back({"kind of object", objectName(uid), "(0008,0016) SOP Class UID"});
         for (auto&& fact : frames.facts()) m_parts.facts.push_back(std::move(fact));
         for (auto&& fact : equipmentFacts(dataset)) m_parts.facts.push_back(std::move(fact));
         for (auto&& warning : frames.warnings()) m_parts.warnings.push_back(std::move(warning));
@@ -114,10 +128,13 @@ private:
         return {};
     }
 
-    void keepWindow(const DicomFrames& frames) {
+    void keepWhite(const DicomFrames& frames) {
         StudyParts said;
         frames.sayWhite(said);
         if (said.window) m_windows.push_back(std::move(*said.window));
+        // Slices that are rescaled otherwise reach otherwise far.
+        if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
+        m_differentWhite = m_differentWhite || frames.largestValue() != m_largestValue;
     }
 
     /// The slices share one white level: where their windows differ, the median of their whites.
@@ -133,7 +150,14 @@ private:
     }
 
     void takeSpacing(DcmItem& dataset) {
-        if (!m_order.geometry.spacingKnown) return;
+        if (!m_order.geometry.spacingKnown) {
+            const auto scale = pictureScaleOf(dataset);
+            if (!scale) return;
+            m_order.geometry.spacing = scale->spacing;
+            m_order.spacingSource = scale->source;
+            m_order.inPlaneSpacingKnown = true;
+            return;
+        }
         std::string source;
         if (const auto spacing = pixelSpacingOf(dataset, source)) {
             m_order.geometry.spacing[0] = (*spacing)[0];
@@ -151,7 +175,9 @@ private:
     StudyParts m_parts;
     StoredType m_type = StoredType::uint8;
     std::size_t m_sliceBytes = 0;
-    double m_largestValue = 0.0;
+    int m_bitsStored = 0;
+    double m_largestValue = 0.0;         // of the first slice
+    bool m_differentWhite = false;       // whether other slices are rescaled otherwise
     std::vector<WindowWhite> m_windows;  // of the slices that declare one
     std::vector<std::uint8_t> m_voxels;
 };
@@ -187,10 +213,31 @@ SmallPicture reduced(const std::vector<double>& values, std::int64_t columns, st
     return small;
 }
 
+/// The middle slice of a study in memory.
+SmallPicture middleOf(const Study& study, int longestEdge) {
+    const Volume& volume = *study.phases.front();
+    const auto& size = volume.geometry().size;
+    std::vector<double> values(static_cast<std::size_t>(size[0] * size[1]));
+    const std::int64_t first = size[2] / 2 * size[0] * size[1];
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = volume.storedValue(first + static_cast<std::int64_t>(i));
+    return reduced(values, size[0], size[1], longestEdge);
+}
+
 Result<SmallPicture> readMiddle(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
     const SeriesFile& middle = entry.files[entry.files.size() / 2];
-    const auto file = DicomFile::load(middle.path, false, progress);
+    const auto input = InputFile::open(middle.path);
+    if (!input) return tl::unexpected(input.error());
+    const auto file = DicomFile::load(*input, false, progress);
     if (!file) return tl::unexpected(file.error());
+    const auto philips = philipsVolumeOf(*file);
+    if (philips && *philips) {
+        ReadOptions options;
+        options.guessNoData = false;
+        const auto study = readPhilipsVolume(*input, *file, **philips, options, progress);
+        if (!study) return tl::unexpected(study.error());
+        return middleOf(*study, longestEdge);
+    }
     auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
     if (!frames) return tl::unexpected(frames.error());
     std::vector<std::uint8_t> grey(static_cast<std::size_t>(frames->frameBytes()));
@@ -205,8 +252,8 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
     Result<Study> study = fail(FailureKind::unreadable, list.path, "", "was not read");
     runWithLargeStack([&] {
         if (entry.multiframe) {
-            const auto file = DicomFile::load(entry.files.front().path, false, progress);
-            study = file ? readMultiframe(*file, options, progress) : Result<Study>(tl::unexpected(file.error()));
+            const auto input = InputFile::open(entry.files.front().path);
+            study = input ? readDicomFile(*input, options, progress) : Result<Study>(tl::unexpected(input.error()));
             return;
         }
         auto order = orderOf(list, entry, options);
@@ -216,7 +263,7 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
     if (!study) return study;
     std::vector<std::string> warnings = list.warnings;
     if (list.series.size() > 1)
-        warnings.insert(warnings.begin(), fmt::format("The folder holds {} series; one of {} slices was read.",
+        warnings.insert(warnings.begin(), fmt::format("There are {} series here; one of {} slices was read.",
                                                       list.series.size(), entry.size[2]));
     study->files = list.files;
     study->warnings.insert(study->warnings.begin(), warnings.begin(), warnings.end());

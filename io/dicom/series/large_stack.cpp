@@ -1,4 +1,4 @@
-#include "io/dicom/large_stack.h"
+#include "io/dicom/series/large_stack.h"
 
 #include <pthread.h>
 
@@ -69,17 +69,16 @@ void runAndRethrow(std::size_t threads, const std::function<void()>& work) {
 
 void runWithLargeStack(const std::function<void()>& work) { runAndRethrow(1, work); }
 
-void runEachWithLargeStack(std::size_t count, const std::function<void(std::size_t)>& work,
-                           const std::function<void(double)>& share) {
+void runEachWithLargeStack(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress) {
     std::atomic<std::size_t> next{0}, done{0};
     std::mutex reporting;
     const std::function<void()> pieces = [&] {
-        for (std::size_t index = next.fetch_add(1); index < count; index = next.fetch_add(1)) {
+        for (std::size_t index = next.fetch_add(1); index < count && !progress.cancelled(); index = next.fetch_add(1)) {
             work(index);
             done.fetch_add(1);
             // Nobody waits for a report; what is not said now is said after the next piece.
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
-                share(static_cast<double>(done.load()) / static_cast<double>(count));
+                progress.at(static_cast<double>(done.load()) / static_cast<double>(count));
         }
     };
     const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());

@@ -1,4 +1,4 @@
-#include "io/dicom/dicom_palette.h"
+#include "io/dicom/pixels/dicom_palette.h"
 
 #include <algorithm>
 #include <array>

@@ -11,10 +11,11 @@
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_geometry.h"
-#include "io/dicom/dicom_reader.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"
-#include "io/dicom/large_stack.h"
+#include "io/dicom/philips_volume.h"
+#include "io/dicom/series/dicom_directory.h"
+#include "io/dicom/series/large_stack.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
 #include "io/series_list.h"
@@ -24,7 +25,6 @@ namespace echolucent {
 namespace {
 
 constexpr int deepestFolder = 4;
-constexpr std::size_t mostFiles = 50000;
 
 /// What the header of one image says.
 struct ImageHeader {
@@ -32,30 +32,9 @@ struct ImageHeader {
     std::string series, object;  // UIDs of series and image
     std::string description, modality;
     std::int64_t rows = 0, columns = 0, frames = 1;
+    bool volume = false;            // whether the file alone is one, whatever its frames
     std::optional<Failure> whyNot;  // of a multi-frame file
 };
-
-std::vector<std::string> filesBelow(const std::string& folder, const Progress& progress) {
-    std::vector<std::string> files;
-    std::error_code error;
-    std::filesystem::recursive_directory_iterator entry(
-        folder, std::filesystem::directory_options::skip_permission_denied, error);
-    for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
-         entry.increment(error)) {
-        if (entry.depth() >= deepestFolder) entry.disable_recursion_pending();
-        if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
-        error.clear();
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-bool isDicomFile(const std::string& path) {
-    const auto file = InputFile::open(path);
-    if (!file) return false;
-    const auto beginning = file->beginning(132);
-    return beginning && looksLikeDicom(*beginning);
-}
 
 /// The Series Description, unless it holds a part of the patient's name or the patient's identifier.
 std::string descriptionOf(DcmItem& dataset) {
@@ -80,33 +59,51 @@ std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, 
     return layout ? std::nullopt : std::optional(layout.error());
 }
 
+/// The size of a maker's private volume, which counts in place of its frames; a volume that cannot be read says why.
+void takePrivateVolume(const DicomFile& file, ImageHeader& header) {
+    const auto philips = philipsVolumeOf(file);
+    header.volume = file.scan().holdsKretz || (philips && *philips);
+    if (!philips) header.whyNot = philips.error();
+    if (header.volume) header.whyNot.reset();
+    if (!philips || !*philips) return;
+    header.rows = (*philips)->size[1];
+    header.columns = (*philips)->size[0];
+    header.frames = (*philips)->size[2];
+}
+
 /// The header of an image; no value for DICOM files that are no images.
-Result<std::optional<ImageHeader>> headerOf(const std::string& path, const Progress& progress) {
-    auto file = DicomFile::load(path, true, progress);
+Result<std::optional<ImageHeader>> headerOf(const InputFile& input, const Progress& progress) {
+    auto file = DicomFile::load(input, true, progress);
     if (!file) return tl::unexpected(file.error());
-    if (!file->scan().hasPixelData) return std::optional<ImageHeader>();
+    const bool kretz = file->scan().holdsKretz;
+    if (!file->scan().hasPixelData && !kretz) return std::optional<ImageHeader>();
     DcmItem& dataset = file->dataset();
     const auto rows = dicomWholeNumber(dataset, {0x0028, 0x0010});
     const auto columns = dicomWholeNumber(dataset, {0x0028, 0x0011});
-    if (!rows || !columns) return std::optional<ImageHeader>();
+    if ((!rows || !columns) && !kretz) return std::optional<ImageHeader>();
     ImageHeader header;
-    header.file.path = path;
+    header.file.path = input.path();
     header.file.instance = dicomWholeNumber(dataset, {0x0020, 0x0013}).value_or(0);
     if (const auto placement = topLevelPlacement(dataset))
         header.file.plane =
-            SlicePlane{*placement->position, (*placement->orientation)[0], (*placement->orientation)[1], path};
-    header.rows = *rows;
-    header.columns = *columns;
+            SlicePlane{*placement->position, (*placement->orientation)[0], (*placement->orientation)[1], input.path()};
+    for (const DicomTag tag : {DicomTag{0x0028, 0x1052}, DicomTag{0x0028, 0x1053}}) {
+        const std::string text = dicomText(dataset, tag);
+        header.file.rescaled = header.file.rescaled || (!text.empty() && realNumber(text) != (tag.element & 1));
+    }
+    header.rows = rows.value_or(0);
+    header.columns = columns.value_or(0);
     header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
     header.series = dicomText(dataset, {0x0020, 0x000e});
     header.object = dicomText(dataset, {0x0008, 0x0018});
     header.description = descriptionOf(dataset);
     header.modality = dicomText(dataset, {0x0008, 0x0060});
     header.whyNot = whyNoVolume(dataset, header, progress);
+    takePrivateVolume(*file, header);
     return std::optional(std::move(header));
 }
 
-/// What one file of the folder turned out to be.
+/// What one file turned out to be.
 struct Looked {
     bool dicom = false;
     std::optional<ImageHeader> header;
@@ -115,12 +112,16 @@ struct Looked {
 
 Looked lookAt(const std::string& path, const Progress& progress) {
     Looked looked;
-    if (progress.cancelled() || !isDicomFile(path)) return looked;
+    if (progress.cancelled()) return looked;
+    const auto input = InputFile::open(path);
+    if (!input) return looked;
+    const auto beginning = input->beginning(132);
+    if (!beginning || !looksLikeDicom(*beginning)) return looked;
     looked.dicom = true;
-    auto header = headerOf(path, progress);
+    auto header = headerOf(*input, progress);
     if (header)
         looked.header = std::move(*header);
-    else if (nameFromPath(path) != "DICOMDIR")
+    else
         looked.failure = header.error();
     return looked;
 }
@@ -163,7 +164,8 @@ std::vector<SeriesEntry> entriesFrom(const std::string& folder, std::vector<Look
     for (Looked& one : looked)
         if (one.header) {
             ImageHeader& header = *one.header;
-            Key key{header.series, header.rows, header.columns, header.frames > 1 ? header.file.path : ""};
+            Key key{header.series, header.rows, header.columns,
+                    header.volume || header.frames > 1 ? header.file.path : ""};
             groups[std::move(key)].push_back(std::move(header));
         }
     std::vector<SeriesEntry> entries;
@@ -171,13 +173,13 @@ std::vector<SeriesEntry> entriesFrom(const std::string& folder, std::vector<Look
         ImageHeader& first = headers.front();
         SeriesEntry entry;
         entry.uid = first.series;
-        entry.multiframe = first.frames > 1;
+        entry.multiframe = first.volume || first.frames > 1;
         entry.description = first.description;
         entry.modality = first.modality;
         entry.size = {first.columns, first.rows,
                       entry.multiframe ? first.frames : static_cast<std::int64_t>(headers.size())};
         entry.whyNot = first.whyNot;
-        const std::string object = first.object;
+        entry.object = first.object;
         for (ImageHeader& header : headers) entry.files.push_back(std::move(header.file));
         if (!entry.multiframe) orderSlices(folder, entry);
         entries.push_back(std::move(entry));
@@ -194,23 +196,64 @@ void nameApart(std::vector<SeriesEntry>& entries) {
     for (SeriesEntry& entry : entries) {
         if (entry.uid.empty()) entry.uid = "unnamed";
         if (taken.insert(entry.uid).second) continue;
-        entry.uid += entry.multiframe ? ":" + nameFromPath(entry.files.front().path)
-                                      : fmt::format(":{}x{}", entry.size[0], entry.size[1]);
+        if (entry.multiframe && !entry.object.empty())
+            entry.uid = entry.object;
+        else
+            entry.uid += fmt::format(":{}x{}", entry.size[0], entry.size[1]);
+        if (taken.insert(entry.uid).second) continue;
         const std::string name = entry.uid;
         for (int again = 2; !taken.insert(entry.uid).second; ++again) entry.uid = fmt::format("{}:{}", name, again);
     }
 }
 
+bool isFolder(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(path, error);
+}
+
+/// The files that a folder or a DICOMDIR holds.
+Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progress) {
+    if (isFolder(list.path)) return filesBelow(list.path, deepestFolder, progress);
+    const auto input = InputFile::open(list.path);
+    if (!input) return tl::unexpected(input.error());
+    Result<DirectoryFiles> found = fail(FailureKind::unreadable, list.path, "", "was not read");
+    runWithLargeStack([&] { found = filesOfDirectory(*input, progress); });
+    if (!found) return tl::unexpected(found.error());
+    list.files.push_back(list.path);
+    const std::size_t missing = found->named - std::min(found->named, found->paths.size());
+    const std::string words =
+        fmt::format("{} of {} files that the DICOMDIR names are not in its folder or below it, {} among them", missing,
+                    found->named, quotedText(found->firstMissing));
+    if (found->paths.empty())
+        return fail(FailureKind::unreadable, list.path, "",
+                    fmt::format("is a DICOMDIR, and none of the {} files that it names is in its folder or below it",
+                                found->named),
+                    "Copy the whole medium, the DICOMDIR and the folders beside it.");
+    if (!found->firstMissing.empty()) list.warnings.push_back(words + ".");
+    return found->paths;
+}
+
 }  // namespace
+
+bool holdsSeries(const std::string& path) {
+    std::error_code error;
+    if (isFolder(path)) return true;
+    const auto input = std::filesystem::is_regular_file(path, error)
+                           ? InputFile::open(path)
+                           : fail(FailureKind::unreadable, path, "", "is no file");
+    return input && isDirectoryFile(*input, {});
+}
 
 Result<SeriesList> listSeries(const std::string& path, const Progress& progress) {
     SeriesList list;
     list.path = path;
-    const auto files = filesBelow(path, progress);
+    const auto named = filesOf(list, progress);
+    if (!named) return tl::unexpected(named.error());
+    const std::vector<std::string>& files = *named;
     std::vector<Looked> looked(files.size());
+    const Progress third{[&](double share) { progress.at(0.3 * share); }, progress.cancel};
     runEachWithLargeStack(
-        files.size(), [&](std::size_t index) { looked[index] = lookAt(files[index], progress); },
-        [&](double share) { progress.at(0.3 * share); });
+        files.size(), [&](std::size_t index) { looked[index] = lookAt(files[index], progress); }, third);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     std::vector<Failure> failures;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -221,7 +264,8 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
     nameApart(list.series);
     if (list.series.empty() && !failures.empty()) return tl::unexpected(failures.front());
     if (list.series.empty())
-        return fail(FailureKind::unreadable, path, "", "is a folder without DICOM images",
+        return fail(FailureKind::unreadable, path, "",
+                    isFolder(path) ? "is a folder without DICOM images" : "names no DICOM images",
                     "Choose a volume file, or the folder that holds a DICOM series.");
     if (!failures.empty())
         list.warnings.push_back(fmt::format("{} DICOM file(s) could not be read and were left out. The first: {}",

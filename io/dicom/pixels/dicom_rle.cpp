@@ -1,4 +1,4 @@
-#include "io/dicom/dicom_rle.h"
+#include "io/dicom/pixels/dicom_rle.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,56 @@
+// Encapsulated pixel data: which fragments make up a frame, and whether a JPEG frame is what the data set says.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+class DcmPixelItem;
+class DcmPixelSequence;
+
+namespace echolucent {
+
+/// Fragments [first, first + count) of a pixel sequence, counted from 0 behind its offset table.
+struct FragmentRange {
+    std::size_t first = 0;
+    std::size_t count = 1;
+};
+using FragmentMap = std::vector<FragmentRange>;
+
+/// Which fragments make up which frame. It must not outlive the pixel sequence.
+struct FrameFragments {
+    std::vector<DcmPixelItem*> items;  ///< all fragments
+    FragmentMap frames;
+    std::string warning{};  ///< a sentence where the file contradicts itself; else empty
+};
+
+/// Codings whose codestreams tell where a picture begins and ends; JPEG-LS has the markers of JPEG.
+enum class Codestream { none, jpeg, jpeg2000 };
+
+/// Which fragments make up each of `frames` frames: one fragment a frame, all fragments for a single frame, what the
+/// basic or the extended offset table says (`extendedOffsets`, (7FE0,0001); it may be empty), or which fragments begin
+/// a picture behind one that has ended. Fails with what is wrong where none of these fits.
+[[nodiscard]] tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames,
+                                                                     Codestream kind,
+                                                                     std::vector<std::uint64_t> extendedOffsets);
+
+/// The bytes of a frame's fragments put together; no value where a fragment cannot be read.
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> fragmentBytes(const FrameFragments& fragments,
+                                                                     std::size_t frame);
+
+/// What a JPEG or JPEG-LS frame must look like by the data set.
+struct JpegFrame {
+    std::int64_t columns = 0;
+    std::int64_t rows = 0;
+    int samples = 1;
+    int bitsAllocated = 8;
+};
+
+/// Compares the frame header of a JPEG or JPEG-LS codestream with `expected`, because decoders trust that header with
+/// memory and time. The text is empty where they agree; else it says what is wrong.
+[[nodiscard]] std::string jpegDisagreement(std::span<const std::uint8_t> data, const JpegFrame& expected);
+
+}  // namespace echolucent

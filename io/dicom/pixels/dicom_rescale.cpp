@@ -1,0 +1,105 @@
+#include "io/dicom/pixels/dicom_rescale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "io/dicom/dicom_attributes.h"
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag interceptTag{0x0028, 0x1052};
+constexpr DicomTag slopeTag{0x0028, 0x1053};
+constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
+constexpr DicomTag perFrameGroupsTag{0x5200, 0x9230};
+constexpr DicomTag transformationTag{0x0028, 0x9145};
+
+using Read = tl::expected<LinearRescale, PixelFormatProblem>;
+
+tl::unexpected<PixelFormatProblem> problemAt(DicomTag tag, const char* name, std::string text) {
+    return tl::unexpected(PixelFormatProblem{tagText(tag) + " " + name, std::move(text)});
+}
+
+/// Takes the attribute into `value`, which stays where it is missing or empty; false where it is no finite number.
+bool take(DcmItem& item, DicomTag tag, double& value) {
+    const std::string text = dicomText(item, tag);
+    if (text.empty()) return true;
+    const auto number = realNumber(text);
+    if (!number || !std::isfinite(*number)) return false;
+    value = *number;
+    return true;
+}
+
+Read rescaleOf(DcmItem& item, const DicomPixelFormat& format) {
+    LinearRescale rescale;
+    if (!take(item, slopeTag, rescale.slope))
+        return problemAt(slopeTag, "Rescale Slope", "is no number: " + quotedText(dicomText(item, slopeTag)));
+    if (!take(item, interceptTag, rescale.intercept))
+        return problemAt(interceptTag, "Rescale Intercept",
+                         "is no number: " + quotedText(dicomText(item, interceptTag)));
+    if (rescale.slope == 0.0) return problemAt(slopeTag, "Rescale Slope", "is 0, which makes all values one");
+    const auto low = static_cast<float>(rescale.of(format.smallestValue()));
+    const auto high = static_cast<float>(rescale.of(format.largestValue()));
+    if (!std::isfinite(low) || !std::isfinite(high) || low == high)
+        return problemAt(slopeTag, "Rescale Slope",
+                         fmt::format("is {:.6g} with intercept {:.6g}, which makes values from {:.6g} to {:.6g}",
+                                     rescale.slope, rescale.intercept, low, high));
+    return rescale;
+}
+
+DcmItem* transformationIn(DcmItem* groups) {
+    return groups != nullptr ? dicomFirstItem(*groups, transformationTag) : nullptr;
+}
+
+template <typename T>
+void writeFloats(const LinearRescale& rescale, std::span<const std::uint8_t> grey, std::span<std::uint8_t> out) {
+    for (std::size_t i = 0; i * sizeof(T) < grey.size(); ++i) {
+        T stored{};
+        std::memcpy(&stored, grey.data() + i * sizeof(T), sizeof(T));
+        const auto value = static_cast<float>(rescale.of(stored));
+        std::memcpy(out.data() + i * sizeof(float), &value, sizeof(float));
+    }
+}
+
+}  // namespace
+
+tl::expected<std::vector<LinearRescale>, PixelFormatProblem> readRescales(DcmItem& dataset,
+                                                                          const DicomPixelFormat& format) {
+    const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
+    if (!grey) return std::vector{LinearRescale{}};
+    DcmItem* shared = transformationIn(dicomFirstItem(dataset, sharedGroupsTag));
+    const Read all = rescaleOf(shared != nullptr ? *shared : dataset, format);
+    if (!all) return tl::unexpected(all.error());
+    std::vector<LinearRescale> rescales;
+    std::optional<PixelFormatProblem> problem;
+    bool perFrame = false;
+    dicomVisitItems(dataset, perFrameGroupsTag, [&](DcmItem& groups) {
+        DcmItem* own = transformationIn(&groups);
+        const Read read = own != nullptr ? rescaleOf(*own, format) : all;
+        if (!read) problem = read.error();
+        perFrame = perFrame || own != nullptr;
+        rescales.push_back(read.value_or(LinearRescale{}));
+        return read && rescales.size() < static_cast<std::size_t>(format.frames);
+    });
+    if (problem) return tl::unexpected(*problem);
+    if (!perFrame) return std::vector{*all};
+    rescales.resize(static_cast<std::size_t>(format.frames), *all);
+    return rescales;
+}
+
+void applyRescale(const LinearRescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
+                  std::span<std::uint8_t> out) {
+    switch (type) {
+        case StoredType::uint8: return writeFloats<std::uint8_t>(rescale, grey, out);
+        case StoredType::int8: return writeFloats<std::int8_t>(rescale, grey, out);
+        case StoredType::int16: return writeFloats<std::int16_t>(rescale, grey, out);
+        default: return writeFloats<std::uint16_t>(rescale, grey, out);
+    }
+}
+
+}  // namespace echolucent

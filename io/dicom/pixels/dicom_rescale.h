@@ -1,0 +1,32 @@
+// DICOM's linear rescaling: from stored values to the values they stand for.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "io/dicom/dicom_grey.h"
+
+namespace echolucent {
+
+/// value = slope * stored + intercept.
+struct LinearRescale {
+    double slope = 1.0;
+    double intercept = 0.0;
+    [[nodiscard]] double of(double stored) const { return slope * stored + intercept; }
+    [[nodiscard]] bool isIdentity() const { return slope == 1.0 && intercept == 0.0; }
+};
+
+/// Rescale Slope and Intercept of a data set: one for all frames (at top level or in the shared functional groups), or
+/// one a frame where the groups of frames hold them. What is missing or empty changes nothing. Fails with what is wrong
+/// where one is no number, where the slope is 0, or where the values of `format` would not fit into floats or could not
+/// be told apart there.
+[[nodiscard]] tl::expected<std::vector<LinearRescale>, PixelFormatProblem> readRescales(DcmItem& dataset,
+                                                                                        const DicomPixelFormat& format);
+
+/// Writes the values that grey values of `type` (as toGrey() gives them) stand for into `out`, as float32.
+void applyRescale(const LinearRescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
+                  std::span<std::uint8_t> out);
+
+}  // namespace echolucent

@@ -1,0 +1,89 @@
+#include "io/dicom/series/dicom_directory.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/dicom_names.h"
+#include "io/headers/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::size_t mostFiles = 50000;
+constexpr int deepestName = 8;  // DICOM's file names have at most eight parts
+constexpr DicomTag recordsTag{0x0004, 0x1220};
+constexpr DicomTag inUseTag{0x0004, 0x1410};
+constexpr DicomTag fileTag{0x0004, 0x1500};
+
+/// A file's name below its folder, in small letters with one slash between the parts.
+std::string nameBelow(const std::string& folder, const std::string& path) {
+    return lowerCase(std::filesystem::path(path).lexically_relative(folder).generic_string());
+}
+
+}  // namespace
+
+std::vector<std::string> filesBelow(const std::string& folder, int deepest, const Progress& progress) {
+    std::vector<std::string> files;
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator entry(
+        folder, std::filesystem::directory_options::skip_permission_denied, error);
+    for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
+         entry.increment(error)) {
+        if (entry.depth() >= deepest) entry.disable_recursion_pending();
+        if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
+        error.clear();
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+bool isDirectoryFile(const InputFile& file, const Progress& progress) {
+    const auto beginning = file.beginning(4096);
+    // The meta header stands there; most files are told apart without being walked.
+    const bool named = beginning && beginning->find(directorySopClass) != std::string::npos;
+    if (!named || !looksLikeDicom(*beginning)) return false;
+    const auto scan = scanDicom(file, progress, true);
+    return scan && scan->sopClass == directorySopClass;
+}
+
+Result<DirectoryFiles> filesOfDirectory(const InputFile& input, const Progress& progress) {
+    const auto file = DicomFile::load(input, true, progress);
+    if (!file) return tl::unexpected(file.error());
+    std::string folder = std::filesystem::path(input.path()).parent_path().string();
+    if (folder.empty()) folder = ".";
+    std::map<std::string, std::string> there;
+    for (std::string& path : filesBelow(folder, deepestName, progress)) {
+        std::string name = nameBelow(folder, path);
+        there.emplace(std::move(name), std::move(path));
+    }
+    DirectoryFiles found;
+    std::set<std::string> taken;
+    dicomVisitItems(file->dataset(), recordsTag, [&](DcmItem& record) {
+        std::string name = dicomText(record, fileTag);
+        if (name.empty() || dicomWholeNumber(record, inUseTag).value_or(0xffff) == 0) return true;
+        std::replace(name.begin(), name.end(), '\\', '/');
+        ++found.named;
+        const auto path = there.find(lowerCase(name));
+        if (path == there.end()) {
+            if (found.firstMissing.empty()) found.firstMissing = name;
+        } else if (taken.insert(path->second).second) {
+            found.paths.push_back(path->second);
+        }
+        return !progress.cancelled();
+    });
+    if (progress.cancelled()) return fail(FailureKind::cancelled, input.path(), "", "was not read: cancelled");
+    if (found.named == 0)
+        return fail(FailureKind::unreadable, input.path(), "(0004,1220) Directory Record Sequence",
+                    "of this DICOMDIR names no files", "Open the folder that holds the images.");
+    return found;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,31 @@
+// DICOMDIR: a list of the files on a medium.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/input_file.h"
+
+namespace echolucent {
+
+/// The files of a DICOMDIR.
+struct DirectoryFiles {
+    std::vector<std::string> paths;  ///< that are there, in or below the DICOMDIR's own folder; each once
+    std::size_t named = 0;           ///< how many the records name
+    std::string firstMissing;        ///< the first name that is not there, as the record spells it
+};
+
+/// Whether an opened file is a DICOMDIR.
+[[nodiscard]] bool isDirectoryFile(const InputFile& file, const Progress& progress);
+
+/// The files that the records of a DICOMDIR name. Records are taken one after the other as they stand in the file:
+/// their links are not followed, so that none can lead in a circle. A name counts where the DICOMDIR's own folder holds
+/// such a file, whatever the case of its letters; names that lead out of it are missing. Fails (unreadable) where the
+/// file holds no records; (cancelled) where the person ended it. To be called in a thread with a large stack.
+[[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
+
+/// All files in a folder and in those below it down to `deepest`, 50,000 at most, in the order of their names. Links to
+/// folders are not followed.
+[[nodiscard]] std::vector<std::string> filesBelow(const std::string& folder, int deepest, const Progress& progress);
+
+}  // namespace echolucent
