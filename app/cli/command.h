@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/option_text.h"
+#include "io/series_list.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/parameter.h"
@@ -42,11 +43,12 @@ void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action);
 
-/// Options of commands that read a volume: VOLUME, --phase, raw layout, --frames-as-slices, --all-voxels.
+/// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --frames-as-slices, --all-voxels.
 struct VolumeOptions {
     std::string path;
     int phase = 0;
     ReadOptions read;
+    std::string series;  ///< UID or number in the list of a folder's series, from 1; empty where it is not given
     std::string rawSize, rawSpacing, rawType, rawByteOrder;
     std::int64_t rawHeaderBytes = 0;
 
@@ -54,6 +56,13 @@ struct VolumeOptions {
     /// Reads the study. Fails (wrong usage) where --phase is out of range, or where one of the `outputs` of the command
     /// is a file of the study: an input is never overwritten.
     [[nodiscard]] Result<Study> readAll(const std::vector<std::string>& outputs) const;
+    /// The series of a folder or DICOMDIR; no value for other files, of which --series is wrong usage.
+    [[nodiscard]] Result<std::optional<SeriesList>> listedSeries() const;
+    /// The series that --series names, else the first. Fails (wrong usage) where there is no such series.
+    [[nodiscard]] Result<const SeriesEntry*> chosenSeries(const SeriesList& list) const;
+    /// Reads the study as readAll() does, from what listedSeries() has found.
+    [[nodiscard]] Result<Study> readListed(const std::optional<SeriesList>& list,
+                                           const std::vector<std::string>& outputs) const;
     /// Reads the study as readAll() does, and gives the volume of the phase that --phase names.
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
 };

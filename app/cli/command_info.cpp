@@ -80,6 +80,13 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     return object;
 }
 
+/// The text with control characters but the ends of lines made blanks: what files say is shown on a terminal.
+std::string printable(std::string text) {
+    for (char& character : text)
+        if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';
+    return text;
+}
+
 std::string infoText(const Study& study, const Volume& volume, int phase) {
     const StoredRange range = storedRangeOf(volume);
     std::string text = study.name + "\n";
@@ -92,22 +99,71 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     line("stored values", range.dataVoxels > 0 ? fmt::format("{} to {}", range.low, range.high) : "none",
          "data voxels");
     for (const std::string& warning : study.warnings) text += "  Note: " + warning + "\n";
-    for (char& character : text)
-        if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';
+    return printable(std::move(text));
+}
+
+std::string sizeOf(const SeriesEntry& entry) {
+    return fmt::format("{} x {}, {} {}", entry.size[0], entry.size[1], entry.size[2],
+                       entry.multiframe ? "frames" : "slices");
+}
+
+/// One line a series, numbered from 1; that called `read` (it may be null) is marked.
+std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
+    std::string text;
+    int number = 0;
+    for (const SeriesEntry& entry : list.series) {
+        text += fmt::format("  series {:<21} {} {}{}{}  [{}]\n",
+                            fmt::format("{}{}", ++number, &entry == read ? ", read" : ""),
+                            entry.modality.empty() ? "--" : entry.modality, sizeOf(entry),
+                            entry.description.empty() ? "" : ", ", entry.description, entry.uid);
+        if (entry.whyNot) text += "    it " + entry.whyNot->problem + "\n";
+    }
     return text;
+}
+
+/// An object a series (docs/cli-info.md).
+ordered_json seriesJson(const SeriesList& list, const SeriesEntry* read) {
+    auto array = ordered_json::array();
+    for (const SeriesEntry& entry : list.series)
+        array.push_back({{"number", array.size() + 1},
+                         {"uid", entry.uid},
+                         {"description", entry.description},
+                         {"modality", entry.modality},
+                         {"size", entry.size},
+                         {"files", entry.files.size()},
+                         {"read", &entry == read},
+                         {"why_not", entry.whyNot ? ordered_json(entry.whyNot->sentence()) : ordered_json()}});
+    return array;
+}
+
+/// Writes the list of series where none of them could be read; the failure follows.
+Result<void> writeListOnly(const std::optional<SeriesList>& list, const InfoOptions& options, const Failure& failure) {
+    if (!list || list->series.size() < 2) return tl::unexpected(failure);
+    const ordered_json object{{"series", seriesJson(*list, nullptr)}};
+    const std::string text = options.toJson ? object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"
+                                            : printable(seriesText(*list, nullptr));
+    const std::string output = options.toJson ? options.json : "-";
+    if (auto written = writeFileAtomically(output, text); !written) return written;
+    return tl::unexpected(failure);
 }
 
 Result<void> runInfo(const InfoOptions& options) {
     if (options.volume.path.empty()) return wrongUsage("VOLUME", "is required", "Name a volume.");
-    const auto study = options.volume.readAll({options.json});
-    if (!study) return tl::unexpected(study.error());
+    const auto list = options.volume.listedSeries();
+    if (!list) return tl::unexpected(list.error());
+    const auto study = options.volume.readListed(*list, {options.json});
+    if (!study) return writeListOnly(*list, options, study.error());
+    const SeriesEntry* read = *list ? *options.volume.chosenSeries(**list) : nullptr;
     const Volume& volume = *study->phases[static_cast<std::size_t>(options.volume.phase)];
+    if (!options.toJson) {
+        std::string text = infoText(*study, volume, options.volume.phase);
+        if (*list) text += printable(seriesText(**list, read));
+        return writeFileAtomically("-", text);
+    }
+    ordered_json object = infoJson(*study, volume, options.volume.phase);
+    if (*list) object["series"] = seriesJson(**list, read);
     // Text in files may be in any encoding; JSON must be UTF-8.
-    const std::string output = options.toJson ? infoJson(*study, volume, options.volume.phase)
-                                                        .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
-                                                    "\n"
-                                              : infoText(*study, volume, options.volume.phase);
-    return writeFileAtomically(options.toJson ? options.json : "-", output);
+    return writeFileAtomically(options.json, object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace

@@ -85,9 +85,10 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
 void VolumeOptions::addTo(CLI::App& command) {
     command
         .add_option("VOLUME", path,
-                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), DICOM file or folder, "
-                    "or raw with --raw-size; any of these files packed with gzip")
+                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), DICOM file, folder or "
+                    "DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
         ->required();
+    command.add_option("--series", series, "Series of a folder or DICOMDIR: its number in info's list, or its UID");
     command.add_option("--phase", phase, "Phase of a 4D volume, from 0")->capture_default_str();
     command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");
     command.add_option("--raw-type", rawType, "Voxel type of a raw file; uint8 where not given")
@@ -98,21 +99,60 @@ void VolumeOptions::addTo(CLI::App& command) {
         ->capture_default_str();
     command.add_option("--raw-spacing", rawSpacing, "Spacing of a raw file in mm, XxYxZ; unknown where not given");
     command.add_flag("--frames-as-slices", read.framesAsSlices,
-                     "Take the frames of a 2D cine as slices; the spacing stays unknown");
+                     "Take the frames of a 2D cine as slices; their distance stays unknown");
     command.add_flag(
         "--all-voxels", [this](std::int64_t) { read.guessNoData = false; },
         "Take every voxel as data: do not guess what lies outside the scanned sector");
 }
 
+Result<std::optional<SeriesList>> VolumeOptions::listedSeries() const {
+    if (!holdsSeries(path)) {
+        if (!series.empty())
+            return wrongUsage("--series", "names a series of a folder or DICOMDIR, and " + path + " is neither",
+                              "Leave it out.");
+        return std::optional<SeriesList>();
+    }
+    auto list = listSeries(path);
+    if (!list) return tl::unexpected(list.error());
+    return std::optional(std::move(*list));
+}
+
+Result<const SeriesEntry*> VolumeOptions::chosenSeries(const SeriesList& list) const {
+    const auto number = wholeNumber(series);
+    if (series.empty() || !number) {
+        auto found = findSeries(list, series);
+        if (!found) found.error().kind = FailureKind::wrongUsage;
+        return found;
+    }
+    const auto count = static_cast<std::int64_t>(list.series.size());
+    if (*number < 1 || *number > count)
+        return fail(FailureKind::wrongUsage, path, "--series",
+                    fmt::format("is {}, but there are {} series", *number, count),
+                    fmt::format("Choose 1 to {}.", count));
+    return &list.series[static_cast<std::size_t>(*number - 1)];
+}
+
 Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) const {
+    // The path itself is compared at once, the files behind it when they are known.
+    if (auto kept = refuseToOverwrite({path}, outputs); !kept) return tl::unexpected(kept.error());
+    const auto list = listedSeries();
+    if (!list) return tl::unexpected(list.error());
+    return readListed(*list, outputs);
+}
+
+Result<Study> VolumeOptions::readListed(const std::optional<SeriesList>& list,
+                                        const std::vector<std::string>& outputs) const {
     ReadOptions options = read;
     const auto layout = layoutFrom(*this);
     if (!layout) return tl::unexpected(layout.error());
     options.raw = *layout;
     if (phase < 0) return wrongUsage("--phase", "must be 0 or more", "Phases are counted from 0.");
-    // The path itself is compared at once, the files behind it when they are known.
-    if (auto kept = refuseToOverwrite({path}, outputs); !kept) return tl::unexpected(kept.error());
-    auto study = readStudy(path, options);
+    auto study = [&]() -> Result<Study> {
+        if (!list) return readStudy(path, options);
+        const auto entry = chosenSeries(*list);
+        if (!entry) return tl::unexpected(entry.error());
+        return readSeries(*list, **entry, options);
+    }();
     if (!study) return study;
     if (auto kept = refuseToOverwrite(study->files, outputs); !kept) return tl::unexpected(kept.error());
     if (static_cast<std::size_t>(phase) >= study->phases.size())

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "dicom_files.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -90,6 +91,61 @@ TEST(InfoCommand, ExitStatusesFollowWhatWentWrong) {
     EXPECT_EQ(runInfo({}).status, 2);
     EXPECT_EQ(runInfo({folder.file("none.mha")}).status, 3);
     EXPECT_EQ(cli::exitStatus(fail(FailureKind::unwritable, "", "", "").value()), 4);
+}
+
+/// Two series of 8 and 12 pixels a slice, of three and two slices.
+void writeTwoSeries(const TemporaryFolder& folder) {
+    for (const auto& [series, columns, slices] : {std::tuple{"1.2.3", 4, 3}, std::tuple{"1.2.4", 6, 2}})
+        for (int i = 0; i < slices; ++i) {
+            TestImage image;
+            image.series = series;
+            image.columns = columns;
+            image.rows = 2;
+            image.pixels8.assign(static_cast<std::size_t>(2 * columns), 7);
+            image.position = Vec3(0, 0, i);
+            image.orientation = {1, 0, 0, 0, 1, 0};
+            image.pixelSpacing = {0.5, 0.5};
+            writeDicom(folder.file(series + std::string("-") + std::to_string(i)), image);
+        }
+}
+
+TEST(InfoCommand, ListsTheSeriesOfAFolder) {
+    const TemporaryFolder folder;
+    writeTwoSeries(folder);
+    const auto outcome = runInfo({folder.path(), "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.sentence;
+    const json series = json::parse(outcome.text).at("series");
+    ASSERT_EQ(series.size(), 2u);
+    EXPECT_EQ(series[0].at("uid"), "1.2.3");
+    EXPECT_EQ(series[0].at("number"), 1);
+    EXPECT_EQ(series[0].at("size"), json({4, 2, 3}));
+    EXPECT_EQ(series[0].at("files"), 3);
+    EXPECT_EQ(series[0].at("read"), true);
+    EXPECT_EQ(series[1].at("read"), false);
+    EXPECT_TRUE(series[1].at("why_not").is_null());
+    const auto text = runInfo({folder.path()}).text;
+    EXPECT_THAT(text, HasSubstr("1, read"));
+    EXPECT_THAT(text, HasSubstr("6 x 2, 2 slices  [1.2.4]"));
+}
+
+TEST(VolumeOptions, ASeriesIsChosenByNumberOrName) {
+    const TemporaryFolder folder;
+    writeTwoSeries(folder);
+    for (const char* chosen : {"2", "1.2.4"}) {
+        const auto outcome = runInfo({folder.path(), "--series", chosen, "--json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.sentence;
+        EXPECT_EQ(json::parse(outcome.text)["volume"]["size"], json({6, 2, 2}));
+    }
+    const auto tooFar = runInfo({folder.path(), "--series", "3"});
+    EXPECT_EQ(tooFar.status, 2);
+    EXPECT_THAT(tooFar.sentence, HasSubstr("--series is 3, but there are 2 series. Choose 1 to 2."));
+    EXPECT_EQ(runInfo({folder.path(), "--series", "0"}).status, 2);
+    const auto unknown = runInfo({folder.path(), "--series", "1.2.9"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.sentence, HasSubstr("holds no series \"1.2.9\". It holds \"1.2.3\", \"1.2.4\"."));
+    const auto noFolder = runInfo({movingVolume(folder), "--series", "1"});
+    EXPECT_EQ(noFolder.status, 2);
+    EXPECT_THAT(noFolder.sentence, HasSubstr("--series names a series of a folder or DICOMDIR"));
 }
 
 TEST(InfoCommand, HelpHoldsAnExample) {
