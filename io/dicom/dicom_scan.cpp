@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -11,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "io/dicom/byte_stream.h"
 #include "io/headers/header_text.h"
-#include "io/headers/raw_inflater.h"
 #include "io/input_file.h"
 
 namespace echolucent {
@@ -28,63 +27,6 @@ constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
 constexpr std::uint32_t sopClassTag = 0x00080016U;
 constexpr std::uint32_t kretzGroup = 0x7fe1;
 constexpr std::string_view kretzCreator = "KRETZ_US";
-
-/// The file's bytes in order, from the file or through inflate, with a position that can be moved forward.
-class ByteStream {
-public:
-    explicit ByteStream(const InputFile& file) : m_file(&file) {}
-
-    [[nodiscard]] std::uint64_t position() const { return m_position; }
-    [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
-    /// Takes everything from here on as a raw deflate stream.
-    void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
-
-    bool read(std::uint8_t* bytes, std::size_t count) {
-        if (m_inflater) {
-            if (m_inflater->read({bytes, count}) != count) return false;
-        } else {
-            for (std::size_t done = 0; done < count; ++done) {
-                if (m_position + done >= m_file->size()) return false;
-                if (!buffered(m_position + done)) return false;
-                bytes[done] = m_buffer[static_cast<std::size_t>(m_position + done - m_bufferStart)];
-            }
-        }
-        m_position += count;
-        return true;
-    }
-
-    /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
-    std::uint64_t skip(std::uint64_t count) {
-        std::uint64_t skipped = 0;
-        if (!m_inflater) {
-            skipped = std::min(count, m_file->size() - std::min(m_position, m_file->size()));
-        } else {
-            std::array<std::uint8_t, 65536> scratch{};
-            while (skipped < count) {
-                const auto want = static_cast<std::size_t>(std::min<std::uint64_t>(scratch.size(), count - skipped));
-                const std::size_t got = m_inflater->read({scratch.data(), want});
-                skipped += got;
-                if (got < want) break;
-            }
-        }
-        m_position += skipped;
-        return skipped;
-    }
-
-private:
-    bool buffered(std::uint64_t position) {
-        if (position >= m_bufferStart && position < m_bufferStart + m_buffer.size()) return true;
-        m_buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(4096, m_file->size() - position)));
-        m_bufferStart = position;
-        return static_cast<bool>(m_file->readAt(position, m_buffer));
-    }
-
-    const InputFile* m_file;
-    std::uint64_t m_position = 0;
-    std::vector<std::uint8_t> m_buffer;
-    std::uint64_t m_bufferStart = 0;
-    std::unique_ptr<RawInflater> m_inflater;
-};
 
 enum class LevelKind { dataset, sequence, item, fragments };
 

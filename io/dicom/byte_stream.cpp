@@ -1,0 +1,46 @@
+#include "io/dicom/byte_stream.h"
+
+#include <algorithm>
+#include <array>
+
+namespace echolucent {
+
+bool ByteStream::read(std::uint8_t* bytes, std::size_t count) {
+    if (m_inflater) {
+        if (m_inflater->read({bytes, count}) != count) return false;
+    } else {
+        for (std::size_t done = 0; done < count; ++done) {
+            if (m_position + done >= m_file->size()) return false;
+            if (!buffered(m_position + done)) return false;
+            bytes[done] = m_buffer[static_cast<std::size_t>(m_position + done - m_bufferStart)];
+        }
+    }
+    m_position += count;
+    return true;
+}
+
+std::uint64_t ByteStream::skip(std::uint64_t count) {
+    std::uint64_t skipped = 0;
+    if (!m_inflater) {
+        skipped = std::min(count, m_file->size() - std::min(m_position, m_file->size()));
+    } else {
+        std::array<std::uint8_t, 65536> scratch{};
+        while (skipped < count) {
+            const auto want = static_cast<std::size_t>(std::min<std::uint64_t>(scratch.size(), count - skipped));
+            const std::size_t got = m_inflater->read({scratch.data(), want});
+            skipped += got;
+            if (got < want) break;
+        }
+    }
+    m_position += skipped;
+    return skipped;
+}
+
+bool ByteStream::buffered(std::uint64_t position) {
+    if (position >= m_bufferStart && position < m_bufferStart + m_buffer.size()) return true;
+    m_buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(4096, m_file->size() - position)));
+    m_bufferStart = position;
+    return static_cast<bool>(m_file->readAt(position, m_buffer));
+}
+
+}  // namespace echolucent

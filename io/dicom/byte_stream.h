@@ -1,0 +1,40 @@
+// The bytes of a DICOM file one after the other, stored as they are or deflated.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "io/headers/raw_inflater.h"
+#include "io/input_file.h"
+
+namespace echolucent {
+
+/// A file's bytes in order, from the file or through inflate, with a position that can be moved forward. The file must
+/// outlive it.
+class ByteStream {
+public:
+    explicit ByteStream(const InputFile& file) : m_file(&file) {}
+
+    /// Bytes that were read or skipped so far, inflated ones where it inflates.
+    [[nodiscard]] std::uint64_t position() const { return m_position; }
+    [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
+    /// Takes everything from here on as a raw deflate stream.
+    void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
+    /// Reads `count` bytes; false, and the position stays, where there are fewer.
+    bool read(std::uint8_t* bytes, std::size_t count);
+    /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
+    std::uint64_t skip(std::uint64_t count);
+
+private:
+    bool buffered(std::uint64_t position);
+
+    const InputFile* m_file;
+    std::uint64_t m_position = 0;
+    std::vector<std::uint8_t> m_buffer;
+    std::uint64_t m_bufferStart = 0;
+    std::unique_ptr<RawInflater> m_inflater;
+};
+
+}  // namespace echolucent
