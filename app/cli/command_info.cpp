@@ -103,8 +103,9 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
 }
 
 std::string sizeOf(const SeriesEntry& entry) {
+    const char* many = entry.multiframe ? "frames" : "slices";
     return fmt::format("{} x {}, {} {}", entry.size[0], entry.size[1], entry.size[2],
-                       entry.multiframe ? "frames" : "slices");
+                       entry.size[2] == 1 ? "picture" : many);
 }
 
 /// One line a series, numbered from 1; that called `read` (it may be null) is marked.

@@ -293,8 +293,9 @@ TEST(DicomScale, OfACineTakenAsSlicesIsKeptInItsPlane) {
     EXPECT_FALSE(geometry.spacingKnown) << "the distance of the slices is a guess";
     EXPECT_TRUE(warnsOf(*study, "distance of the slices is unknown; 0.2 mm is assumed"));
     for (const ImportFact& fact : study->facts)
-        if (fact.name == "spacing")
+        if (fact.name == "spacing") {
             EXPECT_EQ(fact.source, "(0018,602c), (0018,602e) of the largest 2D region; distance of slices assumed");
+        }
 
     DicomBytes spectrum;
     spectrum.sequence(0x0018, 0x6011, {region(3, 9, 0.01, 3)});
