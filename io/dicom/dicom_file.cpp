@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <mutex>
 #include <span>
+#include <stdexcept>
 
 #include "io/dicom/dicom_names.h"
 
@@ -168,6 +169,18 @@ private:
     std::uint64_t m_position;
 };
 
+OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& end) {
+    file.transferInit();
+    OFCondition done;
+    try {
+        done = file.readUntilTag(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength, end);
+    } catch (const std::out_of_range&) {
+        done = EC_CorruptedData;  // DCMTK 3.6.7 stumbles over damaged names of directory records
+    }
+    file.transferEnd();
+    return done;
+}
+
 /// Says in words why DCMTK could not go on.
 tl::unexpected<Failure> damaged(const InputFile& input, const OFCondition& done, std::uint64_t position) {
     const bool atEnd = position >= input.size() || done == EC_StreamNotifyClient || done == EC_EndOfStream;
@@ -215,10 +228,7 @@ Result<DicomFile> DicomFile::load(const InputFile& input, bool headerOnly, const
     if (auto refused = qlab ? std::nullopt : refusal(path, *scan); refused) return tl::unexpected(*refused);
     DicomFile file(path, *scan);
     FileStream stream(RepairedBytes(input, scan->repairs), 0, &progress);
-    file.m_file->transferInit();
-    const OFCondition done = file.m_file->readUntilTag(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
-                                                       pixelsWanted ? DCM_UndefinedTagKey : DCM_PixelData);
-    file.m_file->transferEnd();
+    const OFCondition done = parse(*file.m_file, stream, pixelsWanted ? DCM_UndefinedTagKey : DCM_PixelData);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     if (done.good()) return file;
     if (!pixelsWanted || !scan->pixelsEnd || !file.dataset().tagExists(DCM_PixelData))

@@ -13,7 +13,8 @@ constexpr DicomTag regionsTag{0x0018, 0x6011};
 
 bool isScale(double mm) { return std::isfinite(mm) && mm >= 1e-4 && mm <= 1e4; }
 
-PictureScale scaleFrom(double x, double y, const char* source) { return {Vec3(x, y, (x + y) / 2), source}; }
+/// The mean along z is a guess.
+Vec3 spacingFrom(double x, double y) { return {x, y, (x + y) / 2}; }
 
 double numberOr(DcmItem& item, DicomTag tag, double missing) {
     const auto values = dicomNumbers(item, tag, 1);
@@ -32,7 +33,7 @@ double areaOf(DcmItem& region) {
 std::optional<PictureScale> pictureScaleOf(DcmItem& dataset) {
     const auto spacing = dicomNumbers(dataset, {0x0028, 0x0030}, 2);  // the distance between rows comes first
     if (!spacing.empty() && isScale(spacing[0]) && isScale(spacing[1]))
-        return scaleFrom(spacing[1], spacing[0], "(0028,0030)");
+        return PictureScale{spacingFrom(spacing[1], spacing[0]), "(0028,0030)"};
     std::optional<PictureScale> scale;
     double largest = -1;
     dicomVisitItems(dataset, regionsTag, [&](DcmItem& region) {
@@ -43,7 +44,9 @@ std::optional<PictureScale> pictureScaleOf(DcmItem& dataset) {
         const double y = 10 * std::abs(numberOr(region, {0x0018, 0x602e}, 0));
         if (flat && centimetres && isScale(x) && isScale(y) && areaOf(region) > largest) {
             largest = areaOf(region);
-            scale = scaleFrom(x, y, "(0018,602c), (0018,602e) of the largest 2D region");
+            if (!scale) scale.emplace();
+            scale->spacing = spacingFrom(x, y);
+            scale->source.assign("(0018,602c), (0018,602e) of the largest 2D region");
         }
         return true;
     });

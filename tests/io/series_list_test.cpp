@@ -231,6 +231,24 @@ TEST(DicomDirectory, NamesThatLeadOutOfItsFolderAreMissing) {
     EXPECT_THAT(readStudy(path).error().sentence(), HasSubstr("is a DICOMDIR"));
 }
 
+TEST(DicomDirectory, WithAnyByteChangedEndsInAListOrASentence) {
+    const TemporaryFolder folder;
+    folder.write("im1", slice("1.2.3", 1));
+    const std::string whole = directory({"IM1"});
+    int listed = 0;
+    for (std::size_t at = 132; at < whole.size(); ++at)
+        for (const char byte : {'\0', '\2', '\xff'}) {
+            std::string changed = whole;
+            changed[at] = byte;
+            const auto list = listSeries(folder.write("DICOMDIR", changed));
+            listed += list ? 1 : 0;
+            if (!list) {
+                EXPECT_FALSE(list.error().problem.empty()) << at;
+            }
+        }
+    EXPECT_GT(listed, 0);
+}
+
 TEST(DicomDirectory, RecordsInACircleAreReadOnce) {
     const TemporaryFolder folder;
     for (const int depth : {1, 2}) folder.write("im" + std::to_string(depth), slice("1.2.3", depth));
