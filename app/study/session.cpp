@@ -1,6 +1,5 @@
 #include "app/study/session.h"
 
-#include <QFileInfo>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -50,9 +49,7 @@ Session::Session(QObject* parent)
 
 Session::Read Session::readerOf(const StudyFile& file) {
     return [file](const Progress& progress) -> Result<Opening> {
-        const QFileInfo info(QString::fromStdString(file.path));
-        const bool mayHoldSeries = info.isDir() || info.fileName().startsWith(QLatin1String("DICOMDIR"));
-        if (!mayHoldSeries || !file.options.series.empty()) {
+        if (!holdsSeries(file.path) || !file.options.series.empty()) {
             auto study = readStudy(file.path, file.options, progress);
             if (!study) return tl::unexpected(study.error());
             return Opening{std::move(*study), nullptr};
