@@ -1,0 +1,131 @@
+#include "processing/scan_conversion/conversion_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace echolucent {
+
+namespace {
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+/// The values between which sine and cosine rise or fall throughout: the ends of an axis, and quarter turns within.
+std::vector<double> turningValues(const PolarAxis& axis) {
+    std::vector<double> values{axis.values.front(), axis.values.back()};
+    const double low = std::min(values[0], values[1]), high = std::max(values[0], values[1]);
+    if (axis.spread == PolarSpread::angles)
+        for (const double quarter : {-0.5, 0.0, 0.5})
+            if (const double angle = quarter * std::numbers::pi; angle > low && angle < high) values.push_back(angle);
+    return values;
+}
+
+/// Extremes of across and along where something between `low` and `high` mm from the face is spread over an axis.
+struct Spread {
+    Range across, along;
+};
+Spread spreadOver(const PolarAxis& axis, double low, double high) {
+    Spread spread;
+    for (const double value : turningValues(axis))
+        for (const double distance : {low, high}) {
+            const bool angular = axis.spread == PolarSpread::angles;
+            // What lies behind the axis belongs to no position.
+            const double from = std::max(distance + axis.radiusMm, 0.0);
+            spread.across.add(angular ? from * std::sin(value) : value);
+            spread.along.add(angular ? from * std::cos(value) - axis.radiusMm : distance);
+        }
+    return spread;
+}
+
+/// Mean distance of neighbours on an axis, at `along` mm from the face.
+double neighbourDistance(const PolarAxis& axis, double along) {
+    const double mean =
+        std::abs(axis.values.back() - axis.values.front()) / static_cast<double>(axis.values.size() - 1);
+    return axis.spread == PolarSpread::angles ? mean * (along + axis.radiusMm) : mean;
+}
+
+struct Bounds {
+    Range axes[3];
+};
+
+Bounds boundsOf(const PolarGeometry& polar) {
+    const Spread within = spreadOver(polar.lines, polar.rangeStartMm, polar.rangeEndMm());
+    const Spread tilted = spreadOver(polar.planes, within.along.low, within.along.high);
+    return {{within.across, tilted.across, tilted.along}};
+}
+
+double voxelsAlong(const Range& range, double spacing) {
+    // A millionth of a voxel is rounding, not a voxel less.
+    return std::floor((range.high - range.low) / spacing + 1e-6) + 1;
+}
+
+double voxelsOf(const Bounds& bounds, double spacing) {
+    return voxelsAlong(bounds.axes[0], spacing) * voxelsAlong(bounds.axes[1], spacing) *
+           voxelsAlong(bounds.axes[2], spacing);
+}
+
+void require(const PolarGeometry& polar) {
+    if (const auto problem = problemOf(polar))
+        throw std::invalid_argument("scan conversion: the geometry makes no sense: " + problem->words);
+}
+
+ConversionGrid gridWithin(const Bounds& bounds, double spacing) {
+    ConversionGrid grid;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Range& range = bounds.axes[axis];
+        const double count = voxelsAlong(range, spacing);
+        grid.geometry.size[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(count);
+        grid.geometry.spacing[axis] = spacing;
+        grid.geometry.origin[axis] = 0.5 * (range.low + range.high - (count - 1) * spacing);
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::int64_t ConversionMemory::mostVoxels() const {
+    const std::int64_t ofAll = phaseBytes > std::numeric_limits<std::int64_t>::max() / conversionPhasesInFull
+                                   ? phaseBytes
+                                   : phaseBytes * conversionPhasesInFull / phases;
+    return std::max<std::int64_t>(std::min(phaseBytes, ofAll) / bytesPerVoxel, 1);
+}
+
+double finestResolutionMm(const PolarGeometry& polar) {
+    require(polar);
+    const double middle = 0.5 * (polar.rangeStartMm + polar.rangeEndMm());
+    return std::min(
+        {polar.rangeStepMm, neighbourDistance(polar.lines, middle), neighbourDistance(polar.planes, middle)});
+}
+
+ConversionGrid conversionGridOf(const PolarGeometry& polar, double spacingMm) {
+    if (!(spacingMm > 0)) throw std::invalid_argument("scan conversion: the spacing must be above 0");
+    require(polar);
+    ConversionGrid grid = gridWithin(boundsOf(polar), spacingMm);
+    grid.finestMm = finestResolutionMm(polar);
+    grid.limitedByMemory = spacingMm > grid.finestMm;
+    return grid;
+}
+
+ConversionGrid conversionGrid(const PolarGeometry& polar, const ConversionMemory& memory) {
+    const double finest = finestResolutionMm(polar);
+    const Bounds bounds = boundsOf(polar);
+    const auto most = static_cast<double>(memory.mostVoxels());
+    double spacing = finest;
+    // Voxels are counted whole along each axis, so that the cube root of the excess is not always enough at once.
+    while (voxelsOf(bounds, spacing) > most) spacing *= std::max(std::cbrt(voxelsOf(bounds, spacing) / most), 1.0005);
+    ConversionGrid grid = gridWithin(bounds, spacing);
+    grid.finestMm = finest;
+    grid.limitedByMemory = spacing > finest;
+    return grid;
+}
+
+}  // namespace echolucent

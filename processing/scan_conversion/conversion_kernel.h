@@ -1,0 +1,35 @@
+// The inner loop of the scan conversion, many voxels at once: compiled for each instruction set through Highway.
+// Products and sums are kept apart, so that every instruction set gives the same bits.
+#pragma once
+
+#include <cstdint>
+
+#include "processing/scan_conversion/line_lookup.h"
+
+namespace echolucent {
+
+/// What the voxels of one row of the grid share.
+template <typename Value>
+struct ConversionRow {
+    const LineLookup* lines = nullptr;
+    bool angular = false;    ///< whether lines stand at angles
+    float firstMm = 0;       ///< x of the row's voxel 0, probe mm
+    float spacingMm = 1;     ///< from a voxel to the next
+    float alongMm = 0;       ///< within the plane, from the axis of the lines, or from the face where there is none
+    float rangeStartMm = 0;  ///< of the first sample, from that axis or face
+    float samplesPerMm = 1;
+    float planeShare = 0;      ///< [0,1] between the two planes
+    std::int32_t samples = 2;  ///< along a line: the distance of one line from the next, too
+    std::int32_t lineCount = 2;
+    const Value* nearPlane = nullptr;
+    const Value* farPlane = nullptr;
+    /// Whether samples must be read one by one because two bytes beyond the last one of `farPlane` cannot be read.
+    bool endsHere = false;
+};
+
+/// Interpolates the voxels [first, end) of a row into out[first], ...
+void convertRun(const ConversionRow<std::uint8_t>& row, std::int32_t first, std::int32_t end, std::uint8_t* out);
+void convertRun(const ConversionRow<std::uint16_t>& row, std::int32_t first, std::int32_t end, std::uint16_t* out);
+void convertRun(const ConversionRow<float>& row, std::int32_t first, std::int32_t end, float* out);
+
+}  // namespace echolucent
