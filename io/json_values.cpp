@@ -23,13 +23,52 @@ ManualCurve manualCurveIn(JsonFields& fields, const char* key) {
     return curve;
 }
 
+namespace {
+
+ordered_json polarAxisJson(const PolarAxis& axis) {
+    if (axis.spread == PolarSpread::positions) return {{"positions_mm", axis.values}};
+    return {{"angles_radians", axis.values}, {"radius_mm", axis.radiusMm}};
+}
+
+PolarAxis polarAxisIn(JsonFields fields) {
+    PolarAxis axis;
+    const bool angular = fields.has("angles_radians");
+    if (angular == fields.has("positions_mm"))
+        fields.wrong("angles_radians", "must stand alone, or positions_mm instead");
+    axis.spread = angular ? PolarSpread::angles : PolarSpread::positions;
+    axis.values = fields.numbers(angular ? "angles_radians" : "positions_mm");
+    if (angular) axis.radiusMm = fields.number("radius_mm");
+    return axis;
+}
+
+}  // namespace
+
+ordered_json polarJson(const PolarGeometry& polar) {
+    return {{"range_start_mm", polar.rangeStartMm},
+            {"range_step_mm", polar.rangeStepMm},
+            {"lines", polarAxisJson(polar.lines)},
+            {"planes", polarAxisJson(polar.planes)}};
+}
+
+PolarGeometry polarIn(JsonFields fields, std::int64_t samples) {
+    PolarGeometry polar;
+    polar.samples = samples;
+    polar.rangeStartMm = fields.number("range_start_mm");
+    polar.rangeStepMm = fields.number("range_step_mm");
+    polar.lines = polarAxisIn(fields.object("lines"));
+    polar.planes = polarAxisIn(fields.object("planes"));
+    return polar;
+}
+
 ordered_json rawLayoutJson(const RawLayout& layout) {
-    return {{"size", layout.size},
-            {"type", layout.type},
-            {"byte_order", layout.bigEndian ? "big" : "little"},
-            {"header_bytes", layout.headerBytes},
-            {"spacing_mm", {layout.spacing[0], layout.spacing[1], layout.spacing[2]}},
-            {"spacing_known", layout.spacingKnown}};
+    ordered_json object{{"size", layout.size},
+                        {"type", layout.type},
+                        {"byte_order", layout.bigEndian ? "big" : "little"},
+                        {"header_bytes", layout.headerBytes},
+                        {"spacing_mm", {layout.spacing[0], layout.spacing[1], layout.spacing[2]}},
+                        {"spacing_known", layout.spacingKnown}};
+    if (layout.polar) object["polar"] = polarJson(*layout.polar);
+    return object;
 }
 
 RawLayout rawLayoutIn(JsonFields& fields) {
@@ -50,6 +89,7 @@ RawLayout rawLayoutIn(JsonFields& fields) {
             if (!(layout.spacing[axis] > 0)) fields.wrong("spacing_mm", "must be three numbers above 0");
     }
     if (fields.has("spacing_known")) layout.spacingKnown = fields.flag("spacing_known");
+    if (fields.has("polar")) layout.polar = polarIn(fields.object("polar"), layout.size[0]);
     return layout;
 }
 

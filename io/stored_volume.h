@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/data_files.h"
+#include "io/polar_study.h"
 #include "io/study_assembly.h"
 #include "io/voxel_source.h"
 #include "io/voxel_types.h"
@@ -34,6 +35,9 @@ struct StoredVolume {
     std::string spacingSource;   ///< the key that gave the spacing; empty where the spacing is assumed
     std::optional<Rescale> rescale;
     std::string rescaleSource;  ///< the keys that gave `rescale`
+    /// Where the voxels are samples along beams: their geometry, of geometry.size samples, lines and planes.
+    std::optional<PolarGeometry> polar;
+    PolarSources polarSources;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;
     std::optional<WindowWhite> window;  ///< as StudyParts::window

@@ -102,6 +102,9 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     const auto& warnings = source.warnings();
     parts.warnings.insert(parts.warnings.end(), warnings.begin(), warnings.end());
     addStorageFacts(stored, parts);
+    if (stored.polar)
+        if (auto converted = scanConvert(parts, *stored.polar, stored.polarSources, options, progress); !converted)
+            return tl::unexpected(converted.error());
     return assembleStudy(std::move(parts), options, progress);
 }
 

@@ -13,6 +13,7 @@
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
+#include "io/kretz/kretz_reader.h"
 #include "io/nifti/nifti_reader.h"
 #include "io/stored_volume_reader.h"
 #include "io/study.h"
@@ -22,10 +23,11 @@ namespace echolucent {
 
 namespace {
 
-enum class Format { metaImage, nrrd, nifti, dicom, unknown };
+enum class Format { metaImage, nrrd, nifti, dicom, kretz, unknown };
 
 Format formatFromContent(std::string_view beginning) {
     if (looksLikeNrrd(beginning)) return Format::nrrd;
+    if (looksLikeKretz(beginning)) return Format::kretz;
     if (looksLikeNifti(beginning)) return Format::nifti;
     if (looksLikeDicom(beginning)) return Format::dicom;
     if (looksLikeMetaImage(beginning)) return Format::metaImage;
@@ -47,9 +49,6 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
         return fail(FailureKind::unreadable, path, "", problem, remedy).value();
     };
     if (beginning.starts_with("PK\x03\x04")) return refuse("is a ZIP archive", "Unpack it and open what comes out.");
-    if (beginning.starts_with("KRETZFILE"))
-        return refuse("is a GE Voluson volume (Kretz), which cannot be read yet",
-                      "Export it as a Cartesian volume: MetaImage, NRRD or DICOM slices.");
     if (looksLikeAnalyze(beginning))
         return refuse("is an Analyze 7.5 header, which does not say where left and right are", "Convert it to NIfTI.");
     const auto text = beginning.find_first_not_of(" \t\r\n");
@@ -125,6 +124,7 @@ Result<Study> readOpened(const InputFile& file, const ReadOptions& options, cons
         case Format::nifti:
             return readStored(readNiftiHeader(file, options.framesAsSlices, progress), options, progress);
         case Format::dicom: return readDicom(file, options, progress);
+        case Format::kretz: return readKretz(kretzSource(file), options, progress);
         case Format::unknown: break;
     }
     return readUnknown(file, *beginning, options, progress);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
+#include "io/dicom/dicom_kretz.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"
 #include "io/dicom/picture_scale.h"
 #include "io/input_file.h"
+#include "io/kretz/kretz_reader.h"
 
 namespace echolucent {
 
@@ -139,6 +141,7 @@ std::vector<ImportFact> equipmentFacts(DcmItem& dataset) {
 }
 
 Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress) {
+    if (auto kretz = kretzVolumeIn(file)) return readKretz(std::move(*kretz), options, progress);
     auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
     if (!frames) return tl::unexpected(frames.error());
     if (frames->frames() < 2)

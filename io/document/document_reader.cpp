@@ -30,6 +30,8 @@ StudyReference studyIn(JsonFields root) {
     }
     file.options.framesAsSlices = fields.flag("frames_as_slices");
     file.options.guessNoData = fields.flag("guess_no_data");
+    if (fields.has("conversion_mebibytes"))
+        file.options.conversionMebibytes = fields.whole("conversion_mebibytes", 1, mostConversionMebibytes);
     file.checksum = fields.text("checksum");
     return file;
 }

@@ -23,6 +23,7 @@ ordered_json studyJson(const StudyReference& study) {
                   {"raw_layout", raw},
                   {"frames_as_slices", file->options.framesAsSlices},
                   {"guess_no_data", file->options.guessNoData},
+                  {"conversion_mebibytes", file->options.conversionMebibytes},
                   {"checksum", file->checksum}}}};
     }
     if (const auto* scan = std::get_if<SimulatedScan>(&study))

@@ -43,13 +43,20 @@ Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayo
     stored.bigEndian = layout.bigEndian;
     if (layout.headerBytes < 0) return wrong("--raw-header-bytes", "must be 0 or above");
     stored.extent.offset = static_cast<std::uint64_t>(layout.headerBytes);
+    stored.facts.push_back({"format", "raw, without a header", source});
+    if (layout.polar) {
+        stored.polar = layout.polar;
+        stored.polarSources = {source, source, source, source};
+        if (auto sensible = checkPolar(path, *layout.polar, layout.size, stored.polarSources); !sensible)
+            return tl::unexpected(sensible.error());
+        return stored;
+    }
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(layout.spacing[axis]) || layout.spacing[axis] <= 0)
             return wrong("--raw-spacing", "must be three numbers above 0");
     stored.geometry.spacing = layout.spacing;
     stored.geometry.spacingKnown = layout.spacingKnown;
     if (layout.spacingKnown) stored.spacingSource = "given by a person";
-    stored.facts.push_back({"format", "raw, without a header", source});
     return stored;
 }
 

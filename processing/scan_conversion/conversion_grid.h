@@ -10,6 +10,8 @@ namespace echolucent {
 
 /// How much memory converted voxels may take where a person does not say otherwise, bytes a phase.
 constexpr std::int64_t standardConversionBytes = std::int64_t{64} << 20;
+/// No person may ask for more, MiB a phase.
+constexpr std::int64_t mostConversionMebibytes = std::int64_t{1} << 20;
 /// All phases of a study together may take as much as this many phases.
 constexpr std::int64_t conversionPhasesInFull = 8;
 
