@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/option_text.h"
+#include "app/cli/polar_options.h"
 #include "io/series_list.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
@@ -43,7 +44,8 @@ void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action);
 
-/// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --frames-as-slices, --all-voxels.
+/// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --conversion-memory,
+/// --frames-as-slices, --all-voxels.
 struct VolumeOptions {
     std::string path;
     int phase = 0;
@@ -51,6 +53,7 @@ struct VolumeOptions {
     std::string series;  ///< UID or number in the list of a folder's series, from 1; empty where it is not given
     std::string rawSize, rawSpacing, rawType, rawByteOrder;
     std::int64_t rawHeaderBytes = 0;
+    PolarOptions rawPolar;
 
     void addTo(CLI::App& command);
     /// Reads the study. Fails (wrong usage) where --phase is out of range, or where one of the `outputs` of the command

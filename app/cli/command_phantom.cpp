@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/phantom_output.h"
+#include "app/cli/phantom_polar.h"
 #include "app/cli/phantom_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/method_parameters.h"
@@ -16,7 +17,7 @@ namespace {
 
 /// The options as written; what is not given follows the scene (defaultPhantom()).
 struct PhantomOptions {
-    std::string output, scene = "fetus", size, spacing, contrast, truth, tubeGrid;
+    std::string output, scene = "fetus", polar, size, spacing, contrast, truth, tubeGrid;
     int phases = 1, bits = 8;
     std::optional<double> speckle, speckleSize, ramp, gainVariation, attenuation, shadow, specular, decibel;
     bool frontWall = false;
@@ -111,9 +112,17 @@ Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
     return {};
 }
 
+Result<void> writeOnGrid(const std::string& path, const std::vector<PhantomConfig>& phases) {
+    std::vector<std::shared_ptr<const Volume>> volumes;
+    for (const PhantomConfig& phase : phases) volumes.push_back(std::make_shared<const Volume>(*makePhantom(phase)));
+    return writePhantom(path, volumes);
+}
+
 Result<void> makeAndWrite(const PhantomOptions& options) {
-    if (auto named = checkPhantomName(options.output); !named) return named;
-    if (auto checked = checkOutputs({options.output, options.truth}); !checked) return checked;
+    if (!isPolarName(options.output))
+        if (auto named = checkPhantomName(options.output); !named) return named;
+    if (auto checked = checkOutputs({options.output, layoutBeside(options.output), options.truth}); !checked)
+        return checked;
     const auto config = configFrom(options);
     if (!config) return tl::unexpected<Failure>(config.error());
     if (auto checked = check(options, *config); !checked) return checked;
@@ -123,16 +132,16 @@ Result<void> makeAndWrite(const PhantomOptions& options) {
         options.tubeGrid.empty() ? Result<TubeGrid>(options.tubes) : tubeGridFrom(options.tubeGrid, options.tubes);
     if (!tubes) return tl::unexpected<Failure>(tubes.error());
 
-    std::vector<std::shared_ptr<const Volume>> volumes;
+    const auto polar = polarOfPhantom(options.output, options.polar, options.phases, *config);
+    if (!polar) return tl::unexpected<Failure>(polar.error());
+
     std::vector<PhantomConfig> phases;
     for (int index = 0; index < options.phases; ++index) {
-        PhantomConfig phase = *config;
-        phase.phase = static_cast<double>(index) / options.phases;
-        phases.push_back(phase);
-        volumes.push_back(std::make_shared<const Volume>(*makePhantom(phase)));
+        phases.push_back(*config);
+        phases.back().phase = static_cast<double>(index) / options.phases;
     }
-    if (auto written = writePhantom(options.output, volumes); !written) return written;
-    if (options.truth.empty()) return {};
+    auto written = *polar ? writePolarPhantom(options.output, **polar, phases) : writeOnGrid(options.output, phases);
+    if (!written || options.truth.empty()) return written;
     return writeFileAtomically(options.truth, truthReport(phases, *view, *tubes, options.cellSize));
 }
 
@@ -187,14 +196,24 @@ void addPhantomCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<PhantomOptions>();
     CLI::App& command =
         *program.add_subcommand("phantom", "Writes a simulated 3D ultrasound volume with known surfaces");
-    command.add_option("OUT", options->output, "File to write: " + phantomEndings())->required();
+    command.add_option("OUT", options->output, "File to write: " + phantomEndings() + "; along beams: .vol or .raw")
+        ->required();
     command.add_option("--scene", options->scene, "shapes, fetus or empty")->type_name("NAME")->capture_default_str();
+    command
+        .add_option("--polar", options->polar,
+                    "Samples the scene along the beams of a probe: linear, convex, linear-wobbler or wobbler [.vol: "
+                    "wobbler]")
+        ->type_name("KIND");
     command.add_option("--phases", options->phases, "Number of phases of a moving scene; more than 1 makes a 4D file")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    command.add_option("--size", options->size, "Voxels along x, y, z, or one number for all [199x197x199]")
+    command
+        .add_option("--size", options->size,
+                    "Voxels along x, y, z (samples, lines, planes with --polar), or one number for all [199x197x199]")
         ->type_name("XxYxZ");
-    command.add_option("--spacing", options->spacing, "mm between voxels, three numbers or one [0.5]")
+    command
+        .add_option("--spacing", options->spacing,
+                    "mm between voxels, three numbers or one; between samples with --polar [0.5]")
         ->type_name("XxYxZ");
     command.add_option("--bits", options->bits, "Bits stored: 8, 12 or 16")
         ->check(CLI::IsMember({8, 12, 16}))
@@ -207,7 +226,8 @@ void addPhantomCommand(CLI::App& program, Action& action) {
     command.footer(
         "Example: echolucent-cli phantom shapes.mha --scene shapes --size 160 --speckle 1 --seed 7 --truth "
         "shapes.json\n"
-        "         echolucent-cli phantom heart.mha --phases 8");
+        "         echolucent-cli phantom heart.mha --phases 8\n"
+        "         echolucent-cli phantom fetus.vol");
     command.callback([options, &action] { action = [options] { return makeAndWrite(*options); }; });
 }
 

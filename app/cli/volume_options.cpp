@@ -15,7 +15,7 @@ namespace {
 
 Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     const bool any = !options.rawSpacing.empty() || !options.rawType.empty() || !options.rawByteOrder.empty() ||
-                     options.rawHeaderBytes != 0;
+                     options.rawHeaderBytes != 0 || options.rawPolar.any();
     if (options.rawSize.empty()) {
         if (any) return wrongUsage("--raw-size", "is missing beside other --raw options", "Give it as XxYxZ.");
         return std::optional<RawLayout>();
@@ -34,6 +34,12 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     layout.bigEndian = options.rawByteOrder == "big";
     if (options.rawHeaderBytes < 0) return wrongUsage("--raw-header-bytes", "must be 0 or more");
     layout.headerBytes = options.rawHeaderBytes;
+    const auto polar = options.rawPolar.get(layout.size);
+    if (!polar) return tl::unexpected(polar.error());
+    layout.polar = *polar;
+    if (layout.polar && !options.rawSpacing.empty())
+        return wrongUsage("--raw-spacing", "has no meaning beside --raw-polar",
+                          "Leave it out: the spacing follows the beams.");
     if (!options.rawSpacing.empty()) {
         const auto spacing = parseNumbers(options.rawSpacing, 3, "--raw-spacing", "0.5x0.5x1");
         if (!spacing) return tl::unexpected(spacing.error());
@@ -85,12 +91,13 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
 void VolumeOptions::addTo(CLI::App& command) {
     command
         .add_option("VOLUME", path,
-                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), DICOM file, folder or "
-                    "DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
+                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), GE Voluson (.vol), DICOM "
+                    "file, folder or DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
         ->required();
     command.add_option("--series", series, "Series of a folder or DICOMDIR: its number in info's list, or its UID");
     command.add_option("--phase", phase, "Phase of a 4D volume, from 0")->capture_default_str();
-    command.add_option("--raw-size", rawSize, "Voxels of a headerless raw file, XxYxZ");
+    command.add_option("--raw-size", rawSize,
+                       "Voxels of a headerless raw file, XxYxZ; samples, lines and planes with --raw-polar");
     command.add_option("--raw-type", rawType, "Voxel type of a raw file; uint8 where not given")
         ->check(CLI::IsMember({"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"}));
     command.add_option("--raw-byte-order", rawByteOrder, "Byte order of a raw file; little where not given")
@@ -98,6 +105,12 @@ void VolumeOptions::addTo(CLI::App& command) {
     command.add_option("--raw-header-bytes", rawHeaderBytes, "Bytes before the voxels of a raw file")
         ->capture_default_str();
     command.add_option("--raw-spacing", rawSpacing, "Spacing of a raw file in mm, XxYxZ; unknown where not given");
+    rawPolar.addTo(command);
+    command
+        .add_option("--conversion-memory", read.conversionMebibytes,
+                    "MiB that a phase may take where voxels along beams are converted to a grid")
+        ->check(CLI::Range(std::int64_t{1}, mostConversionMebibytes))
+        ->capture_default_str();
     command.add_flag("--frames-as-slices", read.framesAsSlices,
                      "Take the frames of a 2D cine as slices; their distance stays unknown");
     command.add_flag(

@@ -9,6 +9,7 @@
 
 #include "processing/phantom/phantom_config.h"
 #include "processing/progress.h"
+#include "processing/scan_conversion/conversion_grid.h"
 #include "processing/volume/geometry.h"
 #include "processing/volume/volume.h"
 
@@ -70,5 +71,14 @@ private:
 /// run was cancelled. The white level is 255, 4095 or 65535. Throws std::invalid_argument where the config makes no
 /// sense: a size below 1, a spacing not above 0, bits other than 8, 12, 16, a negative length or share.
 [[nodiscard]] std::optional<Volume> makePhantom(const PhantomConfig& config, const Progress& progress = {});
+
+/// The config of the scene on the grid that a polar volume is converted to: its anatomy is laid out in that grid, so
+/// that the truth of this config is that of the converted volume.
+[[nodiscard]] PhantomConfig configOnGrid(PhantomConfig config, const ConversionGrid& grid);
+/// The scene of such a config, seen along the beams of `polar`, in its index order: attenuation, shadow and glints
+/// follow the beams, and speckle has its size in samples, lines and planes. Empty only where the run was cancelled.
+/// Throws as makePhantom() does.
+[[nodiscard]] std::optional<Voxels> makePolarPhantom(const PhantomConfig& config, const PolarGeometry& polar,
+                                                     const ConversionGrid& grid, const Progress& progress = {});
 
 }  // namespace echolucent

@@ -15,24 +15,24 @@ namespace echolucent {
 
 namespace {
 
-constexpr int blockX = 8, blockY = 8, blockZ = 8;
-constexpr int blockVoxels = blockX * blockY * blockZ;
+constexpr int edge = paintedEdge;
 
 /// How thick the brightened shell of a surface is, units, inside the solid.
 constexpr double shellDepth = 1.0, shellHalfWidth = 2.5;
 
-/// What one block holds; voxels in the order x fastest.
+/// What one block holds; samples in the order x fastest, z along the beam.
 struct Block {
-    std::array<double, blockVoxels> echo, shadowing, fluidDistance, distance;
+    SampledBlock samples;
+    std::array<double, paintedSamples> echo, shadowing, fluidDistance, distance;
 };
 
 /// Slow change of gain: one wave an axis, with a phase of its own from the seed.
 struct Gain {
     std::array<std::vector<float>, 3> parts;
 
-    Gain(const PhantomConfig& config) {
+    Gain(const PhantomConfig& config, const std::array<std::int64_t, 3>& size) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto count = static_cast<std::size_t>(config.size[axis]);
+            const auto count = static_cast<std::size_t>(size[axis]);
             const double phase = 0x1p-64 * static_cast<double>(splitmix64(config.seed * 3 + axis + 0x6761696e));
             parts[axis].resize(count);
             for (std::size_t i = 0; i < count; ++i) {
@@ -45,14 +45,17 @@ struct Gain {
 
 class Painter {
 public:
-    Painter(const PhantomScenery& scenery, const PhantomConfig& config, std::vector<float>& voxels)
-        : m_scenery(scenery), m_config(config), m_geometry(phantomGeometry(config)), m_gain(config), m_voxels(voxels) {
-        m_unit = m_geometry.unit();
-        m_inverseRamp = inverseRampPerMm(config);
+    Painter(const PhantomScenery& scenery, const PhantomConfig& config, const PhantomSampling& sampling,
+            std::vector<float>& echoes)
+        : m_scenery(scenery),
+          m_config(config),
+          m_sampling(sampling),
+          m_gain(config, sampling.size),
+          m_echoes(echoes),
+          m_unit(phantomGeometry(config).unit()),
+          m_inverseRamp(inverseRampPerMm(config)) {
         m_band = std::max(0.5 * config.ramp, config.specular > 0 ? shellDepth + shellHalfWidth : 0.0) * m_unit +
-                 m_geometry.spacing[2];
-        m_blockRadius = 0.5 * length(Vec3((blockX - 1) * m_geometry.spacing[0], (blockY - 1) * m_geometry.spacing[1],
-                                          (blockZ - 1) * m_geometry.spacing[2]));
+                 sampling.stepMm;
     }
 
     /// All blocks of one column of the beam, from the probe on.
@@ -61,7 +64,7 @@ public:
         Beam beam;
         beam.transmitted.fill(1.0);
         beam.fluidDistance.fill(ImplicitBody::far);
-        for (std::int64_t z0 = 0; z0 < m_config.size[2]; z0 += blockZ) {
+        for (std::int64_t z0 = 0; z0 < m_sampling.size[2]; z0 += edge) {
             paintBlock({x0, y0, z0}, block);
             sendBeam({x0, y0, z0}, block, beam);
         }
@@ -71,19 +74,17 @@ private:
     using Index = std::array<std::int64_t, 3>;
     /// What the beam has met so far, per line of the column.
     struct Beam {
-        std::array<double, blockX * blockY> transmitted, shadowing{}, fluidDistance;
+        std::array<double, edge * edge> transmitted, shadowing{}, fluidDistance;
     };
 
     void paintBlock(const Index& from, Block& block) {
         block.echo.fill(m_scenery.tissueEcho);
         block.shadowing.fill(0);
         block.fluidDistance.fill(ImplicitBody::far);
-        const Vec3 first = m_geometry.gridMmFromVoxel(
-            {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])});
-        const Vec3 centre = first + Vec3((blockX - 1), (blockY - 1), (blockZ - 1)).mul(m_geometry.spacing) * 0.5;
+        m_sampling.block(from, block.samples);
         std::vector<int> active;
         for (const PhantomLayer& layer : m_scenery.layers) {
-            switch (layer.body.standingOf(centre, m_blockRadius, m_band, active)) {
+            switch (layer.body.standingOf(block.samples.centre, block.samples.radius, m_band, active)) {
                 case ImplicitBody::Standing::outside: break;
                 case ImplicitBody::Standing::inside:
                     block.echo.fill(layer.echo);
@@ -92,35 +93,30 @@ private:
                                                                                       : ImplicitBody::far);
                     break;
                 case ImplicitBody::Standing::mixed:
-                    measure(layer.body, active, first, block.distance);
+                    measure(layer.body, active, block);
                     cover(layer, block);
                     break;
             }
         }
     }
 
-    void measure(const ImplicitBody& body, const std::vector<int>& active, const Vec3& first,
-                 std::array<double, blockVoxels>& distance) const {
-        distance.fill(ImplicitBody::far);
-        const Vec3 spacing = m_geometry.spacing;
+    void measure(const ImplicitBody& body, const std::vector<int>& active, Block& block) const {
+        block.distance.fill(ImplicitBody::far);
+        const SampledBlock& at = block.samples;
         for (const int index : active) {
             const ImplicitBody::Term& term = body.terms()[static_cast<std::size_t>(index)];
             const double sign = term.carves ? -1.0 : 1.0;
             withDistanceFunction(term.primitive, [&](const auto& function) {
-                double* value = distance.data();
-                for (int z = 0; z < blockZ; ++z)
-                    for (int y = 0; y < blockY; ++y)
-                        for (int x = 0; x < blockX; ++x, ++value) {
-                            const double next = function(first[0] + x * spacing[0], first[1] + y * spacing[1],
-                                                         first[2] + z * spacing[2]);
-                            *value = sign * smoothMinimum(sign * *value, next, term.seam);
-                        }
+                for (std::size_t i = 0; i < paintedSamples; ++i) {
+                    const double next = function(at.x[i], at.y[i], at.z[i]);
+                    block.distance[i] = sign * smoothMinimum(sign * block.distance[i], next, term.seam);
+                }
             });
         }
     }
 
     void cover(const PhantomLayer& layer, Block& block) const {
-        for (std::size_t i = 0; i < blockVoxels; ++i) {
+        for (std::size_t i = 0; i < paintedSamples; ++i) {
             const PaintedEcho painted = paintOver({block.echo[i], block.shadowing[i], block.fluidDistance[i]}, layer,
                                                   block.distance[i], m_inverseRamp);
             block.echo[i] = painted.echo;
@@ -133,22 +129,23 @@ private:
     [[nodiscard]] double specularFactor(double fluidDistance, double before) const {
         const double shell = 1 - std::abs(fluidDistance / m_unit - shellDepth) / shellHalfWidth;
         if (shell <= 0) return 1;
-        const double cosine = std::clamp((fluidDistance - before) / m_geometry.spacing[2], 0.0, 1.0);
+        const double cosine = std::clamp((fluidDistance - before) / m_sampling.stepMm, 0.0, 1.0);
         return 1 + m_config.specular * cosine * shell;
     }
 
     void sendBeam(const Index& from, const Block& block, Beam& beam) {
-        const double depthUnits = m_geometry.spacing[2] / m_unit;
-        const Index end{std::min(from[0] + blockX, m_config.size[0]), std::min(from[1] + blockY, m_config.size[1]),
-                        std::min(from[2] + blockZ, m_config.size[2])};
+        const double depthUnits = m_sampling.stepMm / m_unit;
+        const Index& size = m_sampling.size;
+        const Index end{std::min(from[0] + edge, size[0]), std::min(from[1] + edge, size[1]),
+                        std::min(from[2] + edge, size[2])};
         for (std::int64_t z = from[2]; z < end[2]; ++z) {
             const double reached = std::exp(-m_config.attenuation * static_cast<double>(z) * depthUnits);
             for (std::int64_t y = from[1]; y < end[1]; ++y) {
-                const auto line = static_cast<std::size_t>((y - from[1]) * blockX);
-                const std::size_t row = static_cast<std::size_t>((z - from[2]) * blockX * blockY) + line;
+                const auto line = static_cast<std::size_t>((y - from[1]) * edge);
+                const std::size_t row = static_cast<std::size_t>((z - from[2]) * edge * edge) + line;
                 const float slowGain =
                     1 + m_gain.parts[1][static_cast<std::size_t>(y)] + m_gain.parts[2][static_cast<std::size_t>(z)];
-                float* out = m_voxels.data() + m_geometry.offset(from[0], y, z);
+                float* out = m_echoes.data() + from[0] + size[0] * (y + size[1] * z);
                 for (std::size_t x = 0; x < static_cast<std::size_t>(end[0] - from[0]); ++x) {
                     double echo = block.echo[row + x];
                     if (m_config.specular > 0) {
@@ -170,24 +167,47 @@ private:
 
     const PhantomScenery& m_scenery;
     const PhantomConfig& m_config;
-    VolumeGeometry m_geometry;
+    const PhantomSampling& m_sampling;
     Gain m_gain;
-    std::vector<float>& m_voxels;
-    double m_unit = 1, m_inverseRamp = 0, m_band = 0, m_blockRadius = 0;
+    std::vector<float>& m_echoes;
+    double m_unit, m_inverseRamp, m_band = 0;
 };
 
 }  // namespace
 
-std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config, const Progress& progress) {
-    std::vector<float> voxels(static_cast<std::size_t>(phantomGeometry(config).voxelCount()));
-    Painter painter(scenery, config, voxels);
-    const std::int64_t columns = (config.size[0] + blockX - 1) / blockX, rows = (config.size[1] + blockY - 1) / blockY;
+PhantomSampling gridSampling(const PhantomConfig& config) {
+    const VolumeGeometry geometry = phantomGeometry(config);
+    const Vec3 spacing = geometry.spacing;
+    const double radius = 0.5 * length(Vec3((edge - 1) * spacing[0], (edge - 1) * spacing[1], (edge - 1) * spacing[2]));
+    const auto block = [geometry, spacing, radius](const std::array<std::int64_t, 3>& from, SampledBlock& at) {
+        const Vec3 first = geometry.gridMmFromVoxel(
+            {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])});
+        at.centre = first + Vec3(edge - 1, edge - 1, edge - 1).mul(spacing) * 0.5;
+        at.radius = radius;
+        std::size_t i = 0;
+        for (int z = 0; z < edge; ++z)
+            for (int y = 0; y < edge; ++y)
+                for (int x = 0; x < edge; ++x, ++i) {
+                    at.x[i] = first[0] + x * spacing[0];
+                    at.y[i] = first[1] + y * spacing[1];
+                    at.z[i] = first[2] + z * spacing[2];
+                }
+    };
+    return {geometry.size, spacing[2], block};
+}
+
+std::vector<float> paintedEchoes(const PhantomScenery& scenery, const PhantomConfig& config,
+                                 const PhantomSampling& sampling, const Progress& progress) {
+    const auto& size = sampling.size;
+    std::vector<float> echoes(static_cast<std::size_t>(size[0] * size[1] * size[2]));
+    Painter painter(scenery, config, sampling, echoes);
+    const std::int64_t columns = (size[0] + edge - 1) / edge, rows = (size[1] + edge - 1) / edge;
     parallelFor(tbb::blocked_range2d<std::int64_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
         for (std::int64_t row = range.rows().begin(); row < range.rows().end(); ++row)
             for (std::int64_t column = range.cols().begin(); column < range.cols().end(); ++column)
-                if (!progress.cancelled()) painter.paintColumn(column * blockX, row * blockY);
+                if (!progress.cancelled()) painter.paintColumn(column * edge, row * edge);
     });
-    return progress.cancelled() ? std::vector<float>{} : voxels;
+    return progress.cancelled() ? std::vector<float>{} : echoes;
 }
 
 }  // namespace echolucent

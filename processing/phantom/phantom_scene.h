@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,9 +62,30 @@ struct PaintedEcho {
 void addShapes(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
 void addFetus(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
 
-/// The noise-free echo of every voxel with what follows along the beam: specular brightening, shadow, attenuation,
-/// gain. The result is empty only where the run was cancelled.
-[[nodiscard]] std::vector<float> paintedVoxels(const PhantomScenery& scenery, const PhantomConfig& config,
-                                               const Progress& progress);
+/// Painting goes block by block: edge of a block, samples.
+constexpr int paintedEdge = 8;
+constexpr int paintedSamples = paintedEdge * paintedEdge * paintedEdge;
+
+/// Where the samples of one block lie, grid mm; the first index runs fastest. Some may lie beyond the last index.
+struct SampledBlock {
+    std::array<double, paintedSamples> x, y, z;
+    Vec3 centre;
+    double radius = 0;  ///< of a ball around the centre that holds them all
+};
+
+/// Where the scene is looked at. The last index runs along the beam, away from the probe.
+struct PhantomSampling {
+    std::array<std::int64_t, 3> size{1, 1, 1};
+    double stepMm = 1;  ///< along the beam
+    /// The block that begins at an index.
+    std::function<void(const std::array<std::int64_t, 3>& first, SampledBlock& block)> block;
+};
+/// At the voxels of the config's grid.
+[[nodiscard]] PhantomSampling gridSampling(const PhantomConfig& config);
+
+/// The noise-free echo of every sample with what follows along the beam: specular brightening, shadow, attenuation,
+/// gain. The result, with the first index running fastest, is empty only where the run was cancelled.
+[[nodiscard]] std::vector<float> paintedEchoes(const PhantomScenery& scenery, const PhantomConfig& config,
+                                               const PhantomSampling& sampling, const Progress& progress);
 
 }  // namespace echolucent

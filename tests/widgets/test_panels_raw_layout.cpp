@@ -111,6 +111,108 @@ private slots:
         QVERIFY(!child<QPushButton>(dialog, "rawLayout.headerFit")->isEnabled());
     }
 
+    void beamsAreStatedByHand() {
+        RawLayoutDialog dialog("heart.raw", 12 * 7 * 5);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        auto* grid = child<QComboBox>(dialog, "rawLayout.grid");
+        auto* ok = child<QPushButton>(dialog, "rawLayout.ok");
+        auto* fit = child<QLabel>(dialog, "rawLayout.fit");
+        QVERIFY(!child<QWidget>(dialog, "rawLayout.polar")->isVisible());
+        type(child<QSpinBox>(dialog, "rawLayout.sizeX"), "12");
+        type(child<QSpinBox>(dialog, "rawLayout.sizeY"), "7");
+        type(child<QSpinBox>(dialog, "rawLayout.sizeZ"), "5");
+        QVERIFY(ok->isEnabled());
+        grid->setFocus();
+        for (int i = 0; i < 4; ++i) QTest::keyClick(grid, Qt::Key_Down);
+        QCOMPARE(grid->currentText(), "Polar: wobbler");
+        QVERIFY(child<QWidget>(dialog, "rawLayout.polar")->isVisible());
+        QVERIFY(!child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->isVisible());
+        QCOMPARE(child<QSpinBox>(dialog, "rawLayout.sizeY")->accessibleName(), "Lines of a plane");
+        const auto set = [&](const char* name, const char* value) {
+            type(child<QDoubleSpinBox>(dialog, QString("rawLayout.") + name), value);
+        };
+        set("rangeStart", "2");
+        set("rangeStep", "0.25");
+        set("linesFirst", "-20");
+        set("linesLast", "25");
+        set("linesRadius", "38");
+        set("planesFirst", "-15");
+        set("planesLast", "15");
+        set("planesRadius", "21.5");
+        QVERIFY(ok->isEnabled());
+        const RawLayout values = dialog.values();
+        const PolarGeometry expected =
+            polarGeometry({PolarKind::wobbler, 2, 0.25, {-20, 25}, {-15, 15}, 38, 21.5}, {12, 7, 5});
+        QVERIFY(values.polar.has_value());
+        QVERIFY(*values.polar == expected);
+        QVERIFY(!values.spacingKnown);
+
+        set("linesLast", "-20");
+        QVERIFY(!ok->isEnabled());
+        QVERIFY(fit->text().startsWith("The lines neither rise nor fall throughout"));
+        set("linesLast", "190");
+        QVERIFY(fit->text().contains("no angle between minus and plus half a turn"));
+        set("linesLast", "25");
+        set("rangeStep", "0");
+        QVERIFY(fit->text().startsWith("The range has a step of 0 mm"));
+        QVERIFY(!ok->isEnabled());
+
+        QTest::keyClick(grid, Qt::Key_Home);
+        QVERIFY(ok->isEnabled());
+        QVERIFY(!dialog.values().polar);
+    }
+
+    void onlyTurnedBeamsHaveARadius_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<bool>("lines");
+        QTest::addColumn<bool>("planes");
+        QTest::newRow("linear") << 1 << false << false;
+        QTest::newRow("convex") << 2 << true << false;
+        QTest::newRow("linear wobbler") << 3 << false << true;
+        QTest::newRow("wobbler") << 4 << true << true;
+    }
+    void onlyTurnedBeamsHaveARadius() {
+        QFETCH(int, kind);
+        QFETCH(bool, lines);
+        QFETCH(bool, planes);
+        RawLayoutDialog dialog("heart.raw", 1000);
+        child<QComboBox>(dialog, "rawLayout.grid")->setCurrentIndex(kind);
+        QCOMPARE(child<QDoubleSpinBox>(dialog, "rawLayout.linesRadius")->isEnabled(), lines);
+        QCOMPARE(child<QDoubleSpinBox>(dialog, "rawLayout.planesRadius")->isEnabled(), planes);
+    }
+
+    void beamsThatAreNotEvenComeBackUntilTheyAreChanged() {
+        RawLayoutDialog dialog("heart.raw", 1000);
+        RawLayout values{.size = {12, 7, 5}};
+        values.polar = polarGeometry({PolarKind::convex, 0, 0.5, {-20, 20}, {-3, 3}, 40, 0}, values.size);
+        values.polar->lines.values[3] += 0.01;
+        dialog.setValues(values);
+        QVERIFY(dialog.values() == values);
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.rangeStep"), "0.25");
+        const RawLayout changed = dialog.values();
+        QCOMPARE(changed.polar->rangeStepMm, 0.25);
+        QVERIFY(std::abs(changed.polar->lines.values[3]) < 1e-12);
+    }
+
+    void everyFieldIsReachedByKeysAndFitsTheScreen() {
+        RawLayoutDialog dialog("heart.raw", 1000);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        dialog.activateWindow();
+        child<QComboBox>(dialog, "rawLayout.grid")->setCurrentIndex(4);
+        QVERIFY(dialog.sizeHint().width() <= 1280);
+        QVERIFY(dialog.sizeHint().height() <= 680);
+        QStringList missing{"rangeStart",  "rangeStep",   "linesFirst", "linesLast",
+                            "linesRadius", "planesFirst", "planesLast", "planesRadius"};
+        child<QComboBox>(dialog, "rawLayout.grid")->setFocus();
+        for (int i = 0; i < 30 && !missing.isEmpty(); ++i) {
+            QTest::keyClick(dialog.focusWidget(), Qt::Key_Tab);
+            missing.removeAll(dialog.focusWidget()->objectName().section('.', 1));
+        }
+        QCOMPARE(missing, QStringList());
+    }
+
     void fileBeyondFourGigabytes() {
         RawLayoutDialog dialog("heart.raw", 12000000000);
         dialog.setValues({.size = {3000, 2000, 1000}, .type = "int16"});

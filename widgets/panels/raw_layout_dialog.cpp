@@ -14,11 +14,13 @@
 #include <limits>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/polar_controls.h"
 
 namespace echolucent {
 namespace {
 
 constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
+constexpr int cartesian = -1;                         // of the choices of grid; the others are kinds of probes
 constexpr double largestHeader = 9007199254740992.0;  // 2^53: whole numbers up to here are exact in a double
 
 /// Shows 0.3 as "0.3", not as "0.300000000".
@@ -81,6 +83,7 @@ void RawLayoutDialog::createControls() {
     m_headerFit->setAutoDefault(false);
     m_spacingUnknown = named(new QCheckBox(tr("Unknown")), "rawLayout.spacingUnknown", tr("Spacing unknown"),
                              tr("The picture will say that its spacing is a guess"));
+    createPolarControls();
     m_fit = named(new QLabel, "rawLayout.fit", tr("Does this fit the file"));
     m_fit->setWordWrap(true);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -99,28 +102,69 @@ void RawLayoutDialog::createControls() {
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+void RawLayoutDialog::createPolarControls() {
+    m_grid = named(new QComboBox, "rawLayout.grid", tr("Grid"),
+                   tr("Whether voxels lie on a Cartesian grid, or along the beams of a probe"));
+    m_grid->addItem(tr("Cartesian"), cartesian);
+    m_grid->addItem(tr("Polar: linear"), static_cast<int>(PolarKind::linear));
+    m_grid->addItem(tr("Polar: convex"), static_cast<int>(PolarKind::convex));
+    m_grid->addItem(tr("Polar: linear wobbler"), static_cast<int>(PolarKind::linearWobbler));
+    m_grid->addItem(tr("Polar: wobbler"), static_cast<int>(PolarKind::wobbler));
+    wheelNeedsFocus(m_grid);
+    m_polar = new PolarControls;
+    connect(m_grid, &QComboBox::currentIndexChanged, this, &RawLayoutDialog::showGrid);
+    connect(m_polar, &PolarControls::changed, this, &RawLayoutDialog::showFit);
+}
+
 void RawLayoutDialog::arrange(const QString& fileName) {
     auto* file = new QLabel(tr("%1 has no header that says how it is laid out.").arg(fileName));
     file->setTextFormat(Qt::PlainText);
     file->setWordWrap(true);
     auto* grid = new QGridLayout(this);
     grid->addWidget(file, 0, 0, 1, 5);
-    grid->addWidget(labelFor(m_size[0], tr("Voxels (x fastest)")), 1, 0);
+    m_sizeLabel = labelFor(m_size[0], {});
+    m_spacingLabel = labelFor(m_spacing[0], tr("Spacing, mm"));
+    grid->addWidget(m_sizeLabel, 1, 0);
     grid->addWidget(labelFor(m_type, tr("Voxel type")), 2, 0);
     grid->addWidget(m_type, 2, 1);
     grid->addWidget(m_byteOrder, 2, 2);
     grid->addWidget(labelFor(m_headerBytes, tr("Header bytes")), 3, 0);
     grid->addWidget(m_headerBytes, 3, 1);
     grid->addWidget(m_headerFit, 3, 2, 1, 2);
-    grid->addWidget(labelFor(m_spacing[0], tr("Spacing, mm")), 4, 0);
+    grid->addWidget(labelFor(m_grid, tr("Grid")), 4, 0);
+    grid->addWidget(m_grid, 4, 1, 1, 2);
+    grid->addWidget(m_spacingLabel, 5, 0);
     for (int i = 0; i < 3; ++i) {
         grid->addWidget(m_size[static_cast<std::size_t>(i)], 1, i + 1);
-        grid->addWidget(m_spacing[static_cast<std::size_t>(i)], 4, i + 1);
+        grid->addWidget(m_spacing[static_cast<std::size_t>(i)], 5, i + 1);
         grid->setColumnStretch(i + 1, 1);
     }
-    grid->addWidget(m_spacingUnknown, 4, 4);
-    grid->addWidget(m_fit, 5, 0, 1, 5);
-    grid->addWidget(m_buttons, 6, 0, 1, 5);
+    grid->addWidget(m_spacingUnknown, 5, 4);
+    grid->addWidget(m_polar, 6, 0, 1, 5);
+    grid->addWidget(m_fit, 7, 0, 1, 5);
+    grid->addWidget(m_buttons, 8, 0, 1, 5);
+    showGrid();
+}
+
+bool RawLayoutDialog::isPolar() const { return m_grid->currentData().toInt() != cartesian; }
+
+void RawLayoutDialog::showGrid() {
+    const bool polar = isPolar();
+    if (polar) m_polar->setKind(static_cast<PolarKind>(m_grid->currentData().toInt()));
+    constexpr std::array<const char*, 3> cartesianNames{QT_TR_NOOP("Voxels along x"), QT_TR_NOOP("Voxels along y"),
+                                                        QT_TR_NOOP("Voxels along z")};
+    constexpr std::array<const char*, 3> polarNames{QT_TR_NOOP("Samples along a beam"), QT_TR_NOOP("Lines of a plane"),
+                                                    QT_TR_NOOP("Planes")};
+    for (std::size_t i = 0; i < 3; ++i) {
+        m_size[i]->setAccessibleName(tr(polar ? polarNames[i] : cartesianNames[i]));
+        m_spacing[i]->setVisible(!polar);
+    }
+    m_sizeLabel->setText(polar ? tr("Samples, lines, planes") : tr("Voxels (x fastest)"));
+    m_spacingLabel->setVisible(!polar);
+    m_spacingUnknown->setVisible(!polar);
+    m_polar->setVisible(polar);
+    showFit();
+    adjustSize();
 }
 
 RawLayout RawLayoutDialog::values() const {
@@ -128,11 +172,12 @@ RawLayout RawLayoutDialog::values() const {
     values.type = m_type->currentText().toStdString();
     values.bigEndian = m_byteOrder->currentData().toInt() == 1;
     values.headerBytes = static_cast<std::int64_t>(m_headerBytes->value());
-    values.spacingKnown = !m_spacingUnknown->isChecked();
+    values.spacingKnown = !isPolar() && !m_spacingUnknown->isChecked();
     for (std::size_t i = 0; i < 3; ++i) {
         values.size[i] = m_size[i]->value();
         if (values.spacingKnown) values.spacing[static_cast<int>(i)] = m_spacing[i]->value();
     }
+    if (isPolar()) values.polar = m_polar->geometry(values.size);
     return values;
 }
 
@@ -145,13 +190,30 @@ void RawLayoutDialog::setValues(const RawLayout& values) {
     m_type->setCurrentText(QString::fromStdString(values.type));
     selectData(m_byteOrder, values.bigEndian ? 1 : 0);
     m_headerBytes->setValue(static_cast<double>(values.headerBytes));
-    m_spacingUnknown->setChecked(!values.spacingKnown);
-    showFit();
+    m_spacingUnknown->setChecked(!values.spacingKnown && !values.polar);
+    if (values.polar) m_polar->setGeometry(*values.polar);
+    selectData(m_grid, values.polar ? static_cast<int>(kindOf(*values.polar)) : cartesian);
+    showGrid();
 }
 
 bool RawLayoutDialog::fits() const {
     const auto needed = bytesNeeded(values());
-    return needed && *needed <= m_fileBytes;
+    return needed && *needed <= m_fileBytes && polarSentence().isEmpty();
+}
+
+QString RawLayoutDialog::polarSentence() const {
+    const RawLayout layout = values();
+    if (!layout.polar) return {};
+    if (layout.polar->size() != layout.size) return tr("No scanner has so many lines or planes.");
+    const auto problem = problemOf(*layout.polar);
+    if (!problem) return {};
+    const QString words = textOf(problem->words);
+    switch (problem->part) {
+        case PolarPart::range: return tr("The range %1.").arg(words);
+        case PolarPart::lines: return tr("The lines %1.").arg(words);
+        case PolarPart::planes: break;
+    }
+    return tr("The planes %1.").arg(words);
 }
 
 void RawLayoutDialog::showFit() {
@@ -170,8 +232,12 @@ void RawLayoutDialog::fitHeader() {
 QString RawLayoutDialog::fitSentence() const {
     const RawLayout layout = values();
     if (std::min({layout.size[0], layout.size[1], layout.size[2]}) < 1) {
-        return tr("The file has %1 bytes. How many voxels are there along x, y and z?").arg(grouped(m_fileBytes));
+        return isPolar()
+                   ? tr("The file has %1 bytes. How many samples, lines and planes are there?")
+                         .arg(grouped(m_fileBytes))
+                   : tr("The file has %1 bytes. How many voxels are there along x, y and z?").arg(grouped(m_fileBytes));
     }
+    if (const QString problem = polarSentence(); !problem.isEmpty()) return problem;
     const auto needed = bytesNeeded(layout);
     if (!needed) return tr("The file has %1 bytes; these settings need more than 2⁶³ bytes.").arg(grouped(m_fileBytes));
     if (*needed == m_fileBytes) {

@@ -18,9 +18,12 @@ class QSpinBox;
 
 namespace echolucent {
 
-/// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .spacingX,
-/// .spacingY, .spacingZ, .spacingUnknown, .fit (the comparison), .ok, .cancel. OK is enabled only where the file holds
-/// all that the layout needs; bytes left over are warned of, not refused, as the reader does.
+class PolarControls;
+
+/// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .grid
+/// (Cartesian, or a kind of probe), .spacingX, .spacingY, .spacingZ, .spacingUnknown, .polar with its fields
+/// (PolarControls), .fit (the comparison), .ok, .cancel. OK is enabled only where the file holds all that the layout
+/// needs and the geometry of beams makes sense; bytes left over are warned of, not refused, as the reader does.
 class RawLayoutDialog : public QDialog {
     Q_OBJECT
 
@@ -28,7 +31,7 @@ public:
     /// `fileName` is shown as it is; `fileBytes` is the file's length in bytes.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
-    /// Spacing is 1, 1, 1 where it is said to be unknown.
+    /// Spacing is 1, 1, 1 where it is said to be unknown, and for voxels along beams, which have none.
     [[nodiscard]] RawLayout values() const;
     void setValues(const RawLayout& values);
     /// True where the file holds header and voxels; it may be longer.
@@ -37,9 +40,14 @@ public:
 private:
     void createControls();
     void arrange(const QString& fileName);
+    void createPolarControls();
+    void showGrid();
     void showFit();
     void fitHeader();
+    [[nodiscard]] bool isPolar() const;
     [[nodiscard]] QString fitSentence() const;
+    /// What is wrong with the geometry of beams; empty where all is well, or where there are none.
+    [[nodiscard]] QString polarSentence() const;
 
     std::int64_t m_fileBytes;
     std::array<QSpinBox*, 3> m_size{};
@@ -49,6 +57,9 @@ private:
     QPushButton* m_headerFit = nullptr;
     std::array<QDoubleSpinBox*, 3> m_spacing{};
     QCheckBox* m_spacingUnknown = nullptr;
+    QComboBox* m_grid = nullptr;
+    PolarControls* m_polar = nullptr;
+    QLabel *m_sizeLabel = nullptr, *m_spacingLabel = nullptr;
     QLabel* m_fit = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
 };

@@ -1,0 +1,31 @@
+// The options that state the geometry of polar voxels.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "processing/result.h"
+#include "processing/scan_conversion/polar_geometry.h"
+
+namespace CLI {
+class App;
+}
+
+namespace echolucent::cli {
+
+/// --raw-polar, --raw-range, --raw-lines, --raw-planes and --raw-radius, as they are written.
+struct PolarOptions {
+    std::string kind, range, lines, planes, radius;
+    void addTo(CLI::App& command);
+    [[nodiscard]] bool any() const;
+    /// The geometry of `size` samples, lines and planes; no value where none of the options is given. Fails (wrong
+    /// usage) where one is missing or superfluous for the kind, is no number, or where the geometry makes no sense.
+    [[nodiscard]] Result<std::optional<PolarGeometry>> get(const std::array<std::int64_t, 3>& size) const;
+};
+
+/// The kind of probe that `option` names. Fails (wrong usage) where there is none of that name.
+[[nodiscard]] Result<PolarKind> polarKindOf(const std::string& name, const std::string& option);
+
+}  // namespace echolucent::cli

@@ -1,0 +1,354 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "dicom_files.h"
+#include "kretz_files.h"
+#include "processing/phantom/phantom.h"
+
+namespace echolucent {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string sentenceOf(const std::string& bytes, const ReadOptions& options = {}) {
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.vol", bytes), options);
+    return study ? "was read" : study.error().sentence();
+}
+
+std::string sentenceWith(const std::function<void(KretzParts&)>& change) {
+    KretzParts parts;
+    change(parts);
+    return sentenceOf(parts.bytes());
+}
+
+/// The position of a sample by the toroidal formulas that are published for the format, mm.
+struct Toroidal {
+    double resolution = 0.5, offset1 = 80, offset2 = -30;
+    [[nodiscard]] Vec3 at(double i, double theta, double phi) const {
+        const double bigR = -offset2 * resolution, r = (offset1 + i) * resolution;
+        const double th = theta - std::numbers::pi / 2, ph = phi - std::numbers::pi / 2;
+        return {r * std::sin(th), -(r * std::cos(th) - bigR) * std::sin(ph),
+                bigR * (1 - std::cos(ph)) + r * std::cos(th) * std::cos(ph)};
+    }
+};
+
+TEST(Kretz, IsReadWithItsReport) {
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.v00", KretzParts().bytes()));
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(factOf(*study, "format"), "GE Voluson volume (Kretz)");
+    EXPECT_EQ(factOf(*study, "polar volume"), "wobbler: 20 samples x 5 lines x 4 planes");
+    EXPECT_EQ(factOf(*study, "range"), "0 to 9.5 mm from the probe's face, a sample every 0.5 mm");
+    EXPECT_THAT(factOf(*study, "lines"), HasSubstr("about an axis 40 mm behind the probe's face"));
+    EXPECT_THAT(factOf(*study, "planes"), HasSubstr("about an axis 25 mm behind the probe's face"));
+    EXPECT_THAT(factOf(*study, "memory of the scan conversion"), HasSubstr("the limit is 64 MiB a phase"));
+    EXPECT_THAT(factOf(*study, "beam"), HasSubstr("+z"));
+    for (const ImportFact& fact : study->facts) {
+        EXPECT_THAT(fact.value, testing::Not(HasSubstr("Doe")));
+        if (fact.name == "lines") EXPECT_EQ(fact.source, "C300:0002, C200:0001");
+        if (fact.name == "voxels without data") EXPECT_THAT(fact.source, HasSubstr("geometry of the beams"));
+        if (fact.name == "spacing") EXPECT_THAT(fact.source, HasSubstr("finest resolution"));
+    }
+    const Volume& volume = *study->phases.front();
+    ASSERT_TRUE(volume.geometry().probe);
+    EXPECT_EQ(volume.geometry().probe->forward, Vec3(0, 0, 1));
+    EXPECT_DOUBLE_EQ(volume.geometry().spacing[0], 0.5);
+    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i)
+        ASSERT_EQ(volume.storedValue(i), volume.hasData(i) ? 'v' : 0);
+}
+
+// Each sample is bright by itself in turn; the brightest voxel lies where the published formulas put it.
+TEST(Kretz, SamplesLieWhereThePublishedFormulasPutThem) {
+    const std::vector<double> phis{1.4, 1.5, 1.6, 1.7}, thetas{1.3, 1.4, 1.5, 1.6, 1.7};
+    const Toroidal toroidal;
+    for (const auto& [i, j, k] :
+         {std::array{10, 1, 1}, std::array{3, 3, 1}, std::array{15, 2, 2}, std::array{8, 1, 2}}) {
+        KretzParts parts;
+        std::string voxels(400, '\0');
+        voxels[static_cast<std::size_t>(i + 20 * (j + 5 * k))] = '\xff';
+        parts.voxels = kretzItem(0xD000, 1, voxels);
+        const TemporaryFolder folder;
+        const auto study = readStudy(folder.write("v.vol", parts.bytes()));
+        ASSERT_TRUE(study) << study.error().sentence();
+        const Volume& volume = *study->phases.front();
+        const VolumeGeometry& geometry = volume.geometry();
+        Vec3 brightest;
+        double most = 0;
+        for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+            for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+                for (std::int64_t x = 0; x < geometry.size[0]; ++x)
+                    if (const double value = volume.storedValue(geometry.offset(x, y, z)); value > most) {
+                        most = value;
+                        brightest = geometry.patientFromVoxel(
+                            {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+                    }
+        // The formulas count depth from the axis of the lines, 40 mm behind the face.
+        const Vec3 truth =
+            toroidal.at(i, thetas[static_cast<std::size_t>(j)], phis[static_cast<std::size_t>(k)]) - Vec3(0, 0, 40);
+        EXPECT_LT(length(brightest - truth), 0.5 * std::sqrt(3.0) * 0.5 + 0.05) << i << " " << j << " " << k;
+    }
+}
+
+TEST(Kretz, CartesianVolumeKeepsItsVoxels) {
+    KretzParts parts;
+    parts.planeAngles = parts.lineAngles = parts.firstSample = parts.planesAxis = "";
+    std::string voxels;
+    for (int i = 0; i < 400; ++i) voxels.push_back(static_cast<char>(i % 251));
+    parts.voxels = kretzItem(0xD000, 1, voxels);
+    parts.more = kretzNumbers(0x0010, 0x0022, {0.4});
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.vol", parts.bytes()), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    const Volume& volume = *study->phases.front();
+    EXPECT_EQ(volume.geometry().size, (std::array<std::int64_t, 3>{20, 5, 4}));
+    EXPECT_EQ(volume.geometry().spacing, Vec3(0.4, 0.4, 0.4));
+    for (std::int64_t i = 0; i < 400; ++i) ASSERT_EQ(volume.storedValue(i), static_cast<double>(i % 251));
+    EXPECT_TRUE(warnsOf(*study, "two spacings, 0.4 mm (0010:0022) and 0.5 mm (C100:0001)"));
+    EXPECT_FALSE(volume.geometry().probe);
+
+    parts.more = "";
+    const auto byResolution = readStudy(folder.write("r.vol", parts.bytes()), withoutGuess());
+    ASSERT_TRUE(byResolution);
+    EXPECT_EQ(byResolution->phases.front()->geometry().spacing, Vec3(0.5, 0.5, 0.5));
+    parts.resolution = "";
+    const auto unknown = readStudy(folder.write("u.vol", parts.bytes()), withoutGuess());
+    ASSERT_TRUE(unknown);
+    EXPECT_FALSE(unknown->phases.front()->geometry().spacingKnown);
+}
+
+TEST(Kretz, PhasesStandInASequenceOrOneByOne) {
+    const auto phaseValues = [](const KretzParts& parts) {
+        const TemporaryFolder folder;
+        const auto study = readStudy(folder.write("v.vol", parts.bytes()));
+        std::vector<double> values;
+        if (!study) return values;
+        for (const auto& phase : study->phases) {
+            const auto mask = phase->dataMask();
+            const auto first = std::find(mask.begin(), mask.end(), 1) - mask.begin();
+            values.push_back(phase->storedValue(first));
+        }
+        return values;
+    };
+    KretzParts parts;
+    parts.more = kretzItem(0xD600, 1, std::string(400, '\1') + std::string(400, '\2') + std::string(400, '\3'));
+    EXPECT_THAT(phaseValues(parts), testing::ElementsAre(1, 2, 3));
+    parts.more = kretzItem(0xD000, 1, std::string(400, '\7'));
+    EXPECT_THAT(phaseValues(parts), testing::ElementsAre('v', 7));
+}
+
+TEST(Kretz, WhatIsLeftOutIsSaid) {
+    KretzParts parts;
+    parts.more = kretzItem(0xD000, 2, std::string(400, 'f')) + kretzItem(0xD000, 0x0101, std::string(400, 'c')) +
+                 kretzItem(0xD000, 0x0201, std::string(400, 'p'));
+    const TemporaryFolder folder;
+    const auto study = readStudy(folder.write("v.vol", parts.bytes()));
+    ASSERT_TRUE(study);
+    EXPECT_EQ(study->phases.size(), 1U);
+    EXPECT_TRUE(warnsOf(*study, "a filtered copy of the volume (D000:0002)"));
+    EXPECT_TRUE(warnsOf(*study, "a volume of colour flow (D000:0101)"));
+    EXPECT_TRUE(warnsOf(*study, "a volume of power Doppler (D000:0201)"));
+}
+
+TEST(Kretz, CompressedVolumesAreRefusedByThatName) {
+    const auto compressed = HasSubstr("is a compressed GE Voluson volume (Kretz, wavelet), which cannot be read");
+    for (const std::uint16_t element : {0x1000, 0x1100, 0x1200})
+        EXPECT_THAT(sentenceWith([&](KretzParts& p) { p.voxels = kretzItem(0x0002, element, "wavelets"); }),
+                    compressed);
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.voxels = kretzItem(0xD000, 1, "short");
+                    p.more = kretzItem(0x0002, 0x1000, "wavelets");
+                }),
+                compressed);
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.size = "";
+                    p.voxels = kretzItem(0x0002, 0x1000, "wavelets");
+                }),
+                compressed);
+}
+
+TEST(Kretz, HostileFilesEndInASentenceEach) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::string large =
+        kretzWhole(0xC000, 1, 65535) + kretzWhole(0xC000, 2, 65535) + kretzWhole(0xC000, 3, 65535);
+    EXPECT_EQ(sentenceWith([](KretzParts&) {}), "was read");
+    EXPECT_THAT(sentenceWith([&](KretzParts& p) { p.size = large; }),
+                HasSubstr("D000:0001 holds 400 bytes of voxels where the size 65535 x 65535 x 65535 needs "
+                          "281462092005375"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.size = ""; }),
+                HasSubstr("C000:0001 is missing: the size of the volume is not known"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.size += kretzWhole(0xC000, 1, 21); }),
+                HasSubstr("C000:0001 stands 2 times, and must stand once"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.size = kretzWhole(0xC000, 1, 20) + kretzWhole(0xC000, 2, 0) + kretzWhole(0xC000, 3, 4);
+                }),
+                HasSubstr("C000:0002 is 0"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.size = kretzItem(0xC000, 1, "123") + kretzWhole(0xC000, 2, 5) + kretzWhole(0xC000, 3, 4);
+                }),
+                HasSubstr("C000:0001 holds 3 bytes, where a whole number takes 2"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.lineAngles = ""; }),
+                HasSubstr("C300:0002 is missing: there are angles of planes, but none of lines"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.planeAngles = ""; }),
+                HasSubstr("C300:0001 is missing: there are angles of lines, but none of planes"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.lineAngles = kretzNumbers(0xC300, 2, {1.3, 1.4, 1.5, 1.6});
+                }),
+                HasSubstr("C300:0002 holds 32 bytes, where the angles of 5 lines take 40"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.lineAngles = kretzNumbers(0xC300, 2, {1.3, 1.4, 1.4, 1.6, 1.7});
+                }),
+                HasSubstr("neither rise nor fall throughout"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.planeAngles = kretzNumbers(0xC300, 1, {1.4, 1.6, 1.5, 1.7});
+                }),
+                AllOf(HasSubstr("the planes of C300:0001, C200:0002"), HasSubstr("neither rise nor fall throughout")));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.planeAngles = kretzNumbers(0xC300, 1, {1.4, nan, 1.5, 1.7});
+                }),
+                HasSubstr("hold nan radians, which is no angle"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.lineAngles = kretzNumbers(0xC300, 2, {-50, 1.4, 1.5, 1.6, 1.7});
+                }),
+                HasSubstr("radians, which is no angle between minus and plus half a turn"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.resolution = ""; }), HasSubstr("C100:0001 is missing although"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.resolution = kretzNumbers(0xC100, 1, {0}); }),
+                HasSubstr("the range of C100:0001, C200:0001 has a step of 0 mm, which no scanner has"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.resolution = kretzNumbers(0xC100, 1, {nan}); }),
+                HasSubstr("has a step of nan mm"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.firstSample = ""; }), HasSubstr("C200:0001 is missing although"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.firstSample = kretzNumbers(0xC200, 1, {1e300}); }),
+                HasSubstr("which no probe has"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.planesAxis = kretzNumbers(0xC200, 2, {-90}); }),
+                HasSubstr("turn about an axis that lies behind the first sample"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.voxels = kretzItem(0xD000, 1, std::string(399, 'v')); }),
+                HasSubstr("D000:0001 holds 399 bytes of voxels where the size 20 x 5 x 4 needs 400"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.voxels = ""; }), HasSubstr("D000:0001 is missing"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.more = kretzItem(0xD600, 1, std::string(401, 'v')); }),
+                HasSubstr("D600:0001 holds 401 bytes, which is no whole number of volumes of 400"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.more = kretzItem(0xD600, 1, ""); }),
+                HasSubstr("no whole number of volumes"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.end = bytesFrom<std::uint16_t>({0xD000, 2}) + bytesFrom<std::uint32_t>({0xFFFFFFFF}) + "short";
+                }),
+                HasSubstr("declares 4294967295 bytes where only 5 follow"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) { p.end = "abc"; }), HasSubstr("ends within the header of an item"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    for (int i = 0; i < 100001; ++i) p.more += kretzItem(7, 7, "");
+                }),
+                HasSubstr("has more than 100000 items, which no scanner writes"));
+    EXPECT_THAT(sentenceWith([](KretzParts& p) {
+                    p.size = kretzWhole(0xC000, 1, 1) + kretzWhole(0xC000, 2, 1) + kretzWhole(0xC000, 3, 1);
+                    p.more = kretzItem(0xD600, 1, std::string(5000, 'v'));
+                }),
+                HasSubstr("D600:0001 holds more than 4096 phases"));
+}
+
+TEST(Kretz, AnyCutEndsInASentence) {
+    const std::string whole = KretzParts().bytes();
+    int refused = 0;
+    for (std::size_t length = 16; length < whole.size(); ++length) {
+        const std::string sentence = sentenceOf(whole.substr(0, length));
+        EXPECT_THAT(sentence, HasSubstr(sentence == "was read" ? "was read" : "v.vol: ")) << length;
+        refused += sentence == "was read" ? 0 : 1;
+    }
+    // A file that ends behind the voxels lacks nothing.
+    EXPECT_GE(refused, static_cast<int>(whole.size()) - 16 - 9);
+}
+
+TEST(Kretz, WrittenAndReadPhantomIsTheScene) {
+    PhantomConfig scene = defaultPhantom(PhantomScene::shapes);
+    scene.speckle = 0;
+    scene.gainVariation = 0;
+    scene.ramp = 4;
+    const PolarGeometry polar =
+        polarGeometry({PolarKind::wobbler, 0, 0.8, {-35, 35}, {-30, 30}, 32, 20}, {101, 121, 101});
+    const ConversionGrid grid = conversionGrid(polar);
+    const PhantomConfig config = configOnGrid(scene, grid);
+    const auto voxels = std::get<std::vector<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeKretz(folder.file("v.vol"), polar, {voxels, voxels}));
+    const auto study = readStudy(folder.file("v.vol"));
+    ASSERT_TRUE(study) << study.error().sentence();
+    ASSERT_EQ(study->phases.size(), 2U);
+    const Volume& volume = *study->phases.front();
+    const VolumeGeometry& geometry = volume.geometry();
+    ASSERT_EQ(geometry.size, grid.geometry.size);
+    EXPECT_NEAR(geometry.spacing[0], grid.geometry.spacing[0], 1e-9);
+
+    const PhantomTruth truth(config);
+    std::int64_t wrongMask = 0, surfaces = 0, off = 0;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
+                const Vec3 voxel(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+                const bool data = volume.hasData(geometry.offset(x, y, z));
+                const bool inside = polarFromProbeMm(polar, grid.probeMmFromVoxel(voxel)).has_value();
+                if (data != inside) ++wrongMask;
+                if (!data || x == 0 || !volume.hasData(geometry.offset(x - 1, y, z))) continue;
+                // Surfaces: where the echo passes the middle between fluid and object, as in the scene half a voxel
+                // about.
+                const double middle = 0.5 * (config.fluid + config.object);
+                const double here = volume.storedValue(geometry.offset(x, y, z));
+                const double before = volume.storedValue(geometry.offset(x - 1, y, z));
+                if ((here > middle) == (before > middle)) continue;
+                ++surfaces;
+                const double share = (middle - before) / (here - before);
+                const Vec3 crossing = geometry.gridMmFromVoxel(voxel - Vec3(1 - share, 0, 0));
+                const double half = 0.5 * geometry.spacing[0];
+                // Along the surface's normal the echo changes by the contrast within a ramp of four units.
+                const double slope = (config.object - config.fluid) / (config.ramp * geometry.spacing[0]);
+                if (std::abs(truth.echoAt(crossing) - middle) > slope * half) ++off;
+            }
+    EXPECT_LE(wrongMask, 0);
+    EXPECT_GT(surfaces, 500);
+    EXPECT_LE(off, surfaces / 1000);
+}
+
+TEST(Kretz, CancelledReadingEndsAsCancelled) {
+    const PolarGeometry polar = polarGeometry({}, {100, 100, 100});
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeKretz(folder.file("v.vol"), polar, {std::vector<std::uint8_t>(1000000, 9)}));
+    for (const double when : {0.0, 0.801}) {
+        std::atomic<bool> cancel = false;
+        Progress progress;
+        progress.cancel = &cancel;
+        progress.report = [&](double share) { cancel = cancel || share >= when; };
+        const auto study = readStudy(folder.file("v.vol"), {}, progress);
+        ASSERT_FALSE(study);
+        EXPECT_EQ(study.error().kind, FailureKind::cancelled) << when;
+    }
+}
+
+TEST(Kretz, MemoryLimitWidensTheSpacingAndIsSaid) {
+    const PolarGeometry polar = polarGeometry({}, {200, 200, 100});
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeKretz(folder.file("v.vol"), polar, {std::vector<std::uint8_t>(4000000, 9)}));
+    ReadOptions options;
+    options.conversionMebibytes = 1;
+    const auto study = readStudy(folder.file("v.vol"), options);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_LE(study->phases.front()->geometry().voxelCount(), 1 << 20);
+    EXPECT_GT(study->phases.front()->geometry().voxelCount(), 1000000);
+    EXPECT_THAT(factOf(*study, "memory of the scan conversion"), HasSubstr("the limit is 1 MiB a phase and 8 MiB"));
+    for (const ImportFact& fact : study->facts)
+        if (fact.name == "spacing") EXPECT_THAT(fact.source, HasSubstr("widened to the memory limit"));
+}
+
+TEST(Kretz, WriterThrowsWhereTheFormatHasNoWords) {
+    const PolarGeometry linear = polarGeometry({PolarKind::linear, 0, 1, {-2, 2}, {-2, 2}, 0, 0}, {2, 2, 2});
+    EXPECT_THROW((void)kretzBytes(linear, {std::vector<std::uint8_t>(8)}), std::invalid_argument);
+    const PolarGeometry wobbler = polarGeometry({}, {2, 2, 2});
+    EXPECT_THROW((void)kretzBytes(wobbler, {}), std::invalid_argument);
+    EXPECT_THROW((void)kretzBytes(wobbler, {std::vector<std::uint8_t>(9)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echolucent

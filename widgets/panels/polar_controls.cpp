@@ -1,0 +1,120 @@
+#include "widgets/panels/polar_controls.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+namespace {
+
+/// Shows 0.3 as "0.3", not as "0.300000".
+class ShortSpinBox : public QDoubleSpinBox {
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+    QString textFromValue(double value) const override {
+        return locale().toString(value, 'g', QLocale::FloatingPointShortest);
+    }
+};
+
+bool turnsLines(PolarKind kind) { return kind == PolarKind::convex || kind == PolarKind::wobbler; }
+bool turnsPlanes(PolarKind kind) { return kind == PolarKind::linearWobbler || kind == PolarKind::wobbler; }
+
+}  // namespace
+
+PolarControls::PolarControls(QWidget* parent) : QWidget(parent) {
+    named(this, "rawLayout.polar", tr("Geometry of the beams"));
+    const EvenPolar usual;
+    m_rangeStart =
+        createField("rangeStart", tr("Distance of the first sample from the probe's face, mm"), usual.rangeStartMm);
+    m_rangeStep = createField("rangeStep", tr("Distance from sample to sample, mm"), usual.rangeStepMm);
+    m_lines = {createField("linesFirst", tr("First line"), usual.lines[0]),
+               createField("linesLast", tr("Last line"), usual.lines[1])};
+    m_linesRadius = createField("linesRadius", tr("Radius of the lines, mm"), usual.lineRadiusMm);
+    m_planes = {createField("planesFirst", tr("First plane"), usual.planes[0]),
+                createField("planesLast", tr("Last plane"), usual.planes[1])};
+    m_planesRadius = createField("planesRadius", tr("Radius of the planes, mm"), usual.planeRadiusMm);
+
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    m_linesLabel = labelFor(m_lines[0], {});
+    m_planesLabel = labelFor(m_planes[0], {});
+    grid->addWidget(labelFor(m_rangeStart, tr("First sample, mm")), 0, 0);
+    grid->addWidget(m_rangeStart, 0, 1);
+    grid->addWidget(labelFor(m_rangeStep, tr("Sample to sample, mm")), 0, 2, 1, 2);
+    grid->addWidget(m_rangeStep, 0, 4);
+    const auto addRow = [&](int row, QLabel* label, const std::array<QDoubleSpinBox*, 2>& ends,
+                            QDoubleSpinBox* radius) {
+        grid->addWidget(label, row, 0);
+        grid->addWidget(ends[0], row, 1);
+        grid->addWidget(ends[1], row, 2);
+        grid->addWidget(labelFor(radius, tr("Radius, mm")), row, 3);
+        grid->addWidget(radius, row, 4);
+    };
+    addRow(1, m_linesLabel, m_lines, m_linesRadius);
+    addRow(2, m_planesLabel, m_planes, m_planesRadius);
+    for (const int column : {1, 2, 4}) grid->setColumnStretch(column, 1);
+    setKind(m_kind);
+}
+
+QDoubleSpinBox* PolarControls::createField(const QString& name, const QString& accessibleName, double value) {
+    auto* field = named(new ShortSpinBox, "rawLayout." + name, accessibleName);
+    wheelNeedsFocus(field);
+    field->setDecimals(9);
+    field->setRange(-10000, 10000);
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    field->setMinimumWidth(80);
+    field->setValue(value);
+    connect(field, &QDoubleSpinBox::valueChanged, this, &PolarControls::changed);
+    return field;
+}
+
+void PolarControls::setKind(PolarKind kind) {
+    m_kind = kind;
+    m_linesLabel->setText(turnsLines(kind) ? tr("First, last line, °") : tr("First, last line, mm"));
+    m_planesLabel->setText(turnsPlanes(kind) ? tr("First, last plane, °") : tr("First, last plane, mm"));
+    m_linesRadius->setEnabled(turnsLines(kind));
+    m_planesRadius->setEnabled(turnsPlanes(kind));
+    emit changed();
+}
+
+EvenPolar PolarControls::even() const {
+    EvenPolar even;
+    even.kind = m_kind;
+    even.rangeStartMm = m_rangeStart->value();
+    even.rangeStepMm = m_rangeStep->value();
+    even.lines = {m_lines[0]->value(), m_lines[1]->value()};
+    even.planes = {m_planes[0]->value(), m_planes[1]->value()};
+    even.lineRadiusMm = m_linesRadius->value();
+    even.planeRadiusMm = m_planesRadius->value();
+    return even;
+}
+
+void PolarControls::setGeometry(const PolarGeometry& geometry) {
+    const EvenPolar shown = evenPolarOf(geometry);
+    {
+        const QSignalBlocker silent(this);
+        setKind(shown.kind);
+        m_rangeStart->setValue(shown.rangeStartMm);
+        m_rangeStep->setValue(shown.rangeStepMm);
+        for (std::size_t end = 0; end < 2; ++end) {
+            m_lines[end]->setValue(shown.lines[end]);
+            m_planes[end]->setValue(shown.planes[end]);
+        }
+        m_linesRadius->setValue(shown.lineRadiusMm);
+        m_planesRadius->setValue(shown.planeRadiusMm);
+    }
+    m_given = geometry;
+    m_shownOfGiven = even();
+    emit changed();
+}
+
+PolarGeometry PolarControls::geometry(const std::array<std::int64_t, 3>& size) const {
+    if (m_given && m_given->size() == size && even() == m_shownOfGiven) return *m_given;
+    return polarGeometry(even(), size);
+}
+
+}  // namespace echolucent

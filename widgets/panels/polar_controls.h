@@ -1,0 +1,48 @@
+// The fields that state the geometry of voxels along beams.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "processing/scan_conversion/polar_geometry.h"
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace echolucent {
+
+/// Objects: rawLayout.polar (this), rawLayout.rangeStart, .rangeStep, .linesFirst, .linesLast, .linesRadius,
+/// .planesFirst, .planesLast, .planesRadius. Lines and planes are given in degrees where the kind of probe turns them,
+/// else in mm; only then they have a radius.
+class PolarControls : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PolarControls(QWidget* parent = nullptr);
+
+    void setKind(PolarKind kind);
+    /// A geometry that is not evenly spaced is kept until a field or the size is changed.
+    void setGeometry(const PolarGeometry& geometry);
+    /// The geometry of so many samples, lines and planes.
+    [[nodiscard]] PolarGeometry geometry(const std::array<std::int64_t, 3>& size) const;
+
+signals:
+    void changed();
+
+private:
+    QDoubleSpinBox* createField(const QString& name, const QString& accessibleName, double value);
+    [[nodiscard]] EvenPolar even() const;
+
+    PolarKind m_kind = PolarKind::wobbler;
+    /// What was set, and how the fields show it.
+    std::optional<PolarGeometry> m_given;
+    EvenPolar m_shownOfGiven;
+    QDoubleSpinBox *m_rangeStart, *m_rangeStep;
+    std::array<QDoubleSpinBox*, 2> m_lines{}, m_planes{};
+    QDoubleSpinBox *m_linesRadius, *m_planesRadius;
+    QLabel *m_linesLabel = nullptr, *m_planesLabel = nullptr;
+};
+
+}  // namespace echolucent
