@@ -29,7 +29,8 @@ DcmElement* volumeElement(DcmDataset& dataset, DicomTag& tag) {
 
 bool holdsBytes(DcmElement& element) {
     const DcmEVR vr = element.ident();
-    return vr == EVR_OB || vr == EVR_OW || vr == EVR_UN || vr == EVR_ox;
+    // Without value representations, the library has none for private elements.
+    return vr == EVR_OB || vr == EVR_OW || vr == EVR_UN || vr == EVR_UNKNOWN || vr == EVR_ox;
 }
 
 }  // namespace

@@ -17,14 +17,15 @@ ordered_json studyJson(const StudyReference& study) {
     if (const auto* file = std::get_if<StudyFile>(&study)) {
         ordered_json raw;
         if (file->options.raw) raw = rawLayoutJson(*file->options.raw);
-        return {{"file",
-                 {{"path", file->path},
-                  {"series", file->options.series},
-                  {"raw_layout", raw},
-                  {"frames_as_slices", file->options.framesAsSlices},
-                  {"guess_no_data", file->options.guessNoData},
-                  {"conversion_mebibytes", file->options.conversionMebibytes},
-                  {"checksum", file->checksum}}}};
+        ordered_json object{{"path", file->path},
+                            {"series", file->options.series},
+                            {"raw_layout", raw},
+                            {"frames_as_slices", file->options.framesAsSlices},
+                            {"guess_no_data", file->options.guessNoData},
+                            {"checksum", file->checksum}};
+        if (file->options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
+            object["conversion_mebibytes"] = file->options.conversionMebibytes;
+        return {{"file", object}};
     }
     if (const auto* scan = std::get_if<SimulatedScan>(&study))
         return {{"simulated_scan", {{"scene", nameOf(scan->scene)}, {"size", scan->size}, {"seed", scan->seed}}}};

@@ -39,8 +39,8 @@ EvenPolar usualPolar(PolarKind kind, std::int64_t samples, double stepMm) {
     even.kind = kind;
     even.rangeStepMm = stepMm;
     const PolarGeometry spread = polarGeometry(even, {2, 2, 2});
-    even.lines = spread.lines.spread == PolarSpread::angles ? std::array{-35.0, 35.0} : std::array{-side, side};
-    even.planes = spread.planes.spread == PolarSpread::angles ? std::array{-30.0, 30.0} : std::array{-side, side};
+    even.lines = spread.lines.spread == PolarSpread::angles ? std::array{-40.0, 40.0} : std::array{-side, side};
+    even.planes = spread.planes.spread == PolarSpread::angles ? std::array{-38.0, 38.0} : std::array{-side, side};
     even.lineRadiusMm = 0.4 * depth;
     even.planeRadiusMm = 0.25 * depth;
     return even;

@@ -38,7 +38,7 @@ TEST(KretzDicom, VolumeInAPrivateElementIsRead) {
         for (const E_TransferSyntax syntax :
              {EXS_LittleEndianExplicit, EXS_LittleEndianImplicit, EXS_DeflatedLittleEndianExplicit}) {
             const auto study = readStudy(pictureWith(folder, "KRETZ_US", block, KretzParts().bytes(), EVR_OB, syntax));
-            ASSERT_TRUE(study) << study.error().sentence();
+            ASSERT_TRUE(study) << study.error().sentence() << " " << block << " " << syntax;
             EXPECT_EQ(factOf(*study, "polar volume"), "wobbler: 20 samples x 5 lines x 4 planes");
             EXPECT_EQ(study->facts.front().name, "format");
             EXPECT_THAT(study->facts.front().source, HasSubstr("KRETZFILE 1.0 in (7fe1,"));
