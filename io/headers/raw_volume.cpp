@@ -47,6 +47,7 @@ Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayo
     if (layout.polar) {
         stored.polar = layout.polar;
         stored.polarSources = {source, source, source, source};
+        if (source == "--raw-size") stored.polarSources = {source, "--raw-range", "--raw-lines", "--raw-planes"};
         if (auto sensible = checkPolar(path, *layout.polar, layout.size, stored.polarSources); !sensible)
             return tl::unexpected(sensible.error());
         return stored;

@@ -118,9 +118,9 @@ TEST(PolarRaw, WrongGeometriesAreRefusedInWords) {
     EXPECT_THAT(sentenceWith([](RawLayout& l) {
                     l.size = {12, 5, 7};
                 }),
-                HasSubstr("the lines of --raw-size are 7 where --raw-size says 5"));
+                HasSubstr("the lines of --raw-lines are 7 where --raw-size says 5"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->planes.values.pop_back(); }),
-                HasSubstr("the planes of --raw-size are 4 where --raw-size says 5"));
+                HasSubstr("the planes of --raw-planes are 4 where --raw-size says 5"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->lines.values[3] = nan; }), HasSubstr("hold nan radians"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->lines.values[3] = -1; }), HasSubstr("neither rise nor fall"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->rangeStepMm = -1; }), HasSubstr("has a step of -1 mm"));
