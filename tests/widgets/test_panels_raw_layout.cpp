@@ -129,17 +129,15 @@ private slots:
         QVERIFY(child<QWidget>(dialog, "rawLayout.polar")->isVisible());
         QVERIFY(!child<QDoubleSpinBox>(dialog, "rawLayout.spacingX")->isVisible());
         QCOMPARE(child<QSpinBox>(dialog, "rawLayout.sizeY")->accessibleName(), "Lines of a plane");
-        const auto set = [&](const char* name, const char* value) {
-            type(child<QDoubleSpinBox>(dialog, QString("rawLayout.") + name), value);
-        };
-        set("rangeStart", "2");
-        set("rangeStep", "0.25");
-        set("linesFirst", "-20");
-        set("linesLast", "25");
-        set("linesRadius", "38");
-        set("planesFirst", "-15");
-        set("planesLast", "15");
-        set("planesRadius", "21.5");
+        const auto set = [&](const char* name, const char* value) { type(child<QDoubleSpinBox>(dialog, name), value); };
+        set("rawLayout.rangeStart", "2");
+        set("rawLayout.rangeStep", "0.25");
+        set("rawLayout.linesFirst", "-20");
+        set("rawLayout.linesLast", "25");
+        set("rawLayout.linesRadius", "38");
+        set("rawLayout.planesFirst", "-15");
+        set("rawLayout.planesLast", "15");
+        set("rawLayout.planesRadius", "21.5");
         QVERIFY(ok->isEnabled());
         const RawLayout values = dialog.values();
         const PolarGeometry expected =
@@ -148,13 +146,13 @@ private slots:
         QVERIFY(*values.polar == expected);
         QVERIFY(!values.spacingKnown);
 
-        set("linesLast", "-20");
+        set("rawLayout.linesLast", "-20");
         QVERIFY(!ok->isEnabled());
         QVERIFY(fit->text().startsWith("The lines neither rise nor fall throughout"));
-        set("linesLast", "190");
+        set("rawLayout.linesLast", "190");
         QVERIFY(fit->text().contains("no angle between minus and plus half a turn"));
-        set("linesLast", "25");
-        set("rangeStep", "0");
+        set("rawLayout.linesLast", "25");
+        set("rawLayout.rangeStep", "0");
         QVERIFY(fit->text().startsWith("The range has a step of 0 mm"));
         QVERIFY(!ok->isEnabled());
 
