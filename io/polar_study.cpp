@@ -108,6 +108,8 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
         parts.voxels.phases[phase] = std::move(*converted);
     }
     parts.geometry = grid.geometry;
+    if (parts.phasesSource.empty()) parts.phasesSource = parts.sizeSource;
+    parts.sizeSource = "scan conversion: the smallest grid around the insonified region";
     parts.dataMask = std::make_shared<const std::vector<std::uint8_t>>(conversion.mask());
     parts.dataMaskSource = "geometry of the beams";
     StatedProbe probe;

@@ -27,7 +27,10 @@ struct StoredVolume {
     bool dataAtEnd = false;      ///< the voxels end where the file ends (HeaderSize = -1, byte skip: -1)
     std::int64_t skipLines = 0;  ///< lines of each data file before the extent's offset is counted (line skip)
     StoredType type = StoredType::uint8;
+    std::string typeKey;  ///< the key or option that gave the type
     bool bigEndian = false;
+    std::string byteOrderKey;   ///< the key that gave the byte order; empty where it is assumed
+    std::string encodingKey;    ///< the key or rule that says how the voxels are encoded
     std::int64_t channels = 1;  ///< 3 where every voxel is red, green, blue; these are reduced to luma
     VolumeGeometry geometry;
     std::int64_t phases = 1;

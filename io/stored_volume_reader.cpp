@@ -47,9 +47,11 @@ Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredVolume& st
 
 void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
     if (bytesOf(stored.type) > 1 && stored.extent.encoding != VoxelEncoding::text)
-        parts.facts.push_back({"byte order", stored.bigEndian ? "big endian" : "little endian", ""});
-    parts.facts.push_back({"compression", std::string(compressionWords(stored.extent.encoding)), ""});
-    if (stored.data.size() > 1) parts.facts.push_back({"data files", std::to_string(stored.data.size()), ""});
+        parts.facts.push_back({"byte order", stored.bigEndian ? "big endian" : "little endian",
+                               stored.byteOrderKey.empty() ? "assumed" : stored.byteOrderKey});
+    parts.facts.push_back({"compression", std::string(compressionWords(stored.extent.encoding)), stored.encodingKey});
+    if (stored.data.size() > 1)
+        parts.facts.push_back({"data files", std::to_string(stored.data.size()), "the header's names of data files"});
     if (stored.rescale)
         parts.facts.push_back(
             {"rescale",
@@ -90,6 +92,8 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
     parts.geometry = stored.geometry;
     parts.spacingSource = stored.spacingSource;
+    parts.sizeSource = stored.sizeKey;
+    parts.typeSource = stored.typeKey;
     parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(*phases), stored.type, *stored.rescale)
                                   : convertVoxels(std::move(*phases), stored.type);
     parts.whiteLevel = stored.whiteLevel;

@@ -112,19 +112,20 @@ double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
 }
 
 void addGeometryFacts(const StudyParts& parts, Study& study) {
-    study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", ""});
+    study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", parts.sizeSource});
     std::string source = parts.spacingSource.empty() ? "assumed" : parts.spacingSource;
     if (parts.inPlaneSpacingKnown) source += "; distance of slices assumed";
     study.facts.push_back({"spacing", spacingText(parts.geometry.spacing), source});
-    study.facts.push_back({"voxel type", parts.voxels.story, ""});
+    study.facts.push_back({"voxel type", parts.voxels.story, parts.typeSource});
 }
 
 void addPhaseFacts(const StudyParts& parts, Study& study) {
     if (study.phases.size() < 2) return;
-    study.facts.push_back({"phases", std::to_string(study.phases.size()), ""});
+    study.facts.push_back({"phases", std::to_string(study.phases.size()),
+                           parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource});
     study.facts.push_back({"time between phases",
                            parts.phaseSeconds ? fmt::format("{:.6g} s", *parts.phaseSeconds) : "unknown",
-                           parts.phaseSource});
+                           parts.phaseSource.empty() ? "the file does not say it" : parts.phaseSource});
 }
 
 }  // namespace

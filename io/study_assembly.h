@@ -21,6 +21,10 @@ struct WindowWhite {
 struct StudyParts {
     std::string path;                ///< as the person gave it
     std::vector<std::string> files;  ///< every file that was read (Study::files)
+    // What gave each number, for the import report: a key, a tag or a rule. None of the sources may stay empty.
+    std::string sizeSource;    ///< of the size: "DimSize"
+    std::string typeSource;    ///< of the stored type: "ElementType"
+    std::string phasesSource;  ///< of the number of phases; it may be empty where that is in the size's source
     VolumeGeometry geometry;
     std::string spacingSource;  ///< key or tag that gave the spacing; empty where the spacing is assumed
     /// Whether spacingSource gives the spacing along x and y of slices whose distance is a guess

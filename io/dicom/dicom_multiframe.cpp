@@ -109,6 +109,9 @@ Result<Study> MultiframeReader::read() {
     parts.path = m_file.path();
     parts.files = {m_file.path()};
     parts.geometry = layout->geometry;
+    parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, (0028,0008) Number of Frames";
+    parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
+    parts.phasesSource = layout->phaseSource;
     parts.spacingSource = layout->spacingSource;
     parts.inPlaneSpacingKnown = layout->inPlaneSpacingKnown;
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());

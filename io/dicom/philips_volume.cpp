@@ -333,6 +333,8 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     parts.geometry.spacingKnown = volume.spacing && !volume.spacingSource.empty();
     parts.geometry.spacing = volume.spacing.value_or(Vec3(1, 1, 1));
     parts.spacingSource = volume.spacingSource;
+    parts.sizeSource = volume.sizeSource;
+    parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
     parts.phaseSeconds = volume.phaseSeconds;
     parts.phaseSource = "(0018,1063) Frame Time";
     markMissing(*voxels, options, parts);

@@ -40,6 +40,8 @@ public:
         : m_file(file), m_path(file.path()), m_framesAsSlices(framesAsSlices), m_keys(std::move(keys)) {
         m_stored.path = m_path;
         m_stored.sizeKey = "DimSize";
+        m_stored.typeKey = "ElementType";
+        m_stored.encodingKey = "CompressedData, BinaryData";
     }
 
     Result<StoredVolume> read();
@@ -91,7 +93,7 @@ Result<StoredVolume> MetaImageHeader::read() {
           &MetaImageHeader::readSpacing, &MetaImageHeader::readPosition, &MetaImageHeader::readFrames,
           &MetaImageHeader::readByteOrder, &MetaImageHeader::readWhiteLevel, &MetaImageHeader::readDataPlace})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
-    m_stored.facts.insert(m_stored.facts.begin(), {"format", "MetaImage", ""});
+    m_stored.facts.insert(m_stored.facts.begin(), {"format", "MetaImage", "keys of the header"});
     return m_stored;
 }
 
@@ -225,6 +227,7 @@ Result<void> MetaImageHeader::readByteOrder() {
     const auto big = flag(key);
     if (!big) return tl::unexpected(big.error());
     m_stored.bigEndian = *big;
+    m_stored.byteOrderKey = key;
     const auto compressed = flag("CompressedData");
     if (!compressed) return tl::unexpected(compressed.error());
     const bool isText = m_stored.extent.encoding == VoxelEncoding::text;

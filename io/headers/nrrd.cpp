@@ -25,6 +25,9 @@ public:
         : m_file(file), m_path(file.path()), m_framesAsSlices(framesAsSlices) {
         m_stored.path = m_path;
         m_stored.sizeKey = "sizes";
+        m_stored.typeKey = "type";
+        m_stored.byteOrderKey = "endian";
+        m_stored.encodingKey = "encoding";
     }
     Result<StoredVolume> read();
 
@@ -77,7 +80,7 @@ Result<StoredVolume> NrrdHeader::read() {
           &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,
           &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding, &NrrdHeader::readDataPlace, &NrrdHeader::readSkips})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
-    m_stored.facts.insert(m_stored.facts.begin(), {"format", "NRRD", ""});
+    m_stored.facts.insert(m_stored.facts.begin(), {"format", "NRRD", "its first line"});
     return m_stored;
 }
 

@@ -30,7 +30,8 @@ Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayo
     StoredVolume stored;
     stored.path = path;
     stored.data = {{path, file}};
-    stored.sizeKey = source;
+    stored.sizeKey = stored.typeKey = stored.byteOrderKey = source;
+    stored.encodingKey = "a raw file is taken as it is";
     stored.sizeRemedy = "Correct the size, the type, or the bytes before the voxels.";
     if (std::any_of(layout.size.begin(), layout.size.end(), [](std::int64_t size) { return size < 1; }))
         return wrong(source, "must be three whole numbers above 0, not " + sizeText(layout.size));

@@ -234,6 +234,9 @@ Result<Study> KretzReader::read() {
                            source.element.empty() ? "KRETZFILE 1.0" : "KRETZFILE 1.0 in " + source.element});
     parts.phaseSource = stored->offsets.size() > 1 ? stored->source + " holds the phases, but no time" : "";
     parts.voxels = convertVoxels(std::move(*phases), StoredType::uint8);
+    parts.typeSource = stored->source;
+    parts.phasesSource = stored->source;
+    parts.sizeSource = sources.size;
     noteWhatIsLeftOut(parts);
     auto placed = *polar ? scanConvert(parts, **polar, sources, m_options, m_progress) : setCartesian(*size, parts);
     if (!placed) return tl::unexpected(placed.error());

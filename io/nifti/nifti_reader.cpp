@@ -69,6 +69,9 @@ public:
     NiftiReader(const InputFile& file, const NiftiHeader& header) : m_file(file), m_header(header) {
         m_stored.path = file.path();
         m_stored.sizeKey = "dim";
+        m_stored.typeKey = "datatype";
+        m_stored.byteOrderKey = "sizeof_hdr";
+        m_stored.encodingKey = "NIfTI knows no other";
         m_stored.bigEndian = header.bigEndian;
     }
     Result<StoredVolume> read(bool framesAsSlices, const Progress& progress);
@@ -98,7 +101,7 @@ Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& prog
     m_stored.facts.push_back(
         {"format",
          fmt::format("NIfTI-{}{}", m_header.version, m_header.voxelsApart ? ", voxels in a file of their own" : ""),
-         ""});
+         "sizeof_hdr, magic"});
     if (auto shape = readShape(framesAsSlices); !shape) return tl::unexpected(shape.error());
     if (auto intent = readIntent(); !intent) return tl::unexpected(intent.error());
     if (auto type = readType(); !type) return tl::unexpected(type.error());

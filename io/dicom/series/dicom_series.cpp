@@ -73,6 +73,8 @@ public:
             if (const auto done = readSlice(slice); !done) return tl::unexpected(done.error());
         }
         m_parts.geometry = m_order.geometry;
+        m_parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, number of files";
+        m_parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
         m_parts.spacingSource = m_order.spacingSource;
         m_parts.inPlaneSpacingKnown = m_order.inPlaneSpacingKnown;
         m_parts.warnings.insert(m_parts.warnings.end(), m_order.warnings.begin(), m_order.warnings.end());
@@ -118,7 +120,7 @@ private:
         m_bitsStored = frames.bitsStored();
         m_largestValue = frames.largestValue();
         frames.sayWhite(m_parts);
-        m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), ""}};
+        m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), "files of one series, (0020,000e)"}};
         if (const std::string uid = dicomText(dataset, {0x0008, 0x0016}); !uid.empty())
             m_parts.facts.push_back({"kind of object", objectName(uid), "(0008,0016) SOP Class UID"});
         for (auto&& fact : frames.facts()) m_parts.facts.push_back(std::move(fact));
