@@ -19,23 +19,24 @@ std::string cell(std::string text) {
     return text;
 }
 
-std::string valueOf(const Study& study, const std::string& name) {
+/// A fact of the import report, "value [source]"; an empty text where there is none of that name.
+std::string factOf(const Study& study, const std::string& name) {
     const auto fact = std::find_if(study.facts.begin(), study.facts.end(),
                                    [&](const ImportFact& candidate) { return candidate.name == name; });
-    return fact == study.facts.end() ? std::string() : fact->value;
+    return fact == study.facts.end() ? std::string() : fmt::format("{} [{}]", fact->value, fact->source);
 }
 
 std::string summaryOf(const Study& study) {
     const Volume& volume = *study.phases.front();
-    const VolumeGeometry& geometry = volume.geometry();
     std::string text =
-        fmt::format("{}; {} {}; {}", valueOf(study, "format"), sizeText(geometry.size), volume.typeName(),
-                    geometry.spacingKnown ? spacingText(geometry.spacing)
-                                          : "spacing unknown, " + spacingText(geometry.spacing) + " assumed");
+        fmt::format("{}; {} {}; {}{}; white {}", factOf(study, "format"), sizeText(volume.geometry().size),
+                    volume.typeName(), volume.geometry().spacingKnown ? "" : "spacing unknown, ",
+                    factOf(study, "spacing"), factOf(study, "white level"));
     if (study.phases.size() > 1) text += fmt::format("; {} phases", study.phases.size());
-    if (const std::string without = valueOf(study, "voxels without data"); without != "0.0 %")
-        text += "; " + without + " without data";
-    if (study.lossyCompressed) text += "; lossy compression";
+    text += "; " + factOf(study, "voxels without data") + " without data";
+    if (study.lossyCompressed) text += "; compressed with loss";
+    if (const std::size_t notes = study.warnings.size(); notes > 0)
+        text += notes == 1 ? "; 1 note" : fmt::format("; {} notes", notes);
     return text;
 }
 

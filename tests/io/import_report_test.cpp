@@ -53,10 +53,14 @@ TEST(ImportReport, EveryNumberOfWrittenFilesSaysItsSource) {
     const PolarGeometry polar = polarGeometry(EvenPolar{}, {20, 12, 10});
     ASSERT_TRUE(writeKretz(folder.file("a.vol"), polar, {std::vector<std::uint8_t>(2400, 9)}));
     folder.write("a.raw", std::string(2400, 'v'));
-    ASSERT_TRUE(rememberRawLayout(folder.file("a.raw"), {.size = {20, 12, 10}, .polar = polar}));
+    RawLayout beams;
+    beams.size = {20, 12, 10};
+    beams.polar = polar;
+    ASSERT_TRUE(rememberRawLayout(folder.file("a.raw"), beams));
     folder.write("b.raw", std::string(120, 'v'));
     ReadOptions raw;
-    raw.raw = RawLayout{.size = {6, 5, 4}};
+    raw.raw.emplace();
+    raw.raw->size = {6, 5, 4};
     for (const char* name : {"a.mha", "a.nii.gz", "a.dcm", "a.vol", "a.raw"})
         expectEverySourceIsSaid(folder.file(name));
     expectEverySourceIsSaid(folder.file("b.raw"), raw);

@@ -67,7 +67,8 @@ TEST(InfoCommand, JsonSaysWhatTheVolumeIs) {
     EXPECT_EQ(object.at("view").at("beam_axis"), "+z");
     EXPECT_EQ(object.at("beam").at("axis"), "+z");
     EXPECT_EQ(object.at("beam").at("source"), "assumed");
-    EXPECT_EQ(object.at("facts").at(0), json({{"name", "format"}, {"value", "MetaImage"}, {"source", "keys of the header"}}));
+    EXPECT_EQ(object.at("facts").at(0),
+              json({{"name", "format"}, {"value", "MetaImage"}, {"source", "keys of the header"}}));
     EXPECT_TRUE(object.at("warnings").is_array());
 }
 

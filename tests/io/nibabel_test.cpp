@@ -1,14 +1,12 @@
 // Agreement with nibabel, another reader and writer of NIfTI, where python3 has it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "io/output/nifti_writer.h"
 #include "processing/phantom/phantom.h"
+#include "python_script.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -16,20 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-/// What the script prints; no value where no python3 has nibabel.
 std::optional<std::string> nibabel(const std::string& arguments) {
-    for (const char* python : {"python3", "/usr/bin/python3"}) {
-        const std::string command =
-            std::string(python) + " " ECHOLUCENT_SOURCE_DIR "/tests/io/nibabel_files.py " + arguments + " 2>/dev/null";
-        std::FILE* pipe = popen(command.c_str(), "r");
-        if (pipe == nullptr) continue;
-        std::string output;
-        char buffer[65536];
-        while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
-        const int ended = pclose(pipe);
-        if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0) return output;
-    }
-    return std::nullopt;
+    return printedByScript("nibabel_files.py", arguments);
 }
 
 #define SKIP_WITHOUT_NIBABEL(answer) \
