@@ -1,6 +1,7 @@
 #include "app/study/series_choice.h"
 
 #include <QFileInfo>
+#include <new>
 #include <utility>
 
 #include "widgets/panels/series_dialog.h"
@@ -14,16 +15,19 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number) {
     row.title = entry.description.empty() ? SeriesChoice::tr("Series %1").arg(number)
                                           : QString::fromStdString(entry.description);
     const QString modality = entry.modality.empty() ? QString() : QString::fromStdString(entry.modality) + ", ";
-    row.facts = modality + SeriesChoice::tr(entry.multiframe ? "%1 × %2, %3 frames" : "%1 × %2, %3 slices")
-                               .arg(entry.size[0])
-                               .arg(entry.size[1])
-                               .arg(entry.size[2]);
+    row.facts =
+        modality + (entry.multiframe ? SeriesChoice::tr("%1 × %2, %3 frames") : SeriesChoice::tr("%1 × %2, %3 slices"))
+                       .arg(entry.size[0])
+                       .arg(entry.size[1])
+                       .arg(entry.size[2]);
     if (!entry.whyNot) return row;
     row.openable = entry.whyNot->framesCouldBeSlices;
-    row.hindrance = row.openable
-                        ? SeriesChoice::tr("The series %1. Its pictures would be taken as slices of unknown distance.")
-                        : SeriesChoice::tr("The series %1. It cannot be opened.");
-    row.hindrance = row.hindrance.arg(QString::fromStdString(entry.whyNot->problem));
+    Failure shown = *entry.whyNot;
+    shown.file.clear();
+    if (shown.element.empty()) shown.element = SeriesChoice::tr("The series").toStdString();
+    if (row.openable)
+        shown.remedy = SeriesChoice::tr("Opened, its pictures are taken as slices of unknown distance.").toStdString();
+    row.hindrance = QString::fromStdString(shown.sentence());
     return row;
 }
 
@@ -52,9 +56,14 @@ void SeriesChoice::readPicture(const std::shared_ptr<const SeriesList>& list, st
     if (index >= list->series.size()) return;
     m_pictures.submit([this, list, index](const Progress& progress) -> NewestWinsThread::Deliver {
         QImage picture;
-        if (const auto small = middlePicture(list->series[index], SeriesDialog::pictureEdge, progress))
-            picture =
-                QImage(small->grey.data(), small->width, small->height, small->width, QImage::Format_Grayscale8).copy();
+        try {
+            if (const auto small = middlePicture(list->series[index], SeriesDialog::pictureEdge, progress))
+                picture =
+                    QImage(small->grey.data(), small->width, small->height, small->width, QImage::Format_Grayscale8)
+                        .copy();
+        } catch (const std::bad_alloc&) {
+            // A row without a picture can be opened all the same.
+        }
         return [this, list, index, picture] {
             if (!m_dialog) return;
             m_dialog->setPicture(static_cast<int>(index), picture);

@@ -62,11 +62,16 @@ Session::Read Session::readerOf(const StudyFile& file) {
         // A single volume among pictures and cines is what a person means who opens the folder.
         const bool clear = volumes == 1 || list->series.size() == 1;
         if (!clear) return Opening{std::nullopt, list};
-        const auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
-        auto study =
-            readSeries(*list, chosen == list->series.end() ? list->series.front() : *chosen, file.options, progress);
-        if (!study) return tl::unexpected(study.error());
-        return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
+        auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
+        if (chosen == list->series.end()) chosen = list->series.begin();
+        auto study = readSeries(*list, *chosen, file.options, progress);
+        if (study) return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
+        if (list->series.size() == 1 || study.error().kind == FailureKind::cancelled)
+            return tl::unexpected(study.error());
+        // The others stay within reach, beside the reason why this one does not open.
+        SeriesList told = *list;
+        told.series[static_cast<std::size_t>(chosen - list->series.begin())].whyNot = study.error();
+        return Opening{std::nullopt, std::make_shared<const SeriesList>(std::move(told))};
     };
 }
 
@@ -124,8 +129,8 @@ void Session::load(const StudyReference& reference, const ReadOptions& options, 
         }();
         if (progress.cancelled()) return {};
         if (!opening) {
-            return [this, path, failure = opening.error()] {
-                if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure);
+            return [this, path, options, failure = opening.error()] {
+                if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure, options);
             };
         }
         const auto series = opening->series;

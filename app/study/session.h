@@ -121,8 +121,8 @@ signals:
     void studyOpened();
     /// A folder holds several series; what was open before is unchanged.
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
-    /// The study could not be read; what was open before is unchanged.
-    void openFailed(const QString& path, const echolucent::Failure& failure);
+    /// The study could not be read with these options; what was open before is unchanged.
+    void openFailed(const QString& path, const echolucent::Failure& failure, const echolucent::ReadOptions& options);
     /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed().
     void volumeChanged();
     /// The scalpel cut other voxels of the volume shown: volume() and newestVoxels() are others, and otf() is still

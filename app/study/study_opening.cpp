@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "io/gzip_file.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/raw_layout_dialog.h"
 
@@ -18,6 +19,21 @@ QString shownName(const QString& opened, const QString& concerned) {
     if (concerned.isEmpty() || QFileInfo(concerned) == QFileInfo(opened)) return name;
     return QFileInfo(opened).isDir() ? name + '/' + QDir(opened).relativeFilePath(concerned)
                                      : QFileInfo(concerned).fileName();
+}
+
+/// The sentences of a remedy that name no option of the command line: these ways out are buttons here.
+QString withoutOptions(const QString& remedy) {
+    QStringList kept;
+    for (const QString& sentence : remedy.split(QStringLiteral(". "), Qt::SkipEmptyParts))
+        if (!sentence.contains(QLatin1String("--"))) kept << (sentence.endsWith('.') ? sentence : sentence + '.');
+    return kept.join(' ');
+}
+
+/// The length of a headerless file; below 0 where it is packed, so that only reading tells.
+std::int64_t bytesOfRawFile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return 0;
+    return looksLikeGzip(file.read(4).toStdString()) ? -1 : file.size();
 }
 
 }  // namespace
@@ -68,13 +84,13 @@ void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, c
     m_series.ask(list, [this, list, options](std::size_t entry) {
         ReadOptions wanted = options;
         // The dialog has said that these are no slices.
-        wanted.framesAsSlices = list->series[entry].whyNot.has_value();
+        if (list->series[entry].whyNot) wanted.framesAsSlices = true;
         m_session.openSeries(list, entry, wanted);
     });
 }
 
 void StudyOpening::openRaw(const QString& path) {
-    auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), QFileInfo(path).size(), &m_window);
+    auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), bytesOfRawFile(path), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto remembered = recalledRawLayout(path.toStdString()); remembered && *remembered)
         dialog->setValues(**remembered);
@@ -88,14 +104,14 @@ void StudyOpening::openRaw(const QString& path) {
     dialog->open();
 }
 
-void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
+void StudyOpening::tellFailure(const QString& path, const Failure& failure, const ReadOptions& options) {
     if (!path.isEmpty()) m_settings.setLastFolder(QFileInfo(path).absolutePath());
     QList<MessageAction> actions;
     if (failure.framesCouldBeSlices)
-        actions << MessageAction{tr("Take the frames as slices"), [this, path] {
-                                     ReadOptions options;
-                                     options.framesAsSlices = true;
-                                     open(path, options);
+        actions << MessageAction{tr("Take the frames as slices"), [this, path, options] {
+                                     ReadOptions wanted = options;
+                                     wanted.framesAsSlices = true;
+                                     open(path, wanted);
                                  }};
     if (failure.layoutUnknown) actions << MessageAction{tr("Say how it is laid out…"), [this, path] { openRaw(path); }};
     if (failure.opacityCurve)
@@ -104,8 +120,10 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure) {
         actions << MessageAction{tr("Import them as presets"), [this, path] { emit presetsChosen(path); }};
     Failure shown = failure;
     shown.file = shownName(path, QString::fromStdString(failure.file)).toStdString();
-    // The way out is a button here; the sentence would name an option of the command line.
-    if (!actions.isEmpty()) shown.remedy.clear();
+    if (failure.opacityCurve || failure.presets)
+        shown.remedy.clear();  // the button says it
+    else
+        shown.remedy = withoutOptions(QString::fromStdString(shown.remedy)).toStdString();
     m_messages.showMessage(MessageKind::error, QString::fromStdString(shown.sentence()), actions);
 }
 

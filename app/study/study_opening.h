@@ -44,7 +44,7 @@ signals:
 private:
     void openRaw(const QString& path);
     void askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options);
-    void tellFailure(const QString& path, const Failure& failure);
+    void tellFailure(const QString& path, const Failure& failure, const ReadOptions& options);
 
     QWidget& m_window;
     Session& m_session;

@@ -37,7 +37,7 @@ tl::unexpected<Failure> refuseSweep(const StoredVolume& stored, const SequenceKe
     auto refused =
         fail(FailureKind::unreadable, stored.path, keys.transformKey,
              fmt::format("tells where the probe was: this is a tracked 2D sweep of {} frames, not a volume", frames),
-             "Reconstruct a volume from it with Plus (VolumeReconstructor) or 3D Slicer (SlicerIGT), or add "
+             "Reconstruct a volume from it with Plus (VolumeReconstructor) or 3D Slicer (SlicerIGT). Or add "
              "--frames-as-slices to take its frames as slices of unknown spacing.");
     refused.value().framesCouldBeSlices = true;
     return refused;

@@ -133,6 +133,28 @@ private slots:
         waitUntilIdle();
     }
 
+    void aTrackedSweepIsRefusedWithItsWaysOut() {
+        QFile sweep(m_out.filePath("sweep.mha"));
+        QVERIFY(sweep.open(QIODevice::WriteOnly));
+        sweep.write(
+            "ObjectType = Image\nNDims = 3\nDimSize = 4 4 2\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n");
+        for (const char* frame : {"0000", "0001"})
+            sweep.write(QByteArray("Seq_Frame") + frame +
+                        "_ProbeToTrackerTransform = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n");
+        sweep.write("ElementDataFile = LOCAL\n" + QByteArray(32, 'x'));
+        sweep.close();
+        QSignalSpy failed(&window().session(), &Session::openFailed);
+        window().open(sweep.fileName());
+        QVERIFY(failed.wait());
+        QVERIFY2(message()->text().contains("tracked 2D sweep of 2 frames"), qPrintable(message()->text()));
+        QVERIFY2(message()->text().contains("Reconstruct a volume"), qPrintable(message()->text()));
+        QVERIFY2(!message()->text().contains("--"), "an option of the command line is no way out here");
+        QCOMPARE(child<QPushButton>("message.action.0")->text(), "Take the frames as slices");
+        click("message.action.0");
+        QTRY_COMPARE(window().session().volume()->geometry().size[2], 2);
+        waitUntilIdle();
+    }
+
     void anErrorOfAFolderNamesTheFile() {
         const QString folder = m_out.filePath("slices");
         QVERIFY(QDir().mkpath(folder));

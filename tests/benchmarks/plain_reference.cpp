@@ -77,7 +77,7 @@ ReferencePicture referencePicture(const Volume& volume, const OpacityCurve& curv
     RayCastSettings converged = settings;
     converged.step = referenceStep;
     converged.terminationTransmittance = leastTransmittance;
-    const Volume allData = volume.withDataMask({});
+    const Volume allData = volume.withDataMask(std::vector<std::uint8_t>{});
     const PlainCaster caster(allData, curve, converged);
     tbb::parallel_for(0, kept, [&](int row) {
         for (int column = 0; column < kept; ++column) {

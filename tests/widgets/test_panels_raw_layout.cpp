@@ -111,6 +111,17 @@ private slots:
         QVERIFY(!child<QPushButton>(dialog, "rawLayout.headerFit")->isEnabled());
     }
 
+    void aPackedFileIsTakenAtItsWord() {
+        RawLayoutDialog dialog("heart.raw.gz", -1);
+        QVERIFY(!dialog.fits());
+        dialog.setValues({.size = {100, 100, 100}});
+        QVERIFY(dialog.fits());
+        QVERIFY(child<QPushButton>(dialog, "rawLayout.ok")->isEnabled());
+        QVERIFY(!child<QPushButton>(dialog, "rawLayout.headerFit")->isEnabled());
+        const QString fit = child<QLabel>(dialog, "rawLayout.fit")->text();
+        QVERIFY2(fit.contains("1,000,000 bytes") && !fit.contains("missing"), qPrintable(fit));
+    }
+
     void beamsAreStatedByHand() {
         RawLayoutDialog dialog("heart.raw", 12 * 7 * 5);
         dialog.show();

@@ -198,7 +198,7 @@ void RawLayoutDialog::setValues(const RawLayout& values) {
 
 bool RawLayoutDialog::fits() const {
     const auto needed = bytesNeeded(values());
-    return needed && *needed <= m_fileBytes && polarSentence().isEmpty();
+    return needed && (isPacked() || *needed <= m_fileBytes) && polarSentence().isEmpty();
 }
 
 QString RawLayoutDialog::polarSentence() const {
@@ -232,6 +232,9 @@ void RawLayoutDialog::fitHeader() {
 QString RawLayoutDialog::fitSentence() const {
     const RawLayout layout = values();
     if (std::min({layout.size[0], layout.size[1], layout.size[2]}) < 1) {
+        if (isPacked())
+            return isPolar() ? tr("How many samples, lines and planes are there?")
+                             : tr("How many voxels are there along x, y and z?");
         return isPolar()
                    ? tr("The file has %1 bytes. How many samples, lines and planes are there?")
                          .arg(grouped(m_fileBytes))
@@ -239,7 +242,10 @@ QString RawLayoutDialog::fitSentence() const {
     }
     if (const QString problem = polarSentence(); !problem.isEmpty()) return problem;
     const auto needed = bytesNeeded(layout);
-    if (!needed) return tr("The file has %1 bytes; these settings need more than 2⁶³ bytes.").arg(grouped(m_fileBytes));
+    if (!needed) return tr("These settings need more than 2⁶³ bytes.");
+    if (isPacked())
+        return tr("These settings need %1 bytes. The file is packed; whether it holds them is seen when it is opened.")
+            .arg(grouped(*needed));
     if (*needed == m_fileBytes) {
         return tr("✓ These settings need %1 bytes, and the file has as many.").arg(grouped(*needed));
     }

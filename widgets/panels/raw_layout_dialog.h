@@ -28,7 +28,8 @@ class RawLayoutDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `fileName` is shown as it is; `fileBytes` is the file's length in bytes.
+    /// `fileName` is shown as it is; `fileBytes` is the file's length in bytes, or below 0 where the file is packed, so
+    /// that its length is not known before it is opened.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
     /// Spacing is 1, 1, 1 where it is said to be unknown, and for voxels along beams, which have none.
@@ -45,6 +46,7 @@ private:
     void showFit();
     void fitHeader();
     [[nodiscard]] bool isPolar() const;
+    [[nodiscard]] bool isPacked() const { return m_fileBytes < 0; }
     [[nodiscard]] QString fitSentence() const;
     /// What is wrong with the geometry of beams; empty where all is well, or where there are none.
     [[nodiscard]] QString polarSentence() const;

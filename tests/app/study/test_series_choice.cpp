@@ -77,6 +77,36 @@ private slots:
         QTRY_COMPARE(depthOfStudy(), 24);
     }
 
+    void aSeriesThatCannotBeReadLeavesTheOthersWithinReach() {
+        QTemporaryDir folder;
+        QVERIFY(writeEnhancedUs(folder.filePath("a.dcm").toStdString(), {ramp({32, 28, 24})}, {}));
+        QVERIFY(writeEnhancedUs(folder.filePath("b.dcm").toStdString(), {ramp({32, 28, 20})}, {}));
+        // Positions that are all the same are no volume.
+        QFile broken(folder.filePath("b.dcm"));
+        QVERIFY(broken.open(QIODevice::ReadWrite));
+        QByteArray bytes = broken.readAll();
+        const QByteArray position(
+            "\x20\x00\x01\x93"
+            "FD\x18\x00",
+            8);
+        for (qsizetype at = 0; (at = bytes.indexOf(position, at)) >= 0; at += 32)
+            bytes.replace(at + 24, 8, QByteArray(8, 0));
+        broken.seek(0);
+        broken.write(bytes);
+        broken.close();
+        window().open(folder.path());  // the only volume opens at once
+        QTRY_COMPARE(depthOfStudy(), 24);
+        auto* again = window().findChild<QAction*>("file.chooseSeries");
+        QTRY_VERIFY(again->isEnabled());
+        again->trigger();
+        QTRY_VERIFY(dialog() && dialog()->isVisible());
+        QTest::keyClick(list(), Qt::Key_Down);
+        QVERIFY(!dialog()->findChild<QPushButton>("series.open")->isEnabled());
+        const QString why = dialog()->findChild<QLabel>("series.why")->text();
+        QVERIFY2(why.contains("Image Position") && why.contains("the same for two slices"), qPrintable(why));
+        QVERIFY2(!why.contains(folder.path()), qPrintable(why));
+    }
+
     void escapeLeavesWhatWasOpen() {
         ask();
         QTest::keyClick(dialog(), Qt::Key_Escape);

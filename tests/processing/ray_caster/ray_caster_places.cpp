@@ -196,7 +196,7 @@ TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
             settings.interpolation = interpolation;
             if (shaded) settings.shading = Shading{};
             expectSound(volume, settings, "masked");
-            expectSound(volume.withDataMask({}), settings, "mask forgotten");
+            expectSound(volume.withDataMask(std::vector<std::uint8_t>{}), settings, "mask forgotten");
         }
     const Volume nothing(random.geometry(), std::vector<float>(voxels.size(), std::nanf("")));
     const auto picture = castRays(nothing, ManualCurve{{{0, 1.0}}}, settingsFor(nothing, Viewpoint{}, 20, 20));

@@ -32,7 +32,8 @@ TEST(DataBox, IsTheGridWithoutAMaskAndWithoutData) {
     const Volume volume(grid(), std::vector<std::uint8_t>(2400, 50));
     EXPECT_EQ(volume.dataBox(), DataBox(grid()));
     EXPECT_EQ(volume.withDataMask(std::vector<std::uint8_t>(2400, 0)).dataBox(), DataBox(grid()));
-    EXPECT_EQ(withCornersAt({3, 2, 1}, {15, 7, 6}).withDataMask({}).dataBox(), DataBox(grid()));
+    EXPECT_EQ(withCornersAt({3, 2, 1}, {15, 7, 6}).withDataMask(std::vector<std::uint8_t>{}).dataBox(),
+              DataBox(grid()));
     EXPECT_EQ(DataBox(grid()).centreMm(), grid().centreMm());
 }
 

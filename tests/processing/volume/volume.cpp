@@ -65,7 +65,7 @@ TEST(Volume, SharesItsVoxelsUnderAnotherMask) {
     EXPECT_FALSE(marked.hasData(1));
     EXPECT_TRUE(marked.hasData(0));
     EXPECT_TRUE(volume.hasData(1)) << "the first volume is not changed";
-    EXPECT_TRUE(marked.withDataMask({}).hasData(1));
+    EXPECT_TRUE(marked.withDataMask(std::vector<std::uint8_t>{}).hasData(1));
     EXPECT_THROW((void)volume.withDataMask({1, 0}), std::invalid_argument);
 }
 
