@@ -29,7 +29,8 @@ constexpr double someAtFront = 0.1;  // of the tube cores that meet data, and fa
 constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too,
 constexpr double moreAtFront = 3.0;      // clear fluid is no dim tissue
 constexpr double clearFrontContrast = 1.3;
-constexpr double clearFluid = 0.03;                           // of the data: so much is beyond doubt
+constexpr double mostlySurrounded = 0.5;  // of the tube cores that a cut would open: they begin in fluid
+constexpr double clearFluid = 0.03;       // of the data: so much is beyond doubt
 constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6, which every wall has, and ln 2.16
 constexpr double sureFrom = 0.5;
 constexpr double asManyAsFlat = 0.95;  // tube cores in fluid: then the curved cut fits
@@ -97,6 +98,30 @@ std::vector<FluidStretch> behindWalls(const Seen& seen) {
     return walled;
 }
 
+/// How many tube cores are in fluid behind a wall at a depth, and in how many of these fluid began at the front: there
+/// the wall is what the fluid surrounds.
+struct Opened {
+    int all = 0, behindFluid = 0;
+};
+
+Opened openedAt(const Seen& seen, int sample) {
+    std::vector<bool> begins(seen.tubes.tubes()), opened(seen.tubes.tubes());
+    for (const auto& stretches : seen.levels)
+        for (const FluidStretch& stretch : stretches) {
+            const auto tube = static_cast<std::size_t>(stretch.tube);
+            if (stretch.atFront)
+                begins[tube] = true;
+            else if (stretch.begin <= sample && sample < stretch.end)
+                opened[tube] = true;
+        }
+    Opened count;
+    for (std::size_t tube = 0; tube < opened.size(); ++tube) {
+        count.all += opened[tube] ? 1 : 0;
+        count.behindFluid += opened[tube] && begins[tube] ? 1 : 0;
+    }
+    return count;
+}
+
 void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
     const TubeEcho& tubes = seen.tubes;
     finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
@@ -116,10 +141,14 @@ NearCutFinding judged(const Seen& seen) {
     NearCutFinding finding;
     finding.tubes = seen.meetData;
     const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
-    const int opened = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int) { return flat.sample; });
+    const Opened opened = openedAt(seen, flat.sample);
     const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
-    const double timesOpened = seen.frontContrast >= clearFrontContrast ? moreAtFront : farMoreAtFront;
-    if (frontShare >= mostlyAtFront || (frontShare >= someAtFront && seen.beginInFluid >= timesOpened * opened)) {
+    const bool clearFront = seen.frontContrast >= clearFrontContrast;
+    const double timesOpened = clearFront ? moreAtFront : farMoreAtFront;
+    // In a wide sector few tube cores meet the fluid at the front, and behind what it surrounds there is more of it.
+    const bool surrounds = clearFront && opened.behindFluid >= mostlySurrounded * opened.all;
+    if (frontShare >= mostlyAtFront ||
+        (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened.all || surrounds))) {
         finding.answer = NearCutAnswer::fluidAtFront;
         finding.tubesThatSaySo = seen.beginInFluid;
         finding.confidence = frontShare;
@@ -128,7 +157,7 @@ NearCutFinding judged(const Seen& seen) {
         finding.confidence = seen.meetData > 0 ? 1.0 - flat.fluid / leastFluid : 0.0;
     } else {
         finding.answer = NearCutAnswer::wallBeforeFluid;
-        finding.tubesThatSaySo = opened;
+        finding.tubesThatSaySo = opened.all;
         finding.confidence = clampedShare(flat.fluid, 0.0, clearFluid) *
                              clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
         finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;

@@ -11,6 +11,7 @@
 
 #include "app/measuring/measures/detection_quality.h"
 #include "processing/phantom/phantom.h"
+#include "processing/scan_conversion/scan_conversion.h"
 #include "processing/tube_core/tube_grid.h"
 #include "tests/processing/tube_core/plane_volume.h"
 
@@ -147,6 +148,21 @@ TEST(NearCut, OfACancelledRunIsNone) {
     Progress progress;
     progress.cancel = &cancel;
     EXPECT_FALSE(findNearCut(volume, {}, progress));
+}
+
+/// The sector of a wobbler is wide: many tube cores meet tissue beside the fluid, and fluid lies behind the fetus too.
+TEST(NearCut, IsNotSoughtBehindWhatTheFluidOfAWideSectorSurrounds) {
+    PhantomConfig config = defaultPhantom(PhantomScene::fetus);
+    config.size = {100, 100, 100};
+    const PolarGeometry polar =
+        polarGeometry({PolarKind::wobbler, 0, 1, {-40, 40}, {-38, 38}, 39.6, 24.75}, config.size);
+    const ConversionGrid grid = conversionGrid(polar);
+    const ScanConversion conversion(polar, grid);
+    const auto sampled = makePolarPhantom(configOnGrid(config, grid), polar, grid);
+    const Volume volume =
+        Volume(grid.geometry, *conversion.convert(*sampled), std::nullopt).withDataMask(conversion.mask());
+    const auto found = findNearCut(volume, {});
+    EXPECT_EQ(found->answer, NearCutAnswer::fluidAtFront) << found->message;
 }
 
 }  // namespace
