@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "io/gzip_file.h"
+
 namespace echolucent {
 
 bool ByteStream::read(std::uint8_t* bytes, std::size_t count) {
     if (m_inflater) {
-        if (m_inflater->read({bytes, count}) != count) return false;
+        if (inflate({bytes, count}) != count) return false;
     } else {
         for (std::size_t done = 0; done < count; ++done) {
             if (m_position + done >= m_file->size()) return false;
@@ -27,13 +29,21 @@ std::uint64_t ByteStream::skip(std::uint64_t count) {
         std::array<std::uint8_t, 65536> scratch{};
         while (skipped < count) {
             const auto want = static_cast<std::size_t>(std::min<std::uint64_t>(scratch.size(), count - skipped));
-            const std::size_t got = m_inflater->read({scratch.data(), want});
+            const std::size_t got = inflate({scratch.data(), want});
             skipped += got;
             if (got < want) break;
         }
     }
     m_position += skipped;
     return skipped;
+}
+
+std::size_t ByteStream::inflate(std::span<std::uint8_t> bytes) {
+    if (m_inflatesTooMuch || m_progress->cancelled()) return 0;
+    const std::size_t count = m_inflater->read(bytes);
+    m_inflated += count;
+    m_inflatesTooMuch = m_inflated > mostUnpackedBytes(m_file->size());
+    return m_inflatesTooMuch ? 0 : count;
 }
 
 bool ByteStream::buffered(std::uint64_t position) {

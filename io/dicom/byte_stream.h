@@ -4,22 +4,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "io/headers/raw_inflater.h"
 #include "io/input_file.h"
+#include "processing/progress.h"
 
 namespace echolucent {
 
-/// A file's bytes in order, from the file or through inflate, with a position that can be moved forward. The file must
-/// outlive it.
+/// A file's bytes in order, from the file or through inflate, with a position that can be moved forward. File and
+/// progress must outlive it.
 class ByteStream {
 public:
-    explicit ByteStream(const InputFile& file) : m_file(&file) {}
+    /// `progress` is polled for cancel while bytes are inflated; a cancelled stream has no more of them.
+    ByteStream(const InputFile& file, const Progress& progress) : m_file(&file), m_progress(&progress) {}
 
     /// Bytes that were read or skipped so far, inflated ones where it inflates.
     [[nodiscard]] std::uint64_t position() const { return m_position; }
     [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
+    /// Whether more was inflated than mostUnpackedBytes() lets out of the file; the stream ends there.
+    [[nodiscard]] bool inflatesTooMuch() const { return m_inflatesTooMuch; }
     /// Takes everything from here on as a raw deflate stream.
     void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
     /// Reads `count` bytes; false, and the position stays, where there are fewer.
@@ -29,8 +34,12 @@ public:
 
 private:
     bool buffered(std::uint64_t position);
+    std::size_t inflate(std::span<std::uint8_t> bytes);
 
     const InputFile* m_file;
+    const Progress* m_progress;
+    bool m_inflatesTooMuch = false;
+    std::uint64_t m_inflated = 0;
     std::uint64_t m_position = 0;
     std::vector<std::uint8_t> m_buffer;
     std::uint64_t m_bufferStart = 0;

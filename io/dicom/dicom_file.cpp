@@ -52,10 +52,11 @@ std::optional<Failure> refusal(const std::string& path, const DicomScan& scan) {
 /// The bytes of an opened file with its repairs.
 class RepairedBytes {
 public:
-    RepairedBytes(InputFile file, std::vector<DicomRepair> repairs)
-        : m_file(std::move(file)), m_repairs(std::move(repairs)), m_size(m_file.size()) {
-        for (const DicomRepair& repair : m_repairs)
+    RepairedBytes(InputFile file, std::vector<DicomRepair> repairs) : m_file(std::move(file)), m_size(m_file.size()) {
+        std::ranges::sort(repairs, {}, &DicomRepair::offset);
+        for (const DicomRepair& repair : repairs)
             m_size = std::max<std::uint64_t>(m_size, repair.offset + repair.bytes.size());
+        m_repairs = std::make_shared<const std::vector<DicomRepair>>(std::move(repairs));
     }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     /// Fills `bytes` from `position` on; they lie within size().
@@ -63,17 +64,21 @@ public:
         const std::uint64_t held = m_file.size() - std::min(position, m_file.size());
         const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), held));
         if (!m_file.readAt(position, bytes.first(count))) return false;
-        for (const DicomRepair& repair : m_repairs)
-            for (std::size_t i = 0; i < repair.bytes.size(); ++i)
-                if (repair.offset + i >= position && repair.offset + i - position < bytes.size())
-                    bytes[static_cast<std::size_t>(repair.offset + i - position)] =
-                        static_cast<std::uint8_t>(repair.bytes[i]);
+        const std::uint64_t end = position + bytes.size();
+        // Repairs do not overlap, so that their ends are in order as well.
+        auto repair = std::ranges::lower_bound(*m_repairs, position + 1, {},
+                                               [](const DicomRepair& one) { return one.offset + one.bytes.size(); });
+        for (; repair != m_repairs->end() && repair->offset < end; ++repair)
+            for (std::uint64_t at = std::max(position, repair->offset);
+                 at < std::min<std::uint64_t>(end, repair->offset + repair->bytes.size()); ++at)
+                bytes[static_cast<std::size_t>(at - position)] =
+                    static_cast<std::uint8_t>(repair->bytes[static_cast<std::size_t>(at - repair->offset)]);
         return true;
     }
 
 private:
     InputFile m_file;
-    std::vector<DicomRepair> m_repairs;
+    std::shared_ptr<const std::vector<DicomRepair>> m_repairs;  // copies share them: DCMTK makes one a long value
     std::uint64_t m_size;
 };
 

@@ -26,26 +26,29 @@ struct DicomRepair {
 struct DicomScan {
     std::string transferSyntax;  ///< UID from the meta header; empty where it has none
     std::string sopClass;        ///< SOP class from the meta header, else from the data set; empty where it has none
-    std::uint64_t fileSize = 0;
-    bool hasPixelData = false;             ///< whether (7FE0,0010) stands at top level
+    bool hasPixelData = false;   ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
-    std::uint64_t pixelStart = 0;          ///< where the value of (7FE0,0010) begins in the file, if it is not deflated
-    bool pixelsEnd = false;                ///< whether the walk came to the end of (7FE0,0010)
-    bool holdsKretz = false;               ///< whether GE's volume (private creator KRETZ_US) stands behind the pixels
+    std::uint64_t pixelStart = 0;  ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
+    bool pixelsEnd = false;        ///< whether the walk came to the end of (7FE0,0010)
+    bool holdsKretz = false;       ///< whether a volume of GE's (kretzVolumeIn()) stands behind the pixels
     /// What a reader that is as strict as the standard needs to get through: delimiters missing at the end of the file,
     /// lengths of sequences that are declared empty and are not, items that belong to no sequence.
     std::vector<DicomRepair> repairs;
-    std::vector<std::string> notes;  ///< sentences on the repairs
+    std::vector<std::string> notes;  ///< sentences on the repairs, each once
 };
 
 /// Sequences may lie this deep in each other; the standard's own objects need fewer than ten. DCMTK recurses into every
 /// level and runs out of stack in the thousands.
 constexpr int deepestSequence = 64;
+/// More repairs than this are not made: files that need any need a few.
+constexpr std::size_t mostRepairs = 1000;
 
 /// Walks the elements of an opened file; where `headerOnly` is set, up to the private group behind its pixel data.
-/// Fails only where sequences are nested too deep, or where the person cancelled, for which `progress` is polled at
-/// every element. Whatever else is wrong with the file is left for the DICOM library to name.
+/// Fails only where sequences are nested too deep, where more than mostRepairs are needed, where deflated bytes unpack
+/// to more than mostUnpackedBytes() (DCMTK never sees these), or where the person cancelled, for which `progress` is
+/// polled at every element and within long values that are deflated. Whatever else is wrong with the file is left for
+/// the DICOM library to name.
 [[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);
 
 }  // namespace echolucent

@@ -1,0 +1,297 @@
+#include "io/dicom/dicom_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/gzip_file.h"
+#include "io/headers/header_text.h"
+#include "io/kretz/kretz_items.h"
+#include "io/kretz/kretz_reader.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::uint32_t itemTag = 0xfffee000U;
+constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+constexpr std::uint32_t sopClassTag = 0x00080016U;
+constexpr std::uint32_t kretzGroup = 0x7fe1;
+constexpr std::string_view kretzCreator = "KRETZ_US";
+
+bool isVr(const std::uint8_t* bytes) {
+    return bytes[0] >= 'A' && bytes[0] <= 'Z' && bytes[1] >= 'A' && bytes[1] <= 'Z';
+}
+
+bool hasLongLength(std::string_view vr) {
+    constexpr std::array<std::string_view, 13> longVrs{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                       "UN", "UC", "UR", "UT", "SV", "UV"};
+    return std::find(longVrs.begin(), longVrs.end(), vr) != longVrs.end();
+}
+
+}  // namespace
+
+void DicomWalk::run(bool headerOnly) {
+    if (!readMeta()) return;
+    const auto goesOn = [&] { return !m_progress.cancelled() && harm().empty(); };
+    const auto enough = [&] { return headerOnly && m_behindKretz; };
+    while (goesOn() && !enough() && step()) {
+    }
+    if (goesOn() && !enough()) closeAtEnd();
+    // The library may go on where this walk does not: all that it could be given is measured.
+    if (goesOn() && m_stream.inflates()) m_stream.skip(endless);
+}
+
+std::string DicomWalk::harm() const {
+    if (m_sequences > deepestSequence)
+        return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does",
+                           deepestSequence);
+    if (m_scan.repairs.size() > mostRepairs)
+        return fmt::format("holds more than {} items outside sequences, which no true DICOM object does", mostRepairs);
+    if (m_stream.inflatesTooMuch())
+        return fmt::format("unpacks to more than {} bytes out of {}, which no volume does",
+                           mostUnpackedBytes(m_file.size()), m_file.size());
+    return {};
+}
+
+std::optional<std::uint32_t> DicomWalk::read16() {
+    std::array<std::uint8_t, 2> b{};
+    if (!m_stream.read(b.data(), b.size())) return std::nullopt;
+    return m_bigEndian ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
+}
+
+std::optional<std::uint32_t> DicomWalk::read32() {
+    const auto first = read16();
+    const auto second = read16();
+    if (!first || !second) return std::nullopt;
+    return m_bigEndian ? *first << 16 | *second : *second << 16 | *first;
+}
+
+std::optional<std::uint32_t> DicomWalk::readTag() {
+    if (m_pendingTag) return std::exchange(m_pendingTag, std::nullopt);
+    const auto group = read16();
+    const auto element = read16();
+    if (!group || !element) return std::nullopt;
+    return *group << 16 | *element;
+}
+
+/// Reads preamble and meta header, and from there how the data set is written. False where the file is too short.
+bool DicomWalk::readMeta() {
+    const auto beginning = m_file.beginning(132);
+    if (!beginning || beginning->size() < 8) return false;
+    const bool preamble = beginning->size() == 132 && beginning->substr(128) == "DICM";
+    m_stream.skip(preamble ? 132 : 0);
+    std::optional<std::uint32_t> tag;
+    while ((tag = readTag()) && *tag >> 16 == 0x0002) {
+        std::array<std::uint8_t, 2> vr{};
+        if (!m_stream.read(vr.data(), 2)) return false;
+        const bool isLong = hasLongLength({reinterpret_cast<const char*>(vr.data()), 2});
+        if (isLong) m_stream.skip(2);
+        const auto length = isLong ? read32() : read16();
+        if (!length) return false;
+        const bool wanted = *tag == 0x00020010 || *tag == 0x00020002;
+        if (wanted && *length <= 128) {
+            std::string value(*length, '\0');
+            if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+            value = trimmed(value.substr(0, value.find('\0')));
+            (*tag == 0x00020010 ? m_scan.transferSyntax : m_scan.sopClass) = value;
+        } else {
+            m_stream.skip(*length);
+        }
+    }
+    if (!tag) return false;
+    if (m_scan.transferSyntax == "1.2.840.10008.1.2.1.99") {
+        // The tag just read was already deflated data: go back to it.
+        ByteStream again(m_file, m_progress);
+        again.skip(m_stream.position() - 4);
+        m_stream = std::move(again);
+        m_stream.inflateFromHere();
+    } else {
+        m_bigEndian = m_scan.transferSyntax == "1.2.840.10008.1.2.2";
+        const std::uint32_t swapped =
+            (*tag >> 24 & 0xff) << 16 | (*tag >> 16 & 0xff) << 24 | (*tag & 0xff) << 8 | (*tag >> 8 & 0xff);
+        if (!m_bigEndian && m_scan.transferSyntax.empty()) m_bigEndian = *tag >> 16 == 0x0800;
+        m_pendingTag = m_bigEndian ? swapped : *tag;
+    }
+    Level dataset;
+    dataset.implicitVr = m_scan.transferSyntax == "1.2.840.10008.1.2";
+    if (m_scan.transferSyntax.empty()) {
+        std::array<std::uint8_t, 2> vr{};
+        if (m_file.readAt(m_stream.position(), vr)) dataset.implicitVr = !isVr(vr.data());
+    }
+    m_levels.push_back(dataset);
+    return true;
+}
+
+void DicomWalk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
+    const std::uint64_t start = m_stream.position() - (m_pendingTag ? 4 : 0);
+    Level level;
+    level.kind = kind;
+    level.start = start;
+    level.end = length == undefinedLength ? endless : start + length;
+    level.implicitVr = implicitVr;
+    m_levels.push_back(level);
+    m_sequences += kind == LevelKind::sequence ? 1 : 0;
+}
+
+void DicomWalk::pop() {
+    m_scan.pixelsEnd = m_scan.pixelsEnd || m_levels.back().pixels;
+    m_sequences -= m_levels.back().kind == LevelKind::sequence ? 1 : 0;
+    m_levels.pop_back();
+}
+
+/// Leaves what cannot be understood at the nearest end that is known; false where no end is known.
+bool DicomWalk::recover() {
+    m_pendingTag.reset();
+    while (m_levels.size() > 1) {
+        const Level level = m_levels.back();
+        pop();
+        if (level.end == endless || level.end < m_stream.position()) continue;
+        const std::uint64_t rest = level.end - m_stream.position();
+        return m_stream.skip(rest) == rest;
+    }
+    return false;
+}
+
+bool DicomWalk::step() {
+    const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
+    m_stepStart = position;
+    if (m_levels.size() > 1 && position >= m_levels.back().end) {
+        pop();
+        return true;
+    }
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (*tag >> 16 == 0xfffe) return readDelimiter(*tag);
+    const LevelKind kind = m_levels.back().kind;
+    if (m_levels.back().falseLength) {
+        m_pendingTag = tag;
+        writeLength();
+        return true;
+    }
+    if (kind == LevelKind::sequence || kind == LevelKind::fragments) return recover();
+    return readElement(*tag);
+}
+
+bool DicomWalk::readDelimiter(std::uint32_t tag) {
+    const auto length = read32();
+    if (!length) return false;
+    const LevelKind kind = m_levels.back().kind;
+    if (tag == itemTag) {
+        if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
+        if (kind != LevelKind::sequence && !m_stream.inflates() && m_levels.size() == 1 &&
+            m_stream.position() - 8 == m_emptySequenceEnd) {
+            // The items of a sequence follow although its length is declared as 0.
+            push(LevelKind::sequence, undefinedLength, false);
+            m_levels.back().start = m_emptySequenceEnd;
+            m_levels.back().falseLength = m_emptySequenceEnd - 4;
+        } else if (kind != LevelKind::sequence) {
+            return leaveOutItem(*length) || recover();
+        }
+        push(LevelKind::item, *length, m_levels.back().implicitVr);
+        return true;
+    }
+    if (tag == itemEndTag && kind == LevelKind::item) {
+        pop();
+        return true;
+    }
+    if (tag == sequenceEndTag && (kind == LevelKind::sequence || kind == LevelKind::fragments)) {
+        if (m_levels.back().falseLength) repairLength(m_levels.back(), undefinedLength);
+        pop();
+        return true;
+    }
+    return recover();
+}
+
+bool DicomWalk::readElement(std::uint32_t tag) {
+    if (m_levels.back().implicitVr) {
+        const auto length = read32();
+        return length && enterValue(tag, "", *length);
+    }
+    std::array<std::uint8_t, 2> bytes{};
+    if (!m_stream.read(bytes.data(), 2)) return false;
+    const std::string_view vr(reinterpret_cast<const char*>(bytes.data()), 2);
+    const bool isLong = hasLongLength(vr);
+    if (isLong && m_stream.skip(2) != 2) return false;
+    const auto length = isLong ? read32() : read16();
+    return length && enterValue(tag, vr, *length);
+}
+
+void DicomWalk::notePixelData(std::uint32_t length) {
+    m_scan.hasPixelData = true;
+    m_scan.pixelStart = m_stream.inflates() ? 0 : m_stream.position();
+    if (length == undefinedLength) return;
+    m_scan.pixelBytesDeclared = length;
+    // What deflated data hold is known once they are passed.
+    m_scan.pixelBytesHeld =
+        m_stream.inflates() ? length : std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
+}
+
+/// Passes an element of the group in which GE keeps volumes: the one behind a creator's block that begins as Kretz
+/// volumes do is one. Other elements are not passed here, which gives false.
+bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
+    const std::uint32_t element = tag & 0xffff;
+    std::string value;
+    const auto readValue = [&](std::size_t count) {
+        value.resize(count);
+        return m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), count);
+    };
+    const bool creator = element >= 0x10 && element <= 0xff && length >= kretzCreator.size() && length <= 64;
+    if (creator && m_kretzBlock == 0) {
+        if (!readValue(length)) return false;
+        if (trimmed(value.substr(0, value.find('\0'))) == kretzCreator) m_kretzBlock = element;
+        return true;
+    }
+    const bool bytes = vr.empty() || vr == "OB" || vr == "OW" || vr == "UN";
+    const bool volume = m_kretzBlock != 0 && element == (m_kretzBlock << 8 | 0x01) && bytes;
+    if (!volume || length == undefinedLength || length < kretzSignature.size()) return false;
+    if (!readValue(kretzSignature.size())) return false;
+    m_scan.holdsKretz = looksLikeKretz(value);
+    m_stream.skip(length - value.size());
+    return true;
+}
+
+bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
+    const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
+    m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
+    if (m_levels.size() == 1 && tag >> 16 == kretzGroup && readKretz(tag, vr, length)) return true;
+    if (pixels) notePixelData(length);
+    if (tag == sopClassTag && m_levels.size() == 1 && m_scan.sopClass.empty() && length <= 64) {
+        std::string value(length, '\0');
+        if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+        m_scan.sopClass = trimmed(value.substr(0, value.find('\0')));
+        return true;
+    }
+    const bool implicitVr = m_levels.back().implicitVr;
+    if (length == undefinedLength) {
+        const bool fragments = !implicitVr && vr != "SQ" && vr != "UN";
+        push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
+        m_levels.back().pixels = pixels;
+        return true;
+    }
+    if (vr == "SQ") {
+        if (length == 0) m_emptySequenceEnd = m_stream.position();
+        push(LevelKind::sequence, length, false);
+        return true;
+    }
+    if (implicitVr || vr == "UN") return enterIfItem(length);
+    const std::uint64_t skipped = m_stream.skip(length);
+    if (pixels && m_stream.inflates()) m_scan.pixelBytesHeld = skipped;
+    m_scan.pixelsEnd = m_scan.pixelsEnd || (pixels && skipped == length);
+    return skipped == length;
+}
+
+/// A value of unknown kind is a sequence where it begins with an item.
+bool DicomWalk::enterIfItem(std::uint32_t length) {
+    if (length < 8) return m_stream.skip(length) == length;
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (*tag != itemTag) return m_stream.skip(length - 4) == length - 4;
+    m_pendingTag = tag;
+    push(LevelKind::sequence, length, true);
+    return true;
+}
+
+}  // namespace echolucent

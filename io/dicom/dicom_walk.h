@@ -1,0 +1,78 @@
+// The walk over a DICOM file's elements that scanDicom() makes: what it keeps in mind on the way.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/dicom/byte_stream.h"
+#include "io/dicom/dicom_scan.h"
+#include "io/input_file.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// The walk over one file, element by element. File and progress must outlive it.
+class DicomWalk {
+public:
+    DicomWalk(const InputFile& file, DicomScan& scan, const Progress& progress)
+        : m_file(file), m_stream(file, progress), m_scan(scan), m_progress(progress) {}
+
+    /// Ends early where the person cancels, and where it finds harm.
+    void run(bool headerOnly);
+    /// What would do harm, and no sentence where nothing was found.
+    [[nodiscard]] std::string harm() const;
+
+private:
+    static constexpr std::uint64_t endless = std::numeric_limits<std::uint64_t>::max();
+    static constexpr std::uint32_t undefinedLength = 0xffffffffU;
+    static constexpr std::uint32_t itemEndTag = 0xfffee00dU;
+    static constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
+    enum class LevelKind { dataset, sequence, item, fragments };
+    struct Level {
+        LevelKind kind = LevelKind::dataset;
+        std::uint64_t end = endless;
+        bool implicitVr = false;
+        bool pixels = false;                            // whether it is the pixel data
+        std::optional<std::uint64_t> falseLength = {};  // where a length stands that has to be written anew
+        std::uint64_t start = 0;
+    };
+    bool readMeta();
+    bool step();
+    bool readElement(std::uint32_t tag);
+    bool readDelimiter(std::uint32_t tag);
+    bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
+    bool enterIfItem(std::uint32_t length);
+    bool recover();
+    bool leaveOutItem(std::uint32_t length);
+    void repair(std::uint64_t offset, std::string bytes, const char* note);
+    void repairLength(const Level& level, std::uint32_t length);
+    bool readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length);
+    void closeAtEnd();
+    void writeLength();
+    void push(LevelKind kind, std::uint32_t length, bool implicitVr);
+    void pop();
+    void notePixelData(std::uint32_t length);
+
+    std::optional<std::uint32_t> readTag();
+    std::optional<std::uint32_t> read32();
+    std::optional<std::uint32_t> read16();
+
+    const InputFile& m_file;
+    ByteStream m_stream;
+    DicomScan& m_scan;
+    const Progress& m_progress;
+    std::vector<Level> m_levels;
+    int m_sequences = 0;
+    bool m_bigEndian = false;
+    std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
+    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that is declared to be empty
+    bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
+    std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator has reserved; 0: none
+    std::uint64_t m_stepStart = 0;               // where the last step began
+};
+
+}  // namespace echolucent
