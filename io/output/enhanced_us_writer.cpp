@@ -295,6 +295,8 @@ Result<void> check(const std::string& path, const Phases& phases) {
     };
     if (std::holds_alternative<std::vector<float>>(first.voxels()))
         return refuse("cannot hold float32 voxels: an Enhanced US Volume has 8 or 16 bits", "Write it as .mha.");
+    if (!first.geometry().spacingKnown)
+        return refuse("cannot hold a volume of unknown spacing: an Enhanced US Volume states it", "Write it as .mha.");
     const auto& size = first.geometry().size;
     if (size[0] > 65535 || size[1] > 65535)
         return refuse(fmt::format("cannot hold slices of {} x {} pixels: DICOM counts to 65535", size[0], size[1]),

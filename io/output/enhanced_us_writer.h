@@ -30,9 +30,9 @@ struct EnhancedUsDetails {
 /// whole or not at all. The voxels have 8 or 16 bits; origin and direction of the grid give the planes in the volume's
 /// frame of reference, and also those in the patient's where the patient frame is known or nothing but PATIENT is left.
 /// The white level is kept as the frames' window. The object is marked as simulated; its identifiers are new with every
-/// call, and it holds nothing about a patient. Fails (unwritable) where the voxels are float32, where an edge of the
-/// grid or the whole is longer than DICOM can count, or where the file cannot be written. Throws std::invalid_argument
-/// where there is no phase or where the phases differ in size or type.
+/// call, and it holds nothing about a patient. Fails (unwritable) where the voxels are float32, where the spacing is
+/// not known, where an edge of the grid or the whole is longer than DICOM can count, or where the file cannot be
+/// written. Throws std::invalid_argument where there is no phase or where the phases differ in size or type.
 [[nodiscard]] Result<void> writeEnhancedUs(const std::string& path,
                                            const std::vector<std::shared_ptr<const Volume>>& phases,
                                            const EnhancedUsDetails& details);

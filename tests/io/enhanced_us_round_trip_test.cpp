@@ -318,6 +318,10 @@ TEST(EnhancedUsWriter, WhatTheObjectCannotHoldIsRefusedAndNothingIsLeft) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, FailureKind::unwritable);
     EXPECT_THAT(refused.error().sentence(), HasSubstr("float32"));
+    VolumeGeometry unknown = geometry;
+    unknown.spacingKnown = false;
+    const SharedPhases unscaled{std::make_shared<const Volume>(unknown, std::vector<std::uint8_t>(8, 1))};
+    EXPECT_THAT(writeEnhancedUs(folder.file("v.dcm"), unscaled, {}).error().sentence(), HasSubstr("unknown spacing"));
     const VolumeGeometry wide = upright({65536, 1, 2}, {1, 1, 1});
     const SharedPhases tooWide{std::make_shared<const Volume>(wide, std::vector<std::uint8_t>(131072, 1))};
     EXPECT_THAT(writeEnhancedUs(folder.file("v.dcm"), tooWide, {}).error().sentence(), HasSubstr("65536 x 1 pixels"));
