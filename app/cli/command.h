@@ -86,6 +86,7 @@ struct ViewOptions {
     Viewpoint view;
     std::string beamAxis;  ///< empty where it is not given
     std::string near = "0";
+    /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
@@ -101,6 +102,12 @@ struct ViewOptions {
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const ChosenBeam& beam) const;
     /// The same with the beam of beamOf().
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume) const;
+
+private:
+    /// Whether the command line says how the view is turned, be it by 0 degrees.
+    [[nodiscard]] bool isTurned() const;
+    const CLI::Option* m_azimuth = nullptr;
+    const CLI::Option* m_elevation = nullptr;
 };
 
 /// The method's options: --reading, --initial, --tube-grid, and one for each row of methodParameters(). The reading

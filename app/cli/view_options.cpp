@@ -19,14 +19,17 @@ void ViewOptions::addTo(CLI::App& command, ViewOf of) {
         .add_option("--beam-axis", beamAxis,
                     axis + (ofFile ? "[guessed from the scan; +z where that is not sure]" : "[+z]"))
         ->type_name("AXIS");
-    command
-        .add_option("--view-azimuth", view.azimuthDegrees,
-                    "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
-        ->type_name("DEG")
-        ->capture_default_str();
-    command.add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
-        ->type_name("DEG")
-        ->capture_default_str();
+    m_azimuth =
+        command
+            .add_option("--view-azimuth", view.azimuthDegrees,
+                        "Turn of the view about the grid's y axis (with another beam axis: its own frame's), degrees")
+            ->type_name("DEG")
+            ->capture_default_str();
+    m_elevation =
+        command
+            .add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
+            ->type_name("DEG")
+            ->capture_default_str();
     const std::string cut = "Near cut: nothing nearer than this behind the foremost corner, mm";
     command.add_option("--near", near, cut + (ofFile ? "; auto: inside the fluid behind a wall" : ""))
         ->type_name(ofFile ? "MM|auto" : "MM")
@@ -41,6 +44,11 @@ std::optional<BeamAxis> axisNamed(const std::string& name) {
 }
 
 }  // namespace
+
+bool ViewOptions::isTurned() const {
+    const auto isGiven = [](const CLI::Option* option) { return option != nullptr && option->count() > 0; };
+    return isGiven(m_azimuth) || isGiven(m_elevation);
+}
 
 Result<Viewpoint> ViewOptions::get() const {
     if (!beamAxis.empty() && !axisNamed(beamAxis))
@@ -106,8 +114,7 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam)
     auto chosen = get();
     if (!chosen) return chosen;
     chosen->beamAxis = beam.axis;
-    const bool untouched = chosen->azimuthDegrees == 0.0 && chosen->elevationDegrees == 0.0;
-    if (const auto& probe = volume.geometry().probe; probe && beamAxis.empty() && untouched) {
+    if (const auto& probe = volume.geometry().probe; probe && beamAxis.empty() && !isTurned()) {
         const double nearCutMm = chosen->nearCutMm;
         chosen = viewFromProbe(*probe);
         chosen->nearCutMm = nearCutMm;
