@@ -12,8 +12,9 @@ Result<Study> readDicomFile(const InputFile& input, const ReadOptions& options, 
     const auto file = DicomFile::load(input, false, progress);
     if (!file) return tl::unexpected(file.error());
     const auto philips = philipsVolumeOf(*file);
-    if (!philips) return tl::unexpected(philips.error());
-    if (*philips) return readPhilipsVolume(input, *file, **philips, options, progress);
+    const bool asSlices = !philips && philips.error().framesCouldBeSlices && options.framesAsSlices;
+    if (!philips && !asSlices) return tl::unexpected(philips.error());
+    if (philips && *philips) return readPhilipsVolume(input, *file, **philips, options, progress);
     return readMultiframe(*file, options, progress);
 }
 

@@ -78,7 +78,7 @@ void takeQlabSpacing(DcmItem& dataset, PhilipsVolume& volume) {
 Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
     DcmItem& dataset = file.dataset();
     const auto refuse = [&](const std::string& element, const std::string& problem) {
-        return fail(FailureKind::unreadable, file.path(), element, problem, "Export it from QLAB again.");
+        return fail(FailureKind::unreadable, file.path(), element, problem, "Export it from QLAB again, uncompressed.");
     };
     PhilipsVolume volume;
     volume.size = {dicomWholeNumber(dataset, {0x0028, 0x0011}).value_or(0),
@@ -96,8 +96,11 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
         return refuse("(0028,0100) Bits Allocated", "is not 8, as QLAB writes it");
     if (dicomWholeNumber(dataset, {0x0028, 0x0002}).value_or(1) != 1)
         return refuse("(0028,0002) Samples per Pixel", "is not 1, as QLAB writes it");
-    if (!file.scan().hasPixelData || file.scan().pixelStart == 0 || file.scan().pixelBytesDeclared == 0)
-        return refuse("", "is a Philips QLAB Cartesian volume, and (7fe0,0010) Pixel Data is absent or compressed");
+    const DicomScan& scan = file.scan();
+    const bool encapsulated = DcmXfer(scan.transferSyntax.c_str()).isEncapsulated();
+    if (!scan.hasPixelData || scan.pixelStart == 0 || scan.pixelBytesDeclared == 0 || encapsulated)
+        return refuse(
+            "", "is a Philips QLAB Cartesian volume, and (7fe0,0010) Pixel Data is absent, deflated or compressed");
     takeQlabSpacing(dataset, volume);
     volume.phaseSeconds = frameSeconds(dataset);
     return std::optional(volume);
@@ -195,7 +198,10 @@ Result<std::optional<PhilipsVolume>> scannerVolume(const DicomFile& file) {
     auto refused = fail(
         FailureKind::unreadable, file.path(), tagText(inBlock(*block, 0x01)),
         fmt::format("declares a 3D volume of {} voxels, which is kept in Philips's own coding", sizeText(volume.size)),
-        "Export it from QLAB as a Cartesian volume.");
+        pictures > 1
+            ? "Export it from QLAB as a Cartesian volume, or add --frames-as-slices to take the pictures beside "
+              "it as slices of unknown distance."
+            : "Export it from QLAB as a Cartesian volume.");
     refused.value().framesCouldBeSlices = pictures > 1;
     return refused;
 }
@@ -272,13 +278,14 @@ Result<PhilipsVoxels> framesVoxels(const DicomFile& file, const PhilipsVolume& v
     PhilipsVoxels voxels;
     voxels.type = frames->type();
     const auto frameBytes = static_cast<std::size_t>(frames->frameBytes());
-    std::vector<std::uint8_t> frame(frameBytes);
+    const auto phaseBytes = frameBytes * static_cast<std::size_t>(volume.size[2]);
     for (std::int64_t index = 0; index < frames->frames(); ++index) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, file.path(), "", "was not read: cancelled");
         progress.at(0.9 * static_cast<double>(index) / static_cast<double>(frames->frames()));
-        if (const auto read = frames->readGrey(index, frame); !read) return tl::unexpected(read.error());
-        if (index % volume.size[2] == 0) voxels.phases.emplace_back();
-        voxels.phases.back().insert(voxels.phases.back().end(), frame.begin(), frame.end());
+        const auto slice = static_cast<std::size_t>(index % volume.size[2]);
+        if (slice == 0) voxels.phases.emplace_back(phaseBytes);
+        const auto out = std::span(voxels.phases.back()).subspan(slice * frameBytes, frameBytes);
+        if (const auto read = frames->readGrey(index, out); !read) return tl::unexpected(read.error());
     }
     frames->sayWhite(parts);
     parts.lossyCompressed = frames->lossyCompressed();
@@ -316,6 +323,36 @@ Result<std::optional<PhilipsVolume>> philipsVolumeOf(const DicomFile& file) {
     return file.scan().sopClass == qlabSopClass ? qlabVolume(file) : scannerVolume(file);
 }
 
+Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file, const PhilipsVolume& volume,
+                                   std::int64_t index, const Progress& progress) {
+    GreySlice slice{volume.size[0], volume.size[1], StoredType::uint8, {}};
+    if (volume.kind == PhilipsVolume::Kind::frames) {
+        auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
+        if (!frames) return tl::unexpected(frames.error());
+        slice.type = frames->type();
+        slice.bytes.resize(static_cast<std::size_t>(frames->frameBytes()));
+        if (const auto read = frames->readGrey(index, slice.bytes); !read) return tl::unexpected(read.error());
+        return slice;
+    }
+    const auto pixels = static_cast<std::uint64_t>(volume.size[0] * volume.size[1]);
+    const std::uint64_t start = static_cast<std::uint64_t>(index) * pixels;
+    slice.bytes.resize(static_cast<std::size_t>(pixels));
+    if (volume.kind == PhilipsVolume::Kind::qlab) {
+        const auto read = readBytes(input, file.scan().pixelStart + start, slice.bytes, progress);
+        return read ? Result<GreySlice>(std::move(slice)) : tl::unexpected(read.error());
+    }
+    DcmElement* element = nullptr;
+    const DcmTagKey key(volume.voxels.group, volume.voxels.element);
+    if (file.dataset().findAndGetElement(key, element).bad() ||
+        element
+            ->getPartialValue(slice.bytes.data(), static_cast<Uint32>(start), static_cast<Uint32>(pixels), nullptr,
+                              EBO_LittleEndian)
+            .bad())
+        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read",
+                    "Copy or export it again.");
+    return slice;
+}
+
 Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, const PhilipsVolume& volume,
                                 const ReadOptions& options, const Progress& progress) {
     StudyParts parts;
@@ -334,9 +371,11 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     parts.geometry.spacing = volume.spacing.value_or(Vec3(1, 1, 1));
     parts.spacingSource = volume.spacingSource;
     parts.sizeSource = volume.sizeSource;
-    parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
+    parts.typeSource = volume.kind == PhilipsVolume::Kind::privateElement
+                           ? "the length of " + tagText(volume.voxels) + " Philips private: one byte a voxel"
+                           : "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
     parts.phaseSeconds = volume.phaseSeconds;
-    parts.phaseSource = "(0018,1063) Frame Time";
+    if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
     markMissing(*voxels, options, parts);
     parts.voxels = convertVoxels(std::move(voxels->phases), voxels->type);
     for (auto&& fact : equipmentFacts(file.dataset())) parts.facts.push_back(std::move(fact));

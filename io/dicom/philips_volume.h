@@ -4,10 +4,12 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_file.h"
 #include "io/study.h"
+#include "io/voxel_types.h"
 
 namespace echolucent {
 
@@ -24,7 +26,7 @@ struct PhilipsVolume {
     std::int64_t phases = 1;               ///< as declared; a QLAB file may hold fewer
     std::optional<Vec3> spacing;           ///< mm; no value where it is missing or makes no sense
     std::string spacingSource;             ///< tags that gave it
-    std::optional<double> phaseSeconds{};  ///< from Frame Time
+    std::optional<double> phaseSeconds{};  ///< from Frame Time, of a QLAB file
     DicomTag voxels{};                     ///< of a private element
     std::string warning{};                 ///< a sentence where numbers contradict each other; else empty
 };
@@ -32,6 +34,18 @@ struct PhilipsVolume {
 /// The volume in a loaded file; no value where it holds none of Philips's. Fails (unreadable) where a QLAB file does
 /// not say its size, or where a scanner's volume is kept in the maker's own coding.
 [[nodiscard]] Result<std::optional<PhilipsVolume>> philipsVolumeOf(const DicomFile& file);
+
+/// One slice as grey values.
+struct GreySlice {
+    std::int64_t columns = 0, rows = 0;
+    StoredType type = StoredType::uint8;  ///< uint8, int8, uint16, int16 or float32
+    std::vector<std::uint8_t> bytes;      ///< row after row, in this machine's byte order
+};
+
+/// Reads slice `index` (from 0) of the first phase alone.
+[[nodiscard]] Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file,
+                                                 const PhilipsVolume& volume, std::int64_t index,
+                                                 const Progress& progress);
 
 /// Reads the volume that philipsVolumeOf() has found in `file`, which was loaded from `input`.
 [[nodiscard]] Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file,

@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "dicom_bytes.h"
 #include "io/series_list.h"
 #include "temporary_folder.h"
+#include "zlib_bytes.h"
 
 namespace echolucent {
 namespace {
@@ -111,6 +113,29 @@ TEST(QlabCartesian, NumbersThatMakeNoSenseAreRefusedOrUnknown) {
     }
 }
 
+TEST(QlabCartesian, IsRefusedWhereItsPixelsAreNotPlain) {
+    const TemporaryFolder folder;
+    const std::string plain = qlabFile({});
+    const std::string header = DicomBytes().file(qlab), body = plain.substr(header.size());
+    const std::string deflatedFile = DicomBytes().file(qlab, "1.2.840.10008.1.2.1.99") + deflated(body, -15);
+    const std::string encapsulated = DicomBytes().file(qlab, "1.2.840.10008.1.2.4.70") + body;
+    ASSERT_TRUE(readStudy(folder.write("plain", header + body), withoutGuess()));
+    for (const std::string& bytes : {deflatedFile, encapsulated}) {
+        const auto study = readStudy(folder.write("q.dcm", bytes), withoutGuess());
+        ASSERT_FALSE(study);
+        EXPECT_THAT(study.error().sentence(), HasSubstr("is absent, deflated or compressed"));
+    }
+}
+
+TEST(QlabCartesian, TheMiddlePictureOfALargeOneIsItsMiddleSlice) {
+    const TemporaryFolder folder;
+    folder.write("q.dcm", qlabFile({}));
+    const auto list = listSeries(folder.path());
+    const auto picture = middlePicture(list->series[0], 100);
+    ASSERT_TRUE(picture) << picture.error().sentence();
+    EXPECT_EQ(picture->grey.front(), std::lround(255 * 13.0 / 18)) << "slice 3 of the first phase: 13 to 18";
+}
+
 TEST(QlabCartesian, IsListedAsAVolume) {
     const TemporaryFolder folder;
     folder.write("q.dcm", qlabFile({}));
@@ -179,6 +204,46 @@ TEST(PhilipsScanner, AVolumeInTheMakersOwnCodingIsRefusedByThatName) {
         EXPECT_THAT(study.error().sentence(),
                     AllOf(HasSubstr("(200d,3101) declares a 3D volume"), HasSubstr("Philips's own coding")));
         EXPECT_TRUE(study.error().framesCouldBeSlices);
+        EXPECT_THAT(study.error().remedy, HasSubstr("--frames-as-slices"));
+    }
+}
+
+TEST(PhilipsScanner, ThePicturesBesideAVolumeInTheMakersOwnCodingCanBeSlices) {
+    const TemporaryFolder folder;
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
+    const auto study = readStudy(folder.write("s.dcm", scannerFile("416\\412\\256", 4, "compressed!!")), options);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{3, 2, 4}));
+    EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
+    EXPECT_EQ(study->phases[0]->storedValue(23), 24);
+}
+
+TEST(PhilipsScanner, TheReportNamesWhatGaveTypeAndTime) {
+    const auto study = readScanner(scannerFile("2\\2\\3", 2, "abcdefghijkl"));
+    ASSERT_TRUE(study) << study.error().sentence();
+    const auto sourceOf = [&](const Study& one, const std::string& name) {
+        for (const ImportFact& fact : one.facts)
+            if (fact.name == name) return fact.source;
+        return std::string("none");
+    };
+    EXPECT_THAT(sourceOf(*study, "voxel type"), HasSubstr("(200d,300b)"));
+    EXPECT_EQ(sourceOf(*readScanner(scannerFile("3\\2\\2", 4, "")), "time between phases"), "the file does not say it");
+}
+
+TEST(PhilipsScanner, TheMiddlePictureIsTheMiddleSliceAlone) {
+    for (const auto& [size, voxels, last] :
+         std::vector<std::tuple<std::string, std::string, int>>{{"3\\2\\4", "", 6}, {"2\\2\\3", "abcdefghijkl", 4}}) {
+        const TemporaryFolder folder;
+        folder.write("s.dcm", scannerFile(size, 4, voxels));
+        const auto list = listSeries(folder.path());
+        ASSERT_TRUE(list) << list.error().sentence();
+        const auto picture = middlePicture(list->series[0], 100);
+        ASSERT_TRUE(picture) << picture.error().sentence();
+        ASSERT_EQ(picture->grey.size(), static_cast<std::size_t>(last));
+        // Voxels count up: the first of the slice against its last tells which slice it is.
+        const double first = voxels.empty() ? 13.0 / 18 : double('e') / 'h';
+        EXPECT_EQ(picture->grey.front(), std::lround(255 * first));
     }
 }
 
