@@ -50,12 +50,15 @@ struct SeriesList {
 [[nodiscard]] bool holdsSeries(const std::string& path);
 
 /// Reads the headers (not the pixels) of all DICOM files in the folder at `path` and the folders in it, four deep, each
-/// once and on all processors; of a DICOMDIR those that it names in or below its own folder. `progress` is polled for
+/// once and in parallel; of a DICOMDIR those that it names in or below its own folder. `progress` is polled for
 /// cancel between files and between elements, and told the first 0.3 of what reading takes. Fails (unreadable) where
 /// there is no DICOM image, (cancelled) where the person ended it.
 [[nodiscard]] Result<SeriesList> listSeries(const std::string& path, const Progress& progress = {});
 
-/// The entry named `uid`; the first where `uid` is empty. Fails (unreadable, naming those that there are) where the
+/// How large an entry is: "640 x 480, 90 slices".
+[[nodiscard]] std::string sizeInWords(const SeriesEntry& entry);
+
+/// The entry named `uid`; the first where `uid` is empty. Fails (unreadable, telling those that there are) where the
 /// list holds no such series.
 [[nodiscard]] Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string& uid);
 

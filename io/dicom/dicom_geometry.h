@@ -24,7 +24,6 @@ namespace echolucent {
 /// What one frame says of its place; whatever is missing stays empty.
 struct FramePlacement {
     std::optional<Vec3> position;                       ///< mm, of the centre of the first pixel
-    DicomTag positionTag;                               ///< which attribute gave the position
     std::optional<std::array<Vec3, 2>> orientation;     ///< along a row, along a column
     bool orientationInPatient = false;                  ///< else in a frame of the volume's own
     std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
@@ -34,13 +33,19 @@ struct FramePlacement {
 /// the position or the orientation is missing or makes no sense.
 [[nodiscard]] std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset);
 
-/// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
-/// with spacing between slices (0018,0088), where frames are not said to follow each other in time. Empty where the
-/// data set has no such geometry.
-[[nodiscard]] std::vector<FramePlacement> classicPlacements(DcmItem& dataset, std::size_t frames);
+/// The places of frames that the old attributes at top level give.
+struct ClassicPlaces {
+    SlicePlane start;                          ///< from where the frames are counted along its normal
+    bool orientationInPatient = false;         ///< whether the file states the orientation; else it is assumed
+    std::array<double, 2> pixelSpacing{1, 1};  ///< mm along x (between columns) and y (between rows)
+    std::string name;                          ///< of the attribute that gave the places, for sentences
+    std::optional<double> between{};           ///< mm from frame to frame, where the first lies at the start
+    std::vector<double> offsets{};             ///< else mm of each frame from the start
+};
 
-/// Pixel spacing (x, y) in mm from (0028,0030) or from the ultrasound regions' deltas in cm; `source` is set to the
-/// tags that gave it. No value where both are missing.
-[[nodiscard]] std::optional<std::array<double, 2>> pixelSpacingOf(DcmItem& dataset, std::string& source);
+/// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
+/// with spacing between slices (0018,0088), where frames are not said to follow each other in time. No value where the
+/// data set has no such geometry. What it holds is no more than the file: `frames` may be any number.
+[[nodiscard]] std::optional<ClassicPlaces> classicPlaces(DcmItem& dataset, std::size_t frames);
 
 }  // namespace echolucent

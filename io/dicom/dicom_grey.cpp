@@ -8,6 +8,7 @@
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/headers/header_text.h"
+#include "io/input_file.h"
 
 namespace echolucent {
 
@@ -24,6 +25,8 @@ constexpr DicomTag bitsStoredTag{0x0028, 0x0101};
 constexpr DicomTag highBitTag{0x0028, 0x0102};
 constexpr DicomTag signTag{0x0028, 0x0103};
 
+constexpr std::int64_t mostPixels = 65535;  // rows and columns have 16 bits
+
 using Problem = std::optional<PixelFormatProblem>;
 
 Problem problemAt(DicomTag tag, const char* name, std::string text) {
@@ -35,6 +38,9 @@ Problem readShape(DcmItem& item, DicomPixelFormat& format) {
     const auto columns = dicomWholeNumber(item, columnsTag);
     if (!rows || *rows < 1) return problemAt(rowsTag, "Rows", "is missing or not above 0");
     if (!columns || *columns < 1) return problemAt(columnsTag, "Columns", "is missing or not above 0");
+    if (*rows > mostPixels) return problemAt(rowsTag, "Rows", fmt::format("is {}, more than DICOM has", *rows));
+    if (*columns > mostPixels)
+        return problemAt(columnsTag, "Columns", fmt::format("is {}, more than DICOM has", *columns));
     format.rows = *rows;
     format.columns = *columns;
     if (!dicomText(item, framesTag).empty()) {
@@ -157,6 +163,17 @@ std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelForma
     if (format.isSigned && format.bitsStored < 2)
         return problemAt(bitsStoredTag, "Bits Stored", "is 1 for signed values");
     return std::nullopt;
+}
+
+std::optional<PixelFormatProblem> missingPixels(const DicomPixelFormat& format, std::uint64_t held) {
+    if (held == 0) return PixelFormatProblem{"(7fe0,0010) Pixel Data", "is there but empty"};
+    const auto needed = checkedProduct(format.storedFrameBytes(), format.frames);
+    // DICOM counts in 32 bits: no file can hold more.
+    if (needed && static_cast<std::uint64_t>(*needed) <= held && *needed <= 0xfffffffeLL) return std::nullopt;
+    return PixelFormatProblem{
+        "(7fe0,0010) Pixel Data",
+        fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns, format.rows,
+                    format.frames, needed ? std::to_string(*needed) : "more than can be counted")};
 }
 
 void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out) {

@@ -51,6 +51,9 @@ struct PixelFormatProblem {
 /// Reads the description of the pixels in a data set into `format`; gives what is wrong, or no value.
 [[nodiscard]] std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format);
 
+/// What is missing where `held` bytes of uncompressed pixels are too few for that description; else no value.
+[[nodiscard]] std::optional<PixelFormatProblem> missingPixels(const DicomPixelFormat& format, std::uint64_t held);
+
 /// One decoded frame.
 struct DecodedFrame {
     std::vector<std::uint8_t> bytes;  ///< samples in this machine's byte order

@@ -2,11 +2,15 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_kretz.h"
+#include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"
+#include "io/dicom/frame_phases.h"
 #include "io/dicom/picture_scale.h"
 #include "io/input_file.h"
 #include "io/kretz/kretz_reader.h"
@@ -15,13 +19,10 @@ namespace echolucent {
 
 namespace {
 
-/// What a kind of object is called.
-const char* nameOfObject(const std::string& sopClass) {
-    if (sopClass == "1.2.840.10008.5.1.4.1.1.6.2") return "DICOM Enhanced US Volume";
-    if (sopClass == "1.2.840.10008.5.1.4.1.1.3.1" || sopClass == "1.2.840.10008.5.1.4.1.1.3")
-        return "DICOM Ultrasound Multi-frame Image";
-    if (sopClass.starts_with("1.2.840.10008.5.1.4.1.1.7")) return "DICOM Secondary Capture";
-    return "DICOM multi-frame image";
+/// What the report calls a kind of object: "DICOM Enhanced US Volume".
+std::string nameOfObject(const std::string& sopClass) {
+    const std::string name = objectName(sopClass);
+    return "DICOM " + name.substr(name.find(' ') + 1);  // behind the article
 }
 
 class MultiframeReader {
@@ -52,9 +53,17 @@ Result<FrameLayout> MultiframeReader::layOut() {
 
 Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     FrameLayout layout;
-    layout.phases.emplace_back(static_cast<std::size_t>(m_frames.frames()));
-    for (std::size_t frame = 0; frame < layout.phases[0].size(); ++frame) layout.phases[0][frame] = frame;
-    layout.geometry.size = {m_frames.columns(), m_frames.rows(), m_frames.frames()};
+    const auto count = static_cast<std::size_t>(m_frames.frames());
+    const auto groups = readFunctionalGroups(m_file.dataset(), m_file.path(), count, m_progress);
+    auto tissue = groups && !groups->empty() ? tissueFramesOf(m_file.path(), *groups) : Result<TissueFrames>({});
+    if (tissue && tissue->frames.size() > 1) {
+        layout.phases.push_back(std::move(tissue->frames));
+        layout.warnings = std::move(tissue->warnings);
+    } else {
+        layout.phases.emplace_back(count);
+        std::iota(layout.phases[0].begin(), layout.phases[0].end(), std::size_t{0});
+    }
+    layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
     layout.geometry.spacingKnown = false;
     if (const auto scale = pictureScaleOf(m_file.dataset())) {
         layout.geometry.spacing = scale->spacing;
@@ -80,9 +89,10 @@ Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(cons
     const auto memory = requireMemory(m_file.path(), "(0028,0008) Number of Frames",
                                       total ? static_cast<std::uint64_t>(*total) : ~std::uint64_t{0});
     if (!memory) return tl::unexpected(memory.error());
-    // The first frame is decoded before memory for all of them is taken: a false header is found out here.
+    // One frame is decoded before memory for all of them is taken: a false header is found out here.
     std::vector<std::uint8_t> frame(frameBytes);
-    if (const auto read = m_frames.readGrey(0, frame); !read) return tl::unexpected(read.error());
+    const auto first = static_cast<std::int64_t>(layout.phases[0][0]);
+    if (const auto read = m_frames.readGrey(first, frame); !read) return tl::unexpected(read.error());
     std::vector<std::vector<std::uint8_t>> phases;
     std::size_t done = 0;
     for (const auto& order : layout.phases) {
@@ -103,6 +113,9 @@ Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(cons
 Result<Study> MultiframeReader::read() {
     auto layout = layOut();
     if (!layout) return tl::unexpected(layout.error());
+    std::vector<std::size_t> shown;
+    for (const auto& order : layout->phases) shown.insert(shown.end(), order.begin(), order.end());
+    m_frames.keep(std::move(shown));
     auto phases = readPhases(*layout);
     if (!phases) return tl::unexpected(phases.error());
     StudyParts parts;

@@ -78,8 +78,10 @@ struct DicomFrames::State {
     E_TransferSyntax syntax = EXS_Unknown;
     Coding coding = Coding::unknown;
     DicomPixelFormat format;
-    std::vector<LinearRescale> rescales;  // one for all frames, or one a frame
-    bool rescaled = false;                // whether grey values are float32
+    FrameRescales rescales;
+    std::vector<std::size_t> shown;    // the frames that are part of the volume; empty: all of them
+    bool rescaledAmongOthers = false;  // whether grey values are float32 in any case
+    bool rescaled = false;             // whether they are
     DicomWindow window;
     std::vector<std::string> notes;  // on what was wrong with the file and read all the same
 
@@ -87,12 +89,16 @@ struct DicomFrames::State {
                                                 const std::string& remedy = copyAgain) const {
         return fail(FailureKind::unreadable, path, element, problem, remedy);
     }
-    [[nodiscard]] const LinearRescale& rescaleOf(std::size_t frame) const {
-        return rescales[std::min(frame, rescales.size() - 1)];
+    [[nodiscard]] bool isGrey() const {
+        return format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     }
-    /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any frame can mean.
+    /// The different rescalings of the frames that are shown; the first frame's comes first.
+    [[nodiscard]] std::vector<LinearRescale> rescalesShown() const;
+    /// Finds out what depends on the frames that are shown.
+    void askShown();
+    /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any frame shown can mean.
     [[nodiscard]] double extreme(double sign) const;
-    Result<void> readDescription(bool rescaledAmongOthers);
+    Result<void> readDescription();
     Result<void> checkNative(const DicomScan& scan);
     Result<void> checkEncapsulated();
     Result<std::vector<std::uint8_t>> codestream(std::int64_t index);
@@ -113,6 +119,7 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
     state->path = path;
     state->dataset = &dataset;
     state->notes = scan.notes;
+    state->rescaledAmongOthers = rescaled;
     DcmElement* element = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr ||
         element->ident() != EVR_PixelData) {
@@ -123,7 +130,7 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
                             "", "Open an ultrasound volume.");
     }
     state->pixelData = static_cast<DcmPixelData*>(element);
-    if (const auto described = state->readDescription(rescaled); !described) return tl::unexpected(described.error());
+    if (const auto described = state->readDescription(); !described) return tl::unexpected(described.error());
     state->syntax = dataset.getOriginalXfer();
     state->coding = codingOf(state->syntax);
     if (state->coding == Coding::unknown)
@@ -134,39 +141,50 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
     return DicomFrames(std::move(state));
 }
 
-Result<void> DicomFrames::State::readDescription(bool rescaledAmongOthers) {
+Result<void> DicomFrames::State::readDescription() {
     const std::string remedy = "Export it again as 8- or 16-bit grey or colour.";
     if (const auto problem = readPixelFormat(*dataset, format)) return wrong(problem->text, problem->element, remedy);
     auto read = readRescales(*dataset, format);
     if (!read) return wrong(read.error().text, read.error().element, "Export it again with a true rescaling.");
     rescales = std::move(*read);
-    const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
-    rescaled = grey && (rescaledAmongOthers || std::any_of(rescales.begin(), rescales.end(),
-                                                           [](const auto& rescale) { return !rescale.isIdentity(); }));
-    if (grey && dicomHas(*dataset, {0x0028, 0x3000}))
+    if (isGrey() && dicomHas(*dataset, {0x0028, 0x3000}))
         notes.emplace_back("The Modality LUT of the file is not applied.");
-    window = readWindow(*dataset, format, rescales.front());
+    askShown();
     return {};
+}
+
+std::vector<LinearRescale> DicomFrames::State::rescalesShown() const {
+    std::vector<LinearRescale> different;
+    const auto add = [&](const LinearRescale& one) {
+        if (different.empty() || one != different.back()) different.push_back(one);
+    };
+    for (const std::size_t frame : shown) add(rescales.of(frame));
+    if (!shown.empty()) return different;
+    for (const LinearRescale& one : rescales.single) add(one);
+    if (rescales.single.size() < static_cast<std::size_t>(format.frames)) add(rescales.all);
+    return different;
+}
+
+void DicomFrames::State::askShown() {
+    const std::vector<LinearRescale> different = rescalesShown();
+    rescaled = isGrey() && (rescaledAmongOthers || std::ranges::any_of(different, [](const LinearRescale& rescale) {
+                                return !rescale.isIdentity();
+                            }));
+    const std::size_t first = shown.empty() ? 0 : shown.front();
+    window = readWindow(*dataset, format, first, rescales.of(first));
 }
 
 double DicomFrames::State::extreme(double sign) const {
     double found = -HUGE_VAL;
-    for (const LinearRescale& rescale : rescales)
+    for (const LinearRescale& rescale : rescalesShown())
         found = std::max({found, sign * rescale.of(format.smallestValue()), sign * rescale.of(format.largestValue())});
     return sign * found;
 }
 
 Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
-    const auto needed = checkedProduct(format.storedFrameBytes(), format.frames);
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
-    // DICOM counts in 32 bits: no file can hold more.
-    if (held == 0) return wrong("is there but empty", "(7fe0,0010) Pixel Data");
-    if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
-        return wrong(
-            fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns, format.rows,
-                        format.frames, needed ? std::to_string(*needed) : "more than can be counted"),
-            "(7fe0,0010) Pixel Data");
+    if (const auto problem = missingPixels(format, held)) return wrong(problem->text, problem->element);
     return {};
 }
 
@@ -262,6 +280,11 @@ Result<void> DicomFrames::State::decode(std::int64_t index, DecodedFrame& frame)
     }
 }
 
+void DicomFrames::keep(std::vector<std::size_t> shown) {
+    m_state->shown = std::move(shown);
+    m_state->askShown();
+}
+
 std::int64_t DicomFrames::columns() const { return m_state->format.columns; }
 std::int64_t DicomFrames::rows() const { return m_state->format.rows; }
 std::int64_t DicomFrames::frames() const { return m_state->format.frames; }
@@ -292,10 +315,11 @@ std::vector<ImportFact> DicomFrames::facts() const {
     std::vector<ImportFact> facts{{"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
                                   {"photometric interpretation", m_state->format.photometric, "(0028,0004)"}};
     if (m_state->rescaled) {
-        const LinearRescale& first = m_state->rescales.front();
+        const std::vector<LinearRescale> different = m_state->rescalesShown();
+        const LinearRescale& first = different.front();
         facts.push_back({"rescaling",
                          fmt::format("slope {:.6g}, intercept {:.6g}{}", first.slope, first.intercept,
-                                     m_state->rescales.size() > 1 ? " in the first frame; each frame has its own" : ""),
+                                     different.size() > 1 ? " in the first frame; each frame has its own" : ""),
                          "(0028,1053), (0028,1052)"});
     }
     if (m_state->format.palette.segmented)
@@ -332,7 +356,7 @@ Result<void> DicomFrames::readGrey(std::int64_t index, std::span<std::uint8_t> o
     const StoredType stored = m_state->format.greyType();
     std::vector<std::uint8_t> grey(static_cast<std::size_t>(m_state->format.pixels() * bytesOf(stored)));
     toGrey(m_state->format, frame, grey);
-    applyRescale(m_state->rescaleOf(static_cast<std::size_t>(index)), grey, stored, out);
+    applyRescale(m_state->rescales.of(static_cast<std::size_t>(index)), grey, stored, out);
     return {};
 }
 

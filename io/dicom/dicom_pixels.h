@@ -20,12 +20,16 @@ class DicomFrames {
 public:
     /// Checks everything that the data set says about its pixels against what is there, before memory is taken for
     /// them. Fails (unreadable, naming `path` and the tag) where both disagree or cannot be read.
-    /// Where the values of a frame are rescaled, or where `rescaled` says so for a slice among others, all grey values
-    /// are float32.
+    /// Where the values of a frame that is kept are rescaled, or where `rescaled` says so for a slice among others, all
+    /// grey values are float32.
     [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
                                                   bool rescaled = false);
     DicomFrames(DicomFrames&&) noexcept;
     ~DicomFrames();
+
+    /// Names the frames (counted from 0, at least one) that are shown, in their order: only they are asked for type,
+    /// white level, window, rescaling and warnings. Until then these are all frames.
+    void keep(std::vector<std::size_t> shown);
 
     [[nodiscard]] std::int64_t columns() const;
     [[nodiscard]] std::int64_t rows() const;
@@ -33,7 +37,7 @@ public:
     [[nodiscard]] StoredType type() const;  ///< of the grey values: uint8, int8, uint16 or int16; float32 if rescaled
     [[nodiscard]] int bitsStored() const;
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
-    [[nodiscard]] double largestValue() const;      ///< the largest grey value that the stored bits can mean
+    [[nodiscard]] double largestValue() const;      ///< the largest that the stored bits of the frames shown can mean
     /// Sets white level, its source and window of `parts`: where 8 bits or fewer are stored, white is the largest value
     /// that they can hold; files of more bits mostly use a small part of these and may declare a window.
     void sayWhite(StudyParts& parts) const;

@@ -22,6 +22,9 @@ constexpr const char* imagePositionName = "(0020,0032) Image Position";
 /// Modality, maker and model of the scanner for the import report; never anything about the patient.
 [[nodiscard]] std::vector<ImportFact> equipmentFacts(DcmItem& dataset);
 
+/// The note on slices whose distance is known and whose pixels are of unknown size, which is assumed to be the same.
+[[nodiscard]] std::string pixelSizeUnknown(double betweenSlices);
+
 /// The refusal of pictures that are no volume (`problem` says why), with the remedy --frames-as-slices.
 [[nodiscard]] tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
+#include "io/dicom/functional_groups.h"
 #include "io/headers/header_text.h"
 
 namespace echolucent {
@@ -15,24 +16,33 @@ constexpr DicomTag centreTag{0x0028, 0x1050};
 constexpr DicomTag widthTag{0x0028, 0x1051};
 constexpr DicomTag functionTag{0x0028, 0x1056};
 constexpr DicomTag lutTag{0x0028, 0x3010};
-constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
-constexpr DicomTag perFrameGroupsTag{0x5200, 0x9230};
 constexpr DicomTag frameLutTag{0x0028, 0x9132};
 
 /// Where a window stands.
 struct WindowPlace {
     DcmItem* window = nullptr;
-    std::string words;  ///< after the tag in the import report: ", first frame"
+    std::string words;  ///< after the tag in the import report: ", frame 1"
 };
 
-WindowPlace placeOf(DcmItem& dataset) {
+/// The groups of one frame; null where it has none.
+DcmItem* groupsOf(DcmItem& dataset, std::size_t frame) {
+    DcmItem* found = nullptr;
+    std::size_t index = 0;
+    dicomVisitItems(dataset, perFrameGroupsTag, [&](DcmItem& groups) {
+        if (index == frame) found = &groups;
+        return index++ < frame;
+    });
+    return found;
+}
+
+WindowPlace placeOf(DcmItem& dataset, std::size_t frame) {
     if (dicomHas(dataset, centreTag)) return {&dataset, ""};
-    for (const auto& [tag, words] :
-         {std::pair{sharedGroupsTag, ", all frames"}, std::pair{perFrameGroupsTag, ", first frame"}}) {
-        DcmItem* groups = dicomFirstItem(dataset, tag);
-        if (groups == nullptr) continue;
-        if (DcmItem* window = dicomFirstItem(*groups, frameLutTag)) return {window, words};
-    }
+    DcmItem* const shared = dicomFirstItem(dataset, sharedGroupsTag);
+    if (DcmItem* window = shared != nullptr ? dicomFirstItem(*shared, frameLutTag) : nullptr)
+        return {window, ", all frames"};
+    DcmItem* const own = groupsOf(dataset, frame);
+    if (DcmItem* window = own != nullptr ? dicomFirstItem(*own, frameLutTag) : nullptr)
+        return {window, fmt::format(", frame {}", frame + 1)};
     return {};
 }
 
@@ -46,11 +56,12 @@ double numberIn(DcmItem& item, DicomTag tag) { return realNumber(firstValueOf(it
 
 }  // namespace
 
-DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, const LinearRescale& rescale) {
+DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
+                       const LinearRescale& rescale) {
     DicomWindow window;
     const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     if (!grey || format.bitsStored <= 8) return window;
-    const WindowPlace place = placeOf(dataset);
+    const WindowPlace place = placeOf(dataset, frame);
     DcmItem& holder = place.window != nullptr ? *place.window : dataset;
     const std::string function = dicomText(holder, functionTag);
     if (dicomHas(holder, lutTag) || (!function.empty() && function != "LINEAR" && function != "LINEAR_EXACT"))

@@ -1,6 +1,7 @@
 // The display window that a DICOM data set declares, read as what is shown as white.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +19,10 @@ struct DicomWindow {
 };
 
 /// Reads Window Center and Width (of several the first) at top level, else in the functional groups that all frames
-/// share, else in those of the first frame. White is centre + width / 2, of MONOCHROME1 centre - width / 2, which is
-/// inverted as the pixels are. Windows count in rescaled values; `rescale` is that of the first frame. Only grey pixels
-/// of more than 8 stored bits have a window here; others say nothing.
-[[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, const LinearRescale& rescale);
+/// share, else in those of `frame` (counted from 0). White is centre + width / 2, of MONOCHROME1 centre - width / 2,
+/// which is inverted as the pixels are. Windows count in rescaled values; `rescale` is that of the frame. Only grey
+/// pixels of more than 8 stored bits have a window here; others say nothing.
+[[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
+                                     const LinearRescale& rescale);
 
 }  // namespace echolucent

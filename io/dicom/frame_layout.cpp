@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_phases.h"
+#include "io/dicom/picture_scale.h"
 #include "io/slice_stack.h"
 
 namespace echolucent {
@@ -138,19 +140,24 @@ Result<void> GroupLayout::checkSlicePlaces() const {
 }
 
 Result<void> GroupLayout::setSpacing() {
-    std::string source = "(0028,9110) Pixel Measures";
     const FrameGroups& first = m_groups[m_tissue.front()];
-    auto spacing = first.pixelSpacing;
+    const auto spacing = first.pixelSpacing;
     for (const std::size_t frame : m_tissue)
         if (m_groups[frame].pixelSpacing != spacing)
             return refuse("(0028,0030) Pixel Spacing", "changes from frame to frame");
-    if (!spacing) spacing = pixelSpacingOf(m_dataset, source);
-    if (!spacing) {
+    const auto scale = spacing ? std::nullopt : pictureScaleOf(m_dataset);
+    if (spacing)
+        m_layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], m_betweenSlices};
+    else if (scale)
+        m_layout.geometry.spacing = {scale->spacing[0], scale->spacing[1], m_betweenSlices};
+    else
+        m_layout.geometry.spacing = Vec3::all(m_betweenSlices);
+    m_layout.spacingSource = (scale ? scale->source : "(0028,9110) Pixel Measures") + ", slice positions";
+    if (!spacing && !scale) {
         m_layout.geometry.spacingKnown = false;
-        return {};
+        m_layout.spacingSource.clear();
+        m_layout.warnings.push_back(pixelSizeUnknown(m_betweenSlices));
     }
-    m_layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], m_betweenSlices};
-    m_layout.spacingSource = source + ", slice positions";
     if (first.betweenSlices && std::abs(*first.betweenSlices - m_betweenSlices) > 0.01 * m_betweenSlices)
         m_layout.warnings.push_back(fmt::format(
             "(0018,0088) Spacing Between Slices is {:.4g} mm, but the slices' positions are {:.4g} mm apart; "
@@ -164,16 +171,27 @@ Result<void> GroupLayout::setSpacing() {
 Result<std::optional<GridInVolumeFrame>> GroupLayout::gridInVolumeFrame() {
     const VolumeGeometry& geometry = m_layout.geometry;
     if (!m_inPatient) return GridInVolumeFrame{geometry.origin, geometry.direction};
-    const StatedPlane& first = m_groups[m_layout.phases.front().front()].inVolume;
-    const StatedPlane& last = m_groups[m_layout.phases.front().back()].inVolume;
-    if (!first.isComplete() || !last.isComplete()) return std::nullopt;
+    const std::vector<std::size_t>& frames = m_layout.phases.front();
+    if (!std::ranges::all_of(frames, [&](std::size_t frame) { return m_groups[frame].inVolume.isComplete(); }))
+        return std::nullopt;
+    const StatedPlane& first = m_groups[frames.front()].inVolume;
     const auto& [row, column] = *first.orientation;
     const Vec3 normal = row.cross(column);
-    const double spacing = (*last.position - *first.position).dot(normal) / static_cast<double>(geometry.size[2] - 1);
-    if (!(std::abs(spacing - m_betweenSlices) <= 0.01 * m_betweenSlices))
-        return refuse(positionVolumeName,
-                      fmt::format("puts the slices {:.4g} mm apart, where {} puts them {:.4g} mm apart", spacing,
-                                  positionPatientName, m_betweenSlices));
+    const StatedPlane& firstInPatient = m_groups[frames.front()].inPatient;
+    const auto& [patientRow, patientColumn] = *firstInPatient.orientation;
+    const std::array axes{std::pair{row, patientRow}, std::pair{column, patientColumn},
+                          std::pair{normal, patientRow.cross(patientColumn)}};
+    for (std::size_t slice = 1; slice < frames.size(); ++slice) {
+        const std::size_t frame = frames[slice];
+        const double tolerance = 0.01 * m_betweenSlices * static_cast<double>(slice);
+        const Vec3 inVolume = *m_groups[frame].inVolume.position - *first.position;
+        const Vec3 inPatient = *m_groups[frame].inPatient.position - *firstInPatient.position;
+        for (const auto& [volumeAxis, patientAxis] : axes)
+            if (!(std::abs(inVolume.dot(volumeAxis) - inPatient.dot(patientAxis)) <= tolerance))
+                return refuse(positionVolumeName,
+                              fmt::format("puts frame {} at another distance from frame {} than {} does", frame + 1,
+                                          frames.front() + 1, positionPatientName));
+    }
     GridInVolumeFrame grid{*first.position, Mat3::eye()};
     for (int axis = 0; axis < 3; ++axis) {
         grid.direction(axis, 0) = row[axis];
@@ -208,26 +226,34 @@ Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows)
     return m_layout;
 }
 
-/// The name of the attribute that placed frames without functional groups, for messages.
-std::string nameOfPlacement(const FramePlacement& placement) {
-    const char* name = placement.positionTag.group == 0x3004   ? "Grid Frame Offset Vector"
-                       : placement.positionTag.group == 0x0018 ? "Spacing Between Slices"
-                                                               : "Image Position";
-    return tagText(placement.positionTag) + " " + name;
-}
-
 /// Lays frames out whose places the old attributes at top level give.
-FrameLayout layOutStack(const std::vector<FramePlacement>& placements, const FrameExtent& extent, SliceStack stack) {
+Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& path, const FrameExtent& extent) {
+    const Vec3 normal = places.start.alongRow.cross(places.start.alongColumn);
+    const auto planeAt = [&](double offset) {
+        return SlicePlane{places.start.position + normal * offset, places.start.alongRow, places.start.alongColumn};
+    };
+    std::vector<SlicePlane> planes;
+    for (const double offset : places.offsets) planes.push_back(planeAt(offset));
+    const auto gaps = static_cast<double>(extent.frames - 1);
+    if (places.between) planes = {planeAt(0), planeAt(*places.between * gaps)};
+    auto stack = stackSlices(path, places.name, planes);
+    if (!stack) return tl::unexpected(stack.error());
+    if (places.between) {
+        const bool backwards = stack->order.front() > 0;
+        stack->spacing /= gaps;
+        stack->order.resize(extent.frames);
+        std::iota(stack->order.begin(), stack->order.end(), std::size_t{0});
+        if (backwards) std::ranges::reverse(stack->order);
+    }
     FrameLayout layout;
-    layout.phases.push_back(std::move(stack.order));
-    layout.warnings = std::move(stack.warnings);
+    layout.phases.push_back(std::move(stack->order));
+    layout.warnings = std::move(stack->warnings);
     layout.geometry.size = {extent.columns, extent.rows, static_cast<std::int64_t>(extent.frames)};
-    layout.geometry.origin = stack.origin;
-    layout.geometry.direction = stack.direction;
-    layout.geometry.patientFrameKnown = placements.front().orientationInPatient;
-    const auto spacing = *placements.front().pixelSpacing;
-    layout.geometry.spacing = {spacing[0], spacing[1], stack.spacing};
-    layout.spacingSource = "(0028,0030) Pixel Spacing, " + nameOfPlacement(placements.front());
+    layout.geometry.origin = stack->origin;
+    layout.geometry.direction = stack->direction;
+    layout.geometry.patientFrameKnown = places.orientationInPatient;
+    layout.geometry.spacing = {places.pixelSpacing[0], places.pixelSpacing[1], stack->spacing};
+    layout.spacingSource = "(0028,0030) Pixel Spacing, " + places.name;
     return layout;
 }
 
@@ -238,7 +264,21 @@ bool isAnyPlaced(const std::vector<FrameGroups>& groups) {
     });
 }
 
+bool lieInOnePlane(const std::vector<FrameGroups>& groups) {
+    return std::ranges::all_of(groups, [&](const FrameGroups& frame) {
+        return frame.inVolume.position == groups.front().inVolume.position &&
+               frame.inPatient.position == groups.front().inPatient.position;
+    });
+}
+
 }  // namespace
+
+std::string pixelSizeUnknown(double betweenSlices) {
+    return fmt::format(
+        "The size of the pixels is not stated: they are taken to be as long and wide as the slices are apart, {:.4g} "
+        "mm, which is a guess.",
+        betweenSlices);
+}
 
 Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, const FrameExtent& extent,
                                  const Progress& progress) {
@@ -250,19 +290,12 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
         if (layout->phases.size() == 1)
             return fail(FailureKind::unreadable, path, "", "holds a single plane of tissue, not a volume",
                         "Export the whole volume.");
-        return framesWithoutGeometry(
-            path, fmt::format("is a 2D cine: its {} frames show one plane over time", layout->phases.size()));
-    }
-    const auto placements = classicPlacements(dataset, extent.frames);
-    if (placements.empty())
         return framesWithoutGeometry(path,
-                                     fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
-    std::vector<SlicePlane> planes;
-    for (const FramePlacement& placement : placements)
-        planes.push_back({*placement.position, (*placement.orientation)[0], (*placement.orientation)[1]});
-    auto stack = stackSlices(path, nameOfPlacement(placements.front()), planes);
-    if (!stack) return tl::unexpected(stack.error());
-    return layOutStack(placements, extent, std::move(*stack));
+                                     fmt::format("is a 2D cine: its {} frames show {} over time", layout->phases.size(),
+                                                 lieInOnePlane(*groups) ? "one plane" : "several planes"));
+    }
+    if (const auto places = classicPlaces(dataset, extent.frames)) return layOutStack(*places, path, extent);
+    return framesWithoutGeometry(path, fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
 }
 
 tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -68,6 +69,7 @@ private:
     Result<void> checkPhases(const FramePhases& result) const;
     Result<void> setTimes(FramePhases& result) const;
     [[nodiscard]] bool counts(DimensionMeaning meaning) const;
+    [[nodiscard]] bool allLieApart() const;
     [[nodiscard]] Key indexKey(std::size_t frame) const;
     [[nodiscard]] tl::unexpected<Failure> refuse(const std::string& element, const std::string& problem) const {
         return fail(FailureKind::unreadable, m_path, element, problem, exportAgain);
@@ -85,6 +87,17 @@ private:
 
 bool PhaseSplitter::counts(DimensionMeaning meaning) const {
     return std::ranges::any_of(m_dimensions, [&](const FrameDimension& one) { return one.meaning == meaning; });
+}
+
+/// Whether every frame has a place of its own.
+bool PhaseSplitter::allLieApart() const {
+    std::set<std::array<double, 3>> places;
+    for (const std::size_t frame : m_tissue) {
+        const auto& position =
+            m_groups[frame].inPatient.position ? m_groups[frame].inPatient.position : m_groups[frame].inVolume.position;
+        if (!position || !places.insert({(*position)[0], (*position)[1], (*position)[2]}).second) return false;
+    }
+    return true;
 }
 
 PhaseSplitter::Key PhaseSplitter::indexKey(std::size_t frame) const {
@@ -203,6 +216,13 @@ Result<FramePhases> PhaseSplitter::split() {
             phases[{static_cast<double>(*m_groups[frame].temporalIndex)}].push_back(frame);
     } else {
         phases[{}] = m_tissue;
+    }
+    if (phases.size() > 1 && phases.size() == m_tissue.size() && allLieApart()) {
+        phases = {{Key{}, m_tissue}};
+        result.warnings.push_back(
+            fmt::format("Each of the {} frames has a time and a place of its own ({}): they are taken as one volume.",
+                        m_tissue.size(), result.source));
+        result.source.clear();
     }
     for (auto& [key, frames] : phases) result.phases.push_back(std::move(frames));
     if (const auto checked = checkPhases(result); !checked) return tl::unexpected(checked.error());

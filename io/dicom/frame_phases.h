@@ -42,10 +42,10 @@ struct FramePhases {
     std::vector<std::string> warnings;
 };
 /// Splits frames into phases: by the index values of the dimensions that count time, else by Temporal Position Time
-/// Offset, else by Temporal Position Index; all are one phase where none of these is stated. `tissue` names the frames
-/// to be split, at least one. Fails (unreadable, about the file at `path`) where index values, dimensions and times
-/// contradict each other, where the frames differ along a dimension of unknown meaning, or where phases differ in their
-/// number of frames.
+/// Offset, else by Temporal Position Index; all are one phase where none of these is stated, and where every frame has
+/// a time and a place of its own, as the slices of a slow sweep have. `tissue` names the frames to be split, at least
+/// one. Fails (unreadable, about the file at `path`) where index values, dimensions and times contradict each other,
+/// where the frames differ along a dimension of unknown meaning, or where phases differ in their number of frames.
 [[nodiscard]] Result<FramePhases> splitIntoPhases(const std::string& path,
                                                   const std::vector<FrameDimension>& dimensions,
                                                   const std::vector<FrameGroups>& groups,

@@ -8,7 +8,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
 constexpr DicomTag orientationVolumeTag{0x0020, 0x9302};
 constexpr DicomTag orientationPatientTag{0x0020, 0x0037};
 constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};

@@ -16,6 +16,7 @@ class DcmItem;
 
 namespace echolucent {
 
+inline constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
 inline constexpr DicomTag perFrameGroupsTag{0x5200, 0x9230};
 inline constexpr DicomTag indexValuesTag{0x0020, 0x9157};
 inline constexpr DicomTag timeOffsetTag{0x0020, 0x930d};

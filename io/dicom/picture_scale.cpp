@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/dicom/dicom_attributes.h"
+#include "io/dicom/dicom_geometry.h"
 
 namespace echolucent {
 
@@ -31,9 +32,8 @@ double areaOf(DcmItem& region) {
 }  // namespace
 
 std::optional<PictureScale> pictureScaleOf(DcmItem& dataset) {
-    const auto spacing = dicomNumbers(dataset, {0x0028, 0x0030}, 2);  // the distance between rows comes first
-    if (!spacing.empty() && isScale(spacing[0]) && isScale(spacing[1]))
-        return PictureScale{spacingFrom(spacing[1], spacing[0]), "(0028,0030)"};
+    if (const auto spacing = dicomPixelSpacing(dataset))
+        return PictureScale{spacingFrom((*spacing)[0], (*spacing)[1]), "(0028,0030)"};
     std::optional<PictureScale> scale;
     double largest = -1;
     dicomVisitItems(dataset, regionsTag, [&](DcmItem& region) {

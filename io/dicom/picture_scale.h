@@ -1,4 +1,4 @@
-// How large the pixels of a single picture are, for pictures that are taken as slices.
+// How large the pixels of a data set's pictures are.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct PictureScale {
 };
 
 /// The scale that Pixel Spacing states, else the largest 2D region of the ultrasound regions (of M-modes and spectra
-/// none) whose deltas count in cm; no value where nothing states it.
+/// none) whose deltas count in cm and make pixels that a scanner may have; no value where nothing states it.
 [[nodiscard]] std::optional<PictureScale> pictureScaleOf(DcmItem& dataset);
 
 }  // namespace echolucent

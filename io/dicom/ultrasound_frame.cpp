@@ -104,12 +104,17 @@ private:
 
 bool ProbeFinder::takeApex(std::vector<std::string>& warnings) {
     if (!m_frame.apexMm) return false;
-    m_probe.apexMm = toGrid(*m_frame.apexMm - m_grid.originMm);
-    const Vec3 towardsData = m_geometry.centreMm() - *m_probe.apexMm;
+    if (!m_geometry.spacingKnown) {
+        warnings.push_back(apexName + " was left out: it is stated in mm, and the size of the pixels is not known.");
+        return false;
+    }
+    const Vec3 apexMm = toGrid(*m_frame.apexMm - m_grid.originMm);
+    const Vec3 towardsData = m_geometry.centreMm() - apexMm;
     if (length(towardsData) < m_geometry.unit()) {
         warnings.push_back(apexName + " lies in the middle of the volume, so that it gives sound no direction.");
         return false;
     }
+    m_probe.apexMm = apexMm;
     m_probe.forward = normalized(towardsData);
     m_source = apexName;
     return true;

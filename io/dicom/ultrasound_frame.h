@@ -37,9 +37,10 @@ struct FoundProbe {
     std::string source;  ///< the attributes that gave it
 };
 /// The probe on the grid's axes. Sound runs from the apex to the middle of the grid, or along the normal of the
-/// transducer's face where no apex is stated. In the picture from there, the transducer's marker is on the right; where
-/// no matrix is stated, the picture is turned least against that along the nearest grid axis. No value where neither
-/// apex nor matrix says a direction; `warnings` then tells why, where something was stated.
+/// transducer's face where no apex is stated or the spacing of the grid is not known. In the picture from there, the
+/// transducer's marker is on the right; where no matrix is stated, the picture is turned least against that along the
+/// nearest grid axis. No value where neither apex nor matrix says a direction; `warnings` then tells why, where
+/// something was stated.
 [[nodiscard]] std::optional<FoundProbe> probeOf(const UltrasoundFrame& frame, const GridInVolumeFrame& grid,
                                                 const VolumeGeometry& geometry, std::vector<std::string>& warnings);
 

@@ -32,7 +32,7 @@ struct ReadOptions {
     std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
     bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
     bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
-    std::string series{};  ///< DICOM series instance UID of the series to be read; empty: the one with most slices
+    std::string series{};          ///< SeriesEntry::uid of the series of a folder to be read; empty: the first listed
     /// MiB that the voxels of one phase may take where polar voxels are converted to a Cartesian grid; at least 1.
     std::int64_t conversionMebibytes = standardConversionBytes >> 20;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;

@@ -170,7 +170,7 @@ TEST(DicomFolder, WithoutPixelSpacingItIsUnknown) {
     const auto study = readStudy(folder.path());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
-    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 1, 1));
+    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(3, 3, 3));
 }
 
 TEST(DicomFolder, UnreadableSlicesAreMentioned) {

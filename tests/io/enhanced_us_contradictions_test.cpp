@@ -200,7 +200,8 @@ std::vector<Change> refusals() {
                  putDoubles(file.groupOfFrame(frame, DCM_PlanePositionVolumeSequence), DCM_ImagePositionVolume,
                             {0, 0, 0.7123456789 * static_cast<double>(frame % 8)});
          },
-         {"(0020,9301)", "-0.7123 mm apart, where (0020,0032) Image Position (Patient) puts them 0.7123 mm apart"}},
+         {"(0020,9301)",
+          "puts frame 2 at another distance from frame 1 than (0020,0032) Image Position (Patient) does"}},
         {"NoPlaceForOneFrame",
          [](const EnhancedUsFile& file) {
              for (const DcmTagKey& group : {DCM_PlanePositionSequence, DCM_PlanePositionVolumeSequence}) {

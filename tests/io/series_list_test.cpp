@@ -2,12 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <set>
 #include <thread>
 
 #include "dicom_bytes.h"
 #include "dicom_files.h"
+#include "io/dicom/series/large_stack.h"
 #include "io/series_list.h"
 #include "temporary_folder.h"
+#include "zlib_bytes.h"
 
 namespace echolucent {
 namespace {
@@ -83,6 +87,32 @@ TEST(SeriesList, ADescriptionThatNamesThePatientIsLeftOut) {
     EXPECT_EQ(listSeries(folder.path())->series[0].description, "fetal heart");
 }
 
+/// The description that is listed of one picture of a patient of this name.
+std::string descriptionBeside(const std::string& name, const std::string& description, const std::string& id = "") {
+    const TemporaryFolder folder;
+    DicomBytes file;
+    file.text(0x0008, 0x103e, "LO", description).text(0x0010, 0x0010, "PN", name).text(0x0010, 0x0020, "LO", id);
+    folder.write("a", file.picture(4, 2, 0).put(0x7fe0, 0x0010, "OW", std::string(8, 'a')).file(pictureClass));
+    const auto list = listSeries(folder.path());
+    EXPECT_TRUE(list) << list.error().sentence();
+    return list ? list->series[0].description : "";
+}
+
+TEST(SeriesList, ShortNamesAreComparedAsWholeWords) {
+    EXPECT_EQ(descriptionBeside("Wu^Li", "wu 4-chamber"), "");
+    EXPECT_EQ(descriptionBeside("Wu^Li", "heart (LI)"), "");
+    EXPECT_EQ(descriptionBeside("Wu^Li", "left limb"), "left limb") << "li stands in limb";
+    EXPECT_EQ(descriptionBeside("Smith-Jones^A", "jones"), "");
+    EXPECT_EQ(descriptionBeside("Muster^Anna", "fetus 7", "7"), "");
+}
+
+TEST(SeriesList, NamesOutsideAsciiLeaveNoDescription) {
+    EXPECT_EQ(descriptionBeside("M\xc3\xbcller^Anna", "M\xc3\x9cLLER 2"), "") << "the case of other letters";
+    EXPECT_EQ(descriptionBeside("M\xfcller^Anna", "heart"), "") << "whatever character set that is";
+    EXPECT_EQ(descriptionBeside("Yamada^Tarou=\x1b$B;3ED", "heart"), "") << "an escape to another character set";
+    EXPECT_EQ(descriptionBeside("Muster^Anna", "f\xc3\xb6tus"), "f\xc3\xb6tus");
+}
+
 TEST(SeriesList, TheChosenOneIsRead) {
     const TemporaryFolder folder;
     writeThreeSeries(folder);
@@ -98,8 +128,11 @@ TEST(SeriesList, TheChosenOneIsRead) {
     options.framesAsSlices = true;
     EXPECT_EQ(readStudy(folder.path(), options)->phases[0]->geometry().size[2], 9);
     options.series = "1.2.9";
-    EXPECT_THAT(readStudy(folder.path(), options).error().sentence(),
-                AllOf(HasSubstr("holds no series \"1.2.9\""), HasSubstr("It holds \"1.2.3\", \"1.2.4\", \"1.2.5\".")));
+    EXPECT_THAT(
+        readStudy(folder.path(), options).error().sentence(),
+        AllOf(HasSubstr("holds no series \"1.2.9\""),
+              HasSubstr("It holds 1 (\"long axis\", 4 x 2, 3 slices), 2 (6 x 2, 2 slices), 3 (4 x 2, 9 frames). "
+                        "Choose one of the numbers that info lists.")));
 }
 
 TEST(SeriesList, AListedSeriesIsReadWithoutLookingAtTheFolderAgain) {
@@ -136,23 +169,148 @@ TEST(SeriesList, AVolumeBehindThePixelsIsNoSinglePicture) {
     volume.text(0x7fe1, 0x0010, "LO", "KRETZ_US").put(0x7fe1, 0x1001, "OB", "KRETZFILE 1.0   ");
     folder.write("a", slice("1.2.3", 1) + volume.bytes());
     folder.write("b", slice("1.2.3", 2));
+    DicomBytes settings;
+    settings.text(0x7fe1, 0x0010, "LO", "KRETZ_US").put(0x7fe1, 0x1001, "OB", "settings, no volume ");
+    folder.write("c", slice("1.2.5", 3) + settings.bytes());
     const auto list = listSeries(folder.path());
     ASSERT_TRUE(list) << list.error().sentence();
-    ASSERT_EQ(list->series.size(), 2u);
+    ASSERT_EQ(list->series.size(), 3u);
     EXPECT_FALSE(list->series[0].whyNot);
     EXPECT_EQ(list->series[0].files[0].path, folder.file("a"));
-    EXPECT_THAT(list->series[1].whyNot->sentence(), HasSubstr("is a single 2D picture"));
+    for (const std::size_t i : {1, 2})
+        EXPECT_THAT(list->series[i].whyNot->sentence(), HasSubstr("is a single 2D picture"))
+            << "no volume stands there";
 }
 
 TEST(SeriesList, TheMiddlePictureIsSmall) {
     const TemporaryFolder folder;
-    for (const int depth : {1, 2, 3}) folder.write(std::to_string(depth), slice("1.2.3", depth, "", 40));
+    for (const int depth : {1, 2, 3}) {
+        std::string bytes = slice("1.2.3", depth, "", 40);
+        // Slice n is dark but for its n-th four columns of ten.
+        for (int pixel = 0; pixel < 80; ++pixel)
+            if (pixel % 40 / 4 != depth) bytes[bytes.size() - 80 + static_cast<std::size_t>(pixel)] = '\0';
+        folder.write(std::to_string(9 - depth), bytes);
+    }
     const auto list = listSeries(folder.path());
     const auto picture = middlePicture(list->series[0], 10);
     ASSERT_TRUE(picture) << picture.error().sentence();
     EXPECT_EQ(picture->width, 10);
     EXPECT_EQ(picture->height, 1);
-    EXPECT_EQ(picture->grey, std::vector<std::uint8_t>(10, 255));
+    EXPECT_EQ(picture->grey, (std::vector<std::uint8_t>{0, 0, 255, 0, 0, 0, 0, 0, 0, 0})) << "of the second slice";
+}
+
+TEST(SeriesList, APictureOfHundredsOfMillionsOfPixelsIsNotMadeSmall) {
+    const TemporaryFolder folder;
+    DicomBytes file;
+    folder.write("q", file.picture(65535, 65535, 2)
+                          .put(0x3001, 0x1001, "UL", bytesFrom<std::uint32_t>({2}))
+                          .put(0x7fe0, 0x0010, "OW", "12345678")
+                          .file("1.2.840.113543.6.6.1.3.10002"));
+    const auto list = listSeries(folder.path());
+    ASSERT_TRUE(list) << list.error().sentence();
+    const auto picture = middlePicture(list->series[0], 10);
+    ASSERT_FALSE(picture);
+    EXPECT_THAT(picture.error().sentence(), HasSubstr("65535 x 65535 pixels, which are not shown small"));
+}
+
+TEST(SeriesList, SaysWhatItDidNotLookAt) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.file("1/2/3/4/deep"));
+    for (const char* name : {"a", "1/2/3/4/b", "1/2/3/4/deep/c"}) folder.write(name, slice("1.2.3", name[0] % 7));
+    folder.write("d.dcm.gz", deflated(slice("1.2.3", 9), 31));
+    const auto list = listSeries(folder.path());
+    ASSERT_TRUE(list) << list.error().sentence();
+    EXPECT_EQ(list->files.size(), 2u);
+    EXPECT_THAT(list->warnings,
+                ElementsAre(HasSubstr("1 folder(s) deeper than 4 were not looked into, \"deep\" among them."),
+                            HasSubstr("1 file(s) are packed with gzip and were not looked into, \"d.dcm.gz\"")));
+    writeThreeSeries(folder);
+    std::filesystem::remove_all(folder.file("1/2/3/4/deep"));
+    std::filesystem::remove(folder.file("d.dcm.gz"));
+    EXPECT_THAT(listSeries(folder.path())->warnings, ElementsAre());
+}
+
+TEST(SeriesList, SaysWhichSeriesWasRead) {
+    const TemporaryFolder folder;
+    writeThreeSeries(folder);
+    EXPECT_TRUE(warnsOf(*readStudy(folder.path(), withoutGuess()),
+                        "There are 3 series here; that of 4 x 2, 3 slices was read."));
+    ReadOptions options = withoutGuess();
+    options.series = "1.2.5";
+    options.framesAsSlices = true;
+    EXPECT_TRUE(warnsOf(*readStudy(folder.path(), options), "that of 4 x 2, 9 frames was read."));
+}
+
+TEST(SeriesList, NotesOfAllSlicesAreKept) {
+    const TemporaryFolder folder;
+    for (const int depth : {1, 2, 3})
+        folder.write("a" + std::to_string(depth), slice("1.2.3", depth) + (depth > 1 ? std::string(40, 'x') : ""));
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_TRUE(warnsOf(*study, "What stands behind the pixels is no DICOM; it is left out. (Said of 2 of 3 slices.)"));
+}
+
+TEST(SeriesList, RescalingInTheGroupsOfSingleFramesIsSeen) {
+    const TemporaryFolder folder;
+    for (const int depth : {0, 1}) {
+        DicomBytes transformation, file;
+        transformation.text(0x0028, 0x1052, "DS", "1").text(0x0028, 0x1053, "DS", depth == 0 ? "1" : "2");
+        if (depth == 0) transformation = DicomBytes().text(0x0028, 0x1053, "DS", "1");
+        file.text(0x0020, 0x000e, "UI", "1.2.3").text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth));
+        file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").picture(2, 1, 0);
+        file.sequence(0x5200, 0x9229, {DicomBytes().sequence(0x0028, 0x9145, {transformation})});
+        folder.write("s" + std::to_string(depth), file.put(0x7fe0, 0x0010, "OW", "\3\4").file(pictureClass));
+    }
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{3, 4, 7, 9}));
+}
+
+TEST(SeriesList, SlicesOfUnknownPixelSizeKeepTheirDistance) {
+    const TemporaryFolder folder;
+    for (const int depth : {0, 3}) folder.write("a" + std::to_string(depth), slice("1.2.3", depth));
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
+    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(3, 3, 3));
+    EXPECT_TRUE(warnsOf(*study, "as the slices are apart, 3 mm"));
+}
+
+TEST(SeriesList, TheLargest2DRegionGivesThePixelSizeOfSlicesToo) {
+    const TemporaryFolder folder;
+    const auto region = [](int width, double centimetres, std::uint16_t format) {
+        DicomBytes item;
+        item.word(0x0018, 0x6012, format).put(0x0018, 0x6018, "UL", bytesFrom<std::uint32_t>({0}));
+        item.put(0x0018, 0x601a, "UL", bytesFrom<std::uint32_t>({0}));
+        item.put(0x0018, 0x601c, "UL", bytesFrom<std::uint32_t>({static_cast<std::uint32_t>(width)}));
+        item.put(0x0018, 0x601e, "UL", bytesFrom<std::uint32_t>({2})).word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
+        return item.real(0x0018, 0x602c, centimetres).real(0x0018, 0x602e, centimetres);
+    };
+    for (const int depth : {0, 1}) {
+        DicomBytes file;
+        file.sequence(0x0018, 0x6011, {region(3, 0.9, 2), region(1, 0.5, 1), region(3, 0.02, 1)});
+        file.text(0x0020, 0x000e, "UI", "1.2.3").text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth));
+        file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").picture(4, 2, 0);
+        folder.write("s" + std::to_string(depth), file.put(0x7fe0, 0x0010, "OW", "12345678").file(pictureClass));
+    }
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(0.2, 0.2, 1)) << "neither an M-mode nor the first region";
+}
+
+TEST(LargeStack, RunsOnNoMoreThreadsThanItIsGiven) {
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    int pieces = 0;
+    runEachWithLargeStack(50, 1,
+                          [&](std::size_t) {
+                              const std::lock_guard lock(mutex);
+                              threads.insert(std::this_thread::get_id());
+                              ++pieces;
+                          },
+                          {});
+    EXPECT_EQ(threads.size(), 1u);
+    EXPECT_EQ(pieces, 50);
 }
 
 TEST(SeriesList, SaysWhyItIsEmpty) {

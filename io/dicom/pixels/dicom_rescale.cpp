@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
+#include "io/dicom/functional_groups.h"
 #include "io/headers/header_text.h"
 
 namespace echolucent {
@@ -15,8 +16,6 @@ namespace {
 
 constexpr DicomTag interceptTag{0x0028, 0x1052};
 constexpr DicomTag slopeTag{0x0028, 0x1053};
-constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
-constexpr DicomTag perFrameGroupsTag{0x5200, 0x9230};
 constexpr DicomTag transformationTag{0x0028, 0x9145};
 
 using Read = tl::expected<LinearRescale, PixelFormatProblem>;
@@ -68,14 +67,13 @@ void writeFloats(const LinearRescale& rescale, std::span<const std::uint8_t> gre
 
 }  // namespace
 
-tl::expected<std::vector<LinearRescale>, PixelFormatProblem> readRescales(DcmItem& dataset,
-                                                                          const DicomPixelFormat& format) {
+tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset, const DicomPixelFormat& format) {
     const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
-    if (!grey) return std::vector{LinearRescale{}};
+    if (!grey) return FrameRescales{};
     DcmItem* shared = transformationIn(dicomFirstItem(dataset, sharedGroupsTag));
     const Read all = rescaleOf(shared != nullptr ? *shared : dataset, format);
     if (!all) return tl::unexpected(all.error());
-    std::vector<LinearRescale> rescales;
+    FrameRescales rescales{*all, {}};
     std::optional<PixelFormatProblem> problem;
     bool perFrame = false;
     dicomVisitItems(dataset, perFrameGroupsTag, [&](DcmItem& groups) {
@@ -83,12 +81,11 @@ tl::expected<std::vector<LinearRescale>, PixelFormatProblem> readRescales(DcmIte
         const Read read = own != nullptr ? rescaleOf(*own, format) : all;
         if (!read) problem = read.error();
         perFrame = perFrame || own != nullptr;
-        rescales.push_back(read.value_or(LinearRescale{}));
-        return read && rescales.size() < static_cast<std::size_t>(format.frames);
+        rescales.single.push_back(read.value_or(LinearRescale{}));
+        return read && rescales.single.size() < static_cast<std::size_t>(format.frames);
     });
     if (problem) return tl::unexpected(*problem);
-    if (!perFrame) return std::vector{*all};
-    rescales.resize(static_cast<std::size_t>(format.frames), *all);
+    if (!perFrame) rescales.single.clear();
     return rescales;
 }
 

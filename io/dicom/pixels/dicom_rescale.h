@@ -16,14 +16,24 @@ struct LinearRescale {
     double intercept = 0.0;
     [[nodiscard]] double of(double stored) const { return slope * stored + intercept; }
     [[nodiscard]] bool isIdentity() const { return slope == 1.0 && intercept == 0.0; }
+    friend bool operator==(const LinearRescale&, const LinearRescale&) = default;
+};
+
+/// The rescaling of every frame of a data set.
+struct FrameRescales {
+    LinearRescale all;                  ///< of the frames that have none of their own
+    std::vector<LinearRescale> single;  ///< of the first frames, where the groups of single frames hold any; or none
+    [[nodiscard]] const LinearRescale& of(std::size_t frame) const {
+        return frame < single.size() ? single[frame] : all;
+    }
 };
 
 /// Rescale Slope and Intercept of a data set: one for all frames (at top level or in the shared functional groups), or
 /// one a frame where the groups of frames hold them. What is missing or empty changes nothing. Fails with what is wrong
 /// where one is no number, where the slope is 0, or where the values of `format` would not fit into floats or could not
 /// be told apart there.
-[[nodiscard]] tl::expected<std::vector<LinearRescale>, PixelFormatProblem> readRescales(DcmItem& dataset,
-                                                                                        const DicomPixelFormat& format);
+[[nodiscard]] tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset,
+                                                                           const DicomPixelFormat& format);
 
 /// Writes the values that grey values of `type` (as toGrey() gives them) stand for into `out`, as float32.
 void applyRescale(const LinearRescale& rescale, std::span<const std::uint8_t> grey, StoredType type,

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_names.h"
@@ -28,21 +30,54 @@ std::string nameBelow(const std::string& folder, const std::string& path) {
     return lowerCase(std::filesystem::path(path).lexically_relative(folder).generic_string());
 }
 
+/// Counts folders for one sentence.
+class FoldersLeftOut {
+public:
+    void add(const std::filesystem::path& folder) {
+        if (m_count++ == 0) m_first = folder.filename().string();
+    }
+    void say(const std::string& what, std::vector<std::string>& warnings) const {
+        if (m_count > 0)
+            warnings.push_back(fmt::format("{} folder(s) {}, {} among them.", m_count, what, quotedText(m_first)));
+    }
+
+private:
+    std::size_t m_count = 0;
+    std::string m_first;
+};
+
 }  // namespace
 
-std::vector<std::string> filesBelow(const std::string& folder, int deepest, const Progress& progress) {
-    std::vector<std::string> files;
+FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress) {
+    FilesBelow found;
+    FoldersLeftOut deeper, closed;
     std::error_code error;
     std::filesystem::recursive_directory_iterator entry(
         folder, std::filesystem::directory_options::skip_permission_denied, error);
     for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
          entry.increment(error)) {
-        if (entry.depth() >= deepest) entry.disable_recursion_pending();
-        if (files.size() < mostFiles && entry->is_regular_file(error)) files.push_back(entry->path().string());
-        error.clear();
+        std::error_code unknown;
+        if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) {
+            const std::filesystem::directory_iterator inside(entry->path(), unknown);
+            if (unknown) closed.add(entry->path());
+            if (entry.depth() < deepest) continue;
+            entry.disable_recursion_pending();
+            if (!unknown && inside != std::filesystem::directory_iterator()) deeper.add(entry->path());
+        } else if (entry->is_regular_file(unknown)) {
+            if (found.paths.size() == mostFiles) {
+                found.warnings.push_back(fmt::format(
+                    "There are more than {} files; the others were not looked at. Open a folder further down.",
+                    mostFiles));
+                break;
+            }
+            found.paths.push_back(entry->path().string());
+        }
     }
-    std::sort(files.begin(), files.end());
-    return files;
+    deeper.say(fmt::format("deeper than {} were not looked into", deepest), found.warnings);
+    closed.say("could not be opened", found.warnings);
+    if (error) found.warnings.push_back(fmt::format("The folder was not read to its end: {}.", error.message()));
+    std::sort(found.paths.begin(), found.paths.end());
+    return found;
 }
 
 bool isDirectoryFile(const InputFile& file, const Progress& progress) {
@@ -60,11 +95,13 @@ Result<DirectoryFiles> filesOfDirectory(const InputFile& input, const Progress& 
     std::string folder = std::filesystem::path(input.path()).parent_path().string();
     if (folder.empty()) folder = ".";
     std::map<std::string, std::string> there;
-    for (std::string& path : filesBelow(folder, deepestName, progress)) {
+    FilesBelow below = filesBelow(folder, deepestName, progress);
+    for (std::string& path : below.paths) {
         std::string name = nameBelow(folder, path);
         there.emplace(std::move(name), std::move(path));
     }
     DirectoryFiles found;
+    found.warnings = std::move(below.warnings);
     std::set<std::string> taken;
     dicomVisitItems(file->dataset(), recordsTag, [&](DcmItem& record) {
         std::string name = dicomText(record, fileTag);

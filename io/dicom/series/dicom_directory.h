@@ -10,9 +10,10 @@ namespace echolucent {
 
 /// The files of a DICOMDIR.
 struct DirectoryFiles {
-    std::vector<std::string> paths;  ///< that are there, in or below the DICOMDIR's own folder; each once
-    std::size_t named = 0;           ///< how many the records name
-    std::string firstMissing;        ///< the first name that is not there, as the record spells it
+    std::vector<std::string> paths;     ///< that are there, in or below the DICOMDIR's own folder; each once
+    std::size_t named = 0;              ///< how many the records name
+    std::string firstMissing;           ///< the first name that is not there, as the record spells it
+    std::vector<std::string> warnings;  ///< on folders that could not be looked through
 };
 
 /// Whether an opened file is a DICOMDIR.
@@ -24,8 +25,12 @@ struct DirectoryFiles {
 /// file holds no records; (cancelled) where the person ended it. To be called in a thread with a large stack.
 [[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
 
-/// All files in a folder and in those below it down to `deepest`, 50,000 at most, in the order of their names. Links to
-/// folders are not followed.
-[[nodiscard]] std::vector<std::string> filesBelow(const std::string& folder, int deepest, const Progress& progress);
+/// The files in and below a folder.
+struct FilesBelow {
+    std::vector<std::string> paths;     ///< in the order of their names
+    std::vector<std::string> warnings;  ///< sentences on what was not looked at
+};
+/// All files in a folder and in those below it down to `deepest`, 50,000 at most. Links to folders are not followed.
+[[nodiscard]] FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress);
 
 }  // namespace echolucent

@@ -1,16 +1,13 @@
 #include <algorithm>
-#include <cmath>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_geometry.h"
 #include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
-#include "io/dicom/philips_volume.h"
 #include "io/dicom/picture_scale.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/input_file.h"
@@ -77,6 +74,7 @@ public:
         m_parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
         m_parts.spacingSource = m_order.spacingSource;
         m_parts.inPlaneSpacingKnown = m_order.inPlaneSpacingKnown;
+        sayNotes();
         m_parts.warnings.insert(m_parts.warnings.end(), m_order.warnings.begin(), m_order.warnings.end());
         if (m_differentWhite)
             m_parts.warnings.emplace_back("The slices are rescaled by different slopes; each by its own.");
@@ -98,12 +96,15 @@ private:
         if (const auto read = frames->readGrey(0, grey); !read) return read;
         if (slice == 0)
             if (const auto begun = begin(file->dataset(), *frames); !begun) return begun;
-        if (frames->type() != m_type || bytes != m_sliceBytes || frames->bitsStored() != m_bitsStored)
-            return fail(FailureKind::unreadable, file->path(), "(0028,0101) Bits Stored",
+        const bool sameType = frames->type() == m_type && bytes == m_sliceBytes;
+        if (!sameType || frames->bitsStored() != m_bitsStored)
+            return fail(FailureKind::unreadable, file->path(),
+                        sameType ? "(0028,0101) Bits Stored" : "(0028,0100) Bits Allocated or (0028,0103) sign",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
         m_parts.lossyCompressed = m_parts.lossyCompressed || frames->lossyCompressed();
         keepWhite(*frames);
+        for (const std::string& warning : frames->warnings()) note(warning);
         return {};
     }
 
@@ -125,9 +126,29 @@ private:
             m_parts.facts.push_back({"kind of object", objectName(uid), "(0008,0016) SOP Class UID"});
         for (auto&& fact : frames.facts()) m_parts.facts.push_back(std::move(fact));
         for (auto&& fact : equipmentFacts(dataset)) m_parts.facts.push_back(std::move(fact));
-        for (auto&& warning : frames.warnings()) m_parts.warnings.push_back(std::move(warning));
         takeSpacing(dataset);
         return {};
+    }
+
+    /// Counts the slices of which a sentence is said.
+    void note(const std::string& sentence) {
+        const auto known = std::ranges::find(m_notes, sentence, &SliceNote::sentence);
+        if (known != m_notes.end())
+            ++known->slices;
+        else if (m_notes.size() < mostNotes)
+            m_notes.push_back({sentence, 1});
+        else
+            ++m_notesLeftOut;
+    }
+
+    void sayNotes() {
+        const std::size_t slices = m_order.paths.size();
+        for (const SliceNote& one : m_notes)
+            m_parts.warnings.push_back(
+                one.slices == slices ? one.sentence
+                                     : fmt::format("{} (Said of {} of {} slices.)", one.sentence, one.slices, slices));
+        if (m_notesLeftOut > 0)
+            m_parts.warnings.push_back(fmt::format("{} more notes on single slices are left out.", m_notesLeftOut));
     }
 
     void keepWhite(const DicomFrames& frames) {
@@ -160,16 +181,23 @@ private:
             m_order.inPlaneSpacingKnown = true;
             return;
         }
-        std::string source;
-        if (const auto spacing = pixelSpacingOf(dataset, source)) {
-            m_order.geometry.spacing[0] = (*spacing)[0];
-            m_order.geometry.spacing[1] = (*spacing)[1];
-            m_order.spacingSource = source + ", slice positions " + imagePositionName;
+        Vec3& spacing = m_order.geometry.spacing;
+        if (const auto scale = pictureScaleOf(dataset)) {
+            spacing = {scale->spacing[0], scale->spacing[1], spacing[2]};
+            m_order.spacingSource = scale->source + ", slice positions " + imagePositionName;
         } else {
-            m_order.geometry.spacing = {1, 1, 1};
+            spacing = Vec3::all(spacing[2]);
             m_order.geometry.spacingKnown = false;
+            m_order.warnings.push_back(pixelSizeUnknown(spacing[2]));
         }
     }
+
+    /// A sentence of the slices' notes, and how many slices say it.
+    struct SliceNote {
+        std::string sentence;
+        std::size_t slices = 0;
+    };
+    static constexpr std::size_t mostNotes = 20;
 
     SliceOrder m_order;
     const ReadOptions& m_options;
@@ -178,74 +206,13 @@ private:
     StoredType m_type = StoredType::uint8;
     std::size_t m_sliceBytes = 0;
     int m_bitsStored = 0;
-    double m_largestValue = 0.0;         // of the first slice
-    bool m_differentWhite = false;       // whether other slices are rescaled otherwise
+    double m_largestValue = 0.0;    // of the first slice
+    bool m_differentWhite = false;  // whether other slices are rescaled otherwise
+    std::vector<SliceNote> m_notes;
+    std::size_t m_notesLeftOut = 0;
     std::vector<WindowWhite> m_windows;  // of the slices that declare one
     std::vector<std::uint8_t> m_voxels;
 };
-
-/// The grey values of one frame as doubles.
-std::vector<double> valuesOf(const std::vector<std::uint8_t>& bytes, StoredType type) {
-    std::vector<std::vector<std::uint8_t>> one{bytes};
-    const ConvertedVoxels converted = convertVoxels(std::move(one), type);
-    return std::visit([](const auto& voxels) { return std::vector<double>(voxels.begin(), voxels.end()); },
-                      converted.phases.front());
-}
-
-/// Means over the pixels that fall into each of the small picture's.
-SmallPicture reduced(const std::vector<double>& values, std::int64_t columns, std::int64_t rows, int longestEdge) {
-    SmallPicture small;
-    const double factor = std::min(1.0, longestEdge / static_cast<double>(std::max(columns, rows)));
-    small.width = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(columns))));
-    small.height = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(rows))));
-    std::vector<double> sums(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
-    std::vector<double> counts(sums.size());
-    for (std::int64_t row = 0; row < rows; ++row)
-        for (std::int64_t column = 0; column < columns; ++column) {
-            const auto place =
-                static_cast<std::size_t>(row * small.height / rows * small.width + column * small.width / columns);
-            sums[place] += values[static_cast<std::size_t>(row * columns + column)];
-            counts[place] += 1.0;
-        }
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
-    const double white = *std::max_element(sums.begin(), sums.end());
-    small.grey.resize(sums.size());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        small.grey[i] = white > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::max(0.0, sums[i]) / white)) : 0;
-    return small;
-}
-
-/// The middle slice of a study in memory.
-SmallPicture middleOf(const Study& study, int longestEdge) {
-    const Volume& volume = *study.phases.front();
-    const auto& size = volume.geometry().size;
-    std::vector<double> values(static_cast<std::size_t>(size[0] * size[1]));
-    const std::int64_t first = size[2] / 2 * size[0] * size[1];
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = volume.storedValue(first + static_cast<std::int64_t>(i));
-    return reduced(values, size[0], size[1], longestEdge);
-}
-
-Result<SmallPicture> readMiddle(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
-    const SeriesFile& middle = entry.files[entry.files.size() / 2];
-    const auto input = InputFile::open(middle.path);
-    if (!input) return tl::unexpected(input.error());
-    const auto file = DicomFile::load(*input, false, progress);
-    if (!file) return tl::unexpected(file.error());
-    const auto philips = philipsVolumeOf(*file);
-    if (philips && *philips) {
-        ReadOptions options;
-        options.guessNoData = false;
-        const auto study = readPhilipsVolume(*input, *file, **philips, options, progress);
-        if (!study) return tl::unexpected(study.error());
-        return middleOf(*study, longestEdge);
-    }
-    auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
-    if (!frames) return tl::unexpected(frames.error());
-    std::vector<std::uint8_t> grey(static_cast<std::size_t>(frames->frameBytes()));
-    if (const auto read = frames->readGrey(frames->frames() / 2, grey); !read) return tl::unexpected(read.error());
-    return reduced(valuesOf(grey, frames->type()), frames->columns(), frames->rows(), longestEdge);
-}
 
 }  // namespace
 
@@ -265,17 +232,11 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
     if (!study) return study;
     std::vector<std::string> warnings = list.warnings;
     if (list.series.size() > 1)
-        warnings.insert(warnings.begin(), fmt::format("There are {} series here; one of {} slices was read.",
-                                                      list.series.size(), entry.size[2]));
+        warnings.insert(warnings.begin(), fmt::format("There are {} series here; that of {} was read.",
+                                                      list.series.size(), sizeInWords(entry)));
     study->files = list.files;
     study->warnings.insert(study->warnings.begin(), warnings.begin(), warnings.end());
     return study;
-}
-
-Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
-    Result<SmallPicture> picture = fail(FailureKind::unreadable, entry.files.front().path, "", "was not read");
-    runWithLargeStack([&] { picture = readMiddle(entry, longestEdge, progress); });
-    return picture;
 }
 
 }  // namespace echolucent

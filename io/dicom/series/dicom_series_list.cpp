@@ -8,14 +8,19 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/global_control.h>
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_geometry.h"
+#include "io/dicom/dicom_grey.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_layout.h"
 #include "io/dicom/philips_volume.h"
+#include "io/dicom/pixels/dicom_rescale.h"
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/large_stack.h"
+#include "io/dicom/series/series_description.h"
+#include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
 #include "io/series_list.h"
@@ -36,39 +41,58 @@ struct ImageHeader {
     std::optional<Failure> whyNot;  // of a multi-frame file
 };
 
-/// The Series Description, unless it holds a part of the patient's name or the patient's identifier.
-std::string descriptionOf(DcmItem& dataset) {
-    std::string description = dicomText(dataset, {0x0008, 0x103e});
-    const std::string small = lowerCase(description);
-    std::string person = lowerCase(dicomText(dataset, {0x0010, 0x0010}));
-    std::replace_if(
-        person.begin(), person.end(), [](char c) { return c == '^' || c == '=' || c == '\\' || c == ','; }, ' ');
-    std::vector<std::string> parts = wordsOf(person);
-    parts.push_back(lowerCase(dicomText(dataset, {0x0010, 0x0020})));
-    const bool named = std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-        return part.size() > 2 && small.find(part) != std::string::npos;
-    });
-    return named ? std::string() : description;
+/// What is wrong with the pixels of many frames, as far as header and length tell it: no more frames are looked at than
+/// the file can hold.
+std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileBytes) {
+    const auto failure = [&](const PixelFormatProblem& problem) {
+        return fail(FailureKind::unreadable, file.path(), problem.element, problem.text, "Export it again.").value();
+    };
+    DicomPixelFormat format;
+    if (const auto problem = readPixelFormat(file.dataset(), format)) return failure(*problem);
+    const DicomScan& scan = file.scan();
+    if (!DcmXfer(scan.transferSyntax.c_str()).isEncapsulated()) {
+        const auto problem = missingPixels(format, scan.pixelBytesHeld);
+        return problem ? std::optional(failure(*problem)) : std::nullopt;
+    }
+    constexpr std::uint64_t itemBytes = 8;  // a frame has one fragment at least
+    if (static_cast<std::uint64_t>(format.frames) <= fileBytes / itemBytes) return std::nullopt;
+    return failure({"(0028,0008) Number of Frames",
+                    fmt::format("says {}, more than a file of {} bytes can hold", format.frames, fileBytes)});
 }
 
 /// Why the frames of one file are no volume, as far as the header says it.
 std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, const Progress& progress) {
     const auto count = static_cast<std::size_t>(header.frames);
-    if (count < 2) return std::nullopt;
     const auto layout = layOutFrames(dataset, header.file.path, {count, header.columns, header.rows}, progress);
     return layout ? std::nullopt : std::optional(layout.error());
 }
 
-/// The size of a maker's private volume, which counts in place of its frames; a volume that cannot be read says why.
-void takePrivateVolume(const DicomFile& file, ImageHeader& header) {
+/// Finds out whether the file is a volume of its own, and why not. The size of a maker's private volume counts in place
+/// of its frames.
+void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& header, const Progress& progress) {
+    header.volume = file.scan().holdsKretz;
+    if (header.volume) return;
     const auto philips = philipsVolumeOf(file);
-    header.volume = file.scan().holdsKretz || (philips && *philips);
-    if (!philips) header.whyNot = philips.error();
-    if (header.volume) header.whyNot.reset();
-    if (!philips || !*philips) return;
-    header.rows = (*philips)->size[1];
+    header.volume = philips && *philips;
+    const bool inFrames = !header.volume || (*philips)->kind == PhilipsVolume::Kind::frames;
+    if (inFrames && header.frames > 1) header.whyNot = wrongPixels(file, fileBytes);
+    if (header.whyNot) return;
+    if (!philips)
+        header.whyNot = philips.error();
+    else if (!header.volume && header.frames > 1)
+        header.whyNot = whyNoVolume(file.dataset(), header, progress);
+    if (!header.volume) return;
     header.columns = (*philips)->size[0];
+    header.rows = (*philips)->size[1];
     header.frames = (*philips)->size[2];
+}
+
+/// Whether Rescale Slope and Intercept change the values of a single picture.
+bool isRescaled(DcmItem& dataset) {
+    DicomPixelFormat format;
+    if (readPixelFormat(dataset, format)) return false;
+    const auto rescales = readRescales(dataset, format);
+    return rescales && !rescales->of(0).isIdentity();
 }
 
 /// The header of an image; no value for DICOM files that are no images.
@@ -87,25 +111,22 @@ Result<std::optional<ImageHeader>> headerOf(const InputFile& input, const Progre
     if (const auto placement = topLevelPlacement(dataset))
         header.file.plane =
             SlicePlane{*placement->position, (*placement->orientation)[0], (*placement->orientation)[1], input.path()};
-    for (const DicomTag tag : {DicomTag{0x0028, 0x1052}, DicomTag{0x0028, 0x1053}}) {
-        const std::string text = dicomText(dataset, tag);
-        header.file.rescaled = header.file.rescaled || (!text.empty() && realNumber(text) != (tag.element & 1));
-    }
     header.rows = rows.value_or(0);
     header.columns = columns.value_or(0);
     header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
+    header.file.rescaled = header.frames == 1 && isRescaled(dataset);
     header.series = dicomText(dataset, {0x0020, 0x000e});
     header.object = dicomText(dataset, {0x0008, 0x0018});
-    header.description = descriptionOf(dataset);
+    header.description = seriesDescription(dataset);
     header.modality = dicomText(dataset, {0x0008, 0x0060});
-    header.whyNot = whyNoVolume(dataset, header, progress);
-    takePrivateVolume(*file, header);
+    takeVolume(*file, input.size(), header, progress);
     return std::optional(std::move(header));
 }
 
 /// What one file turned out to be.
 struct Looked {
     bool dicom = false;
+    bool packed = false;
     std::optional<ImageHeader> header;
     std::optional<Failure> failure;
 };
@@ -116,6 +137,7 @@ Looked lookAt(const std::string& path, const Progress& progress) {
     const auto input = InputFile::open(path);
     if (!input) return looked;
     const auto beginning = input->beginning(132);
+    looked.packed = beginning && looksLikeGzip(*beginning);
     if (!beginning || !looksLikeDicom(*beginning)) return looked;
     looked.dicom = true;
     auto header = headerOf(*input, progress);
@@ -213,13 +235,18 @@ bool isFolder(const std::string& path) {
 
 /// The files that a folder or a DICOMDIR holds.
 Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progress) {
-    if (isFolder(list.path)) return filesBelow(list.path, deepestFolder, progress);
+    if (isFolder(list.path)) {
+        FilesBelow found = filesBelow(list.path, deepestFolder, progress);
+        list.warnings = std::move(found.warnings);
+        return std::move(found.paths);
+    }
     const auto input = InputFile::open(list.path);
     if (!input) return tl::unexpected(input.error());
     Result<DirectoryFiles> found = fail(FailureKind::unreadable, list.path, "", "was not read");
     runWithLargeStack([&] { found = filesOfDirectory(*input, progress); });
     if (!found) return tl::unexpected(found.error());
     list.files.push_back(list.path);
+    list.warnings = std::move(found->warnings);
     const std::size_t missing = found->named - std::min(found->named, found->paths.size());
     const std::string words =
         fmt::format("{} of {} files that the DICOMDIR names are not in its folder or below it, {} among them", missing,
@@ -252,14 +279,21 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
     const std::vector<std::string>& files = *named;
     std::vector<Looked> looked(files.size());
     const Progress third{[&](double share) { progress.at(0.3 * share); }, progress.cancel};
+    const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     runEachWithLargeStack(
-        files.size(), [&](std::size_t index) { looked[index] = lookAt(files[index], progress); }, third);
+        files.size(), threads, [&](std::size_t index) { looked[index] = lookAt(files[index], progress); }, third);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     std::vector<Failure> failures;
+    std::vector<std::string> packed;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (looked[i].dicom) list.files.push_back(files[i]);
+        if (looked[i].packed) packed.push_back(nameFromPath(files[i]));
         if (looked[i].failure) failures.push_back(*looked[i].failure);
     }
+    if (!packed.empty())
+        list.warnings.push_back(fmt::format(
+            "{} file(s) are packed with gzip and were not looked into, {} among them. Unpack them if they are slices.",
+            packed.size(), quotedText(packed.front())));
     list.series = entriesFrom(path, looked);
     nameApart(list.series);
     if (list.series.empty() && !failures.empty()) return tl::unexpected(failures.front());
@@ -280,10 +314,19 @@ Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string&
     if (found != list.series.end()) return &*found;
     std::vector<std::string> there;
     for (const SeriesEntry& entry : list.series)
-        if (there.size() < 10) there.push_back(quotedText(entry.uid));
+        if (there.size() < 10)
+            there.push_back(fmt::format("{} ({}{})", there.size() + 1,
+                                        entry.description.empty() ? "" : quotedText(entry.description) + ", ",
+                                        sizeInWords(entry)));
     const std::string more = list.series.size() > there.size() ? ", ..." : "";
     return fail(FailureKind::unreadable, list.path, "", "holds no series " + quotedText(uid),
-                fmt::format("It holds {}{}.", fmt::join(there, ", "), more));
+                fmt::format("It holds {}{}. Choose one of the numbers that info lists.", fmt::join(there, ", "), more));
+}
+
+std::string sizeInWords(const SeriesEntry& entry) {
+    const std::string picture = fmt::format("{} x {}", entry.size[0], entry.size[1]);
+    if (entry.size[2] == 1) return picture + (entry.multiframe ? ", one file" : ", one picture");
+    return fmt::format("{}, {} {}", picture, entry.size[2], entry.multiframe ? "frames" : "slices");
 }
 
 }  // namespace echolucent

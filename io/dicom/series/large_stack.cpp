@@ -7,7 +7,6 @@
 #include <exception>
 #include <list>
 #include <mutex>
-#include <thread>
 
 namespace echolucent {
 
@@ -69,7 +68,8 @@ void runAndRethrow(std::size_t threads, const std::function<void()>& work) {
 
 void runWithLargeStack(const std::function<void()>& work) { runAndRethrow(1, work); }
 
-void runEachWithLargeStack(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress) {
+void runEachWithLargeStack(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work,
+                           const Progress& progress) {
     std::atomic<std::size_t> next{0}, done{0};
     std::mutex reporting;
     const std::function<void()> pieces = [&] {
@@ -81,8 +81,7 @@ void runEachWithLargeStack(std::size_t count, const std::function<void(std::size
                 progress.at(static_cast<double>(done.load()) / static_cast<double>(count));
         }
     };
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    runAndRethrow(std::min(processors, count), pieces);
+    runAndRethrow(std::min(threads, count), pieces);
 }
 
 }  // namespace echolucent

@@ -1,0 +1,113 @@
+// The small picture that a person chooses a series by.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include "io/dicom/dicom_pixels.h"
+#include "io/dicom/dicom_study.h"
+#include "io/dicom/frame_layout.h"
+#include "io/dicom/philips_volume.h"
+#include "io/dicom/series/large_stack.h"
+#include "io/input_file.h"
+#include "io/series_list.h"
+
+namespace echolucent {
+
+namespace {
+
+/// A picture of more pixels is not made small: no scanner has any, and each takes up to 12 bytes on the way.
+constexpr std::int64_t mostPixels = std::int64_t{1} << 24;
+
+double valueAt(const GreySlice& slice, std::size_t index) {
+    const auto read = [&]<typename T>(T value) {
+        std::memcpy(&value, slice.bytes.data() + index * sizeof(T), sizeof(T));
+        return static_cast<double>(value);
+    };
+    switch (slice.type) {
+        case StoredType::uint8: return slice.bytes[index];
+        case StoredType::int8: return read(std::int8_t{});
+        case StoredType::uint16: return read(std::uint16_t{});
+        case StoredType::int16: return read(std::int16_t{});
+        default: return static_cast<double>(read(float{}));
+    }
+}
+
+/// Means over the pixels that fall into each of the small picture's.
+SmallPicture reduced(const GreySlice& slice, int longestEdge) {
+    SmallPicture small;
+    const std::int64_t columns = slice.columns, rows = slice.rows;
+    const double factor = std::min(1.0, longestEdge / static_cast<double>(std::max(columns, rows)));
+    small.width = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(columns))));
+    small.height = std::max(1, static_cast<int>(std::lround(factor * static_cast<double>(rows))));
+    std::vector<double> sums(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
+    std::vector<double> counts(sums.size());
+    for (std::int64_t row = 0; row < rows; ++row)
+        for (std::int64_t column = 0; column < columns; ++column) {
+            const auto place =
+                static_cast<std::size_t>(row * small.height / rows * small.width + column * small.width / columns);
+            sums[place] += valueAt(slice, static_cast<std::size_t>(row * columns + column));
+            counts[place] += 1.0;
+        }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+    const double white = *std::max_element(sums.begin(), sums.end());
+    small.grey.resize(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        small.grey[i] = white > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::max(0.0, sums[i]) / white)) : 0;
+    return small;
+}
+
+Result<void> requireSmall(const std::string& path, std::int64_t columns, std::int64_t rows) {
+    const auto pixels = checkedProduct(columns, rows);
+    if (pixels && *pixels <= mostPixels) return {};
+    return fail(FailureKind::unreadable, path, "",
+                fmt::format("has slices of {} x {} pixels, which are not shown small", columns, rows), "Open it.");
+}
+
+/// The frame that lies in the middle of the volume; of pictures that are none, the one in the middle of the file.
+std::int64_t middleFrame(const DicomFile& file, const DicomFrames& frames, const Progress& progress) {
+    if (frames.frames() < 2) return 0;
+    const auto layout =
+        layOutFrames(file.dataset(), file.path(),
+                     {static_cast<std::size_t>(frames.frames()), frames.columns(), frames.rows()}, progress);
+    if (!layout) return frames.frames() / 2;
+    const std::vector<std::size_t>& slices = layout->phases.front();
+    return static_cast<std::int64_t>(slices[slices.size() / 2]);
+}
+
+Result<GreySlice> readMiddle(const SeriesEntry& entry, const Progress& progress) {
+    const SeriesFile& middle = entry.files[entry.files.size() / 2];
+    const auto input = InputFile::open(middle.path);
+    if (!input) return tl::unexpected(input.error());
+    const auto file = DicomFile::load(*input, false, progress);
+    if (!file) return tl::unexpected(file.error());
+    const auto philips = philipsVolumeOf(*file);
+    if (philips && *philips) {
+        const auto& size = (*philips)->size;
+        if (auto small = requireSmall(middle.path, size[0], size[1]); !small) return tl::unexpected(small.error());
+        return readPhilipsSlice(*input, *file, **philips, size[2] / 2, progress);
+    }
+    auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan());
+    if (!frames) return tl::unexpected(frames.error());
+    if (auto small = requireSmall(middle.path, frames->columns(), frames->rows()); !small)
+        return tl::unexpected(small.error());
+    GreySlice slice{frames->columns(), frames->rows(), frames->type(), {}};
+    slice.bytes.resize(static_cast<std::size_t>(frames->frameBytes()));
+    if (const auto read = frames->readGrey(middleFrame(*file, *frames, progress), slice.bytes); !read)
+        return tl::unexpected(read.error());
+    return slice;
+}
+
+}  // namespace
+
+Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
+    Result<GreySlice> slice = fail(FailureKind::unreadable, entry.files.front().path, "", "was not read");
+    runWithLargeStack([&] { slice = readMiddle(entry, progress); });
+    if (!slice) return tl::unexpected(slice.error());
+    return reduced(*slice, longestEdge);
+}
+
+}  // namespace echolucent
