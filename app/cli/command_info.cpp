@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "io/headers/header_text.h"
 #include "io/import_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/beam/beam_guess.h"
@@ -102,22 +103,24 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     return printable(std::move(text));
 }
 
-std::string sizeOf(const SeriesEntry& entry) {
-    const char* many = entry.multiframe ? "frames" : "slices";
-    return fmt::format("{} x {}, {} {}", entry.size[0], entry.size[1], entry.size[2],
-                       entry.size[2] == 1 ? "picture" : many);
+/// Why a series cannot be opened, and what to do: the sentence of the failure without the file, which the list names.
+std::string reasonOf(const Failure& failure) {
+    const std::string what = failure.element.empty() ? "it" : failure.element;
+    return fmt::format("{} {}.{}{}", what, failure.problem, failure.remedy.empty() ? "" : " ", failure.remedy);
 }
 
-/// One line a series, numbered from 1; that called `read` (it may be null) is marked.
+/// A series a line, numbered from 1, with what keeps it from being opened below it; that called `read` (it may be null)
+/// is marked.
 std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
     std::string text;
-    int number = 0;
-    for (const SeriesEntry& entry : list.series) {
-        text += fmt::format("  series {:<21} {} {}{}{}  [{}]\n",
-                            fmt::format("{}{}", ++number, &entry == read ? ", read" : ""),
-                            entry.modality.empty() ? "--" : entry.modality, sizeOf(entry),
-                            entry.description.empty() ? "" : ", ", entry.description, entry.uid);
-        if (entry.whyNot) text += "    it " + entry.whyNot->problem + "\n";
+    for (std::size_t i = 0; i < list.series.size(); ++i) {
+        const SeriesEntry& entry = list.series[i];
+        const std::string name = fmt::format("series {}{}", i + 1, &entry == read ? ", read" : "");
+        std::string value = entry.modality.empty() ? "" : entry.modality + ", ";
+        value += sizeInWords(entry);
+        if (!entry.description.empty()) value += ", " + quotedText(entry.description);
+        text += fmt::format("  {:<28} {}  [{}]\n", name, value, entry.uid);
+        if (entry.whyNot) text += fmt::format("  {:<28} {}\n", "", reasonOf(*entry.whyNot));
     }
     return text;
 }

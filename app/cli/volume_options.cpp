@@ -90,11 +90,13 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
 
 void VolumeOptions::addTo(CLI::App& command) {
     command
-        .add_option("VOLUME", path,
-                    "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), GE Voluson (.vol), DICOM "
-                    "file, folder or DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
+        .add_option(
+            "VOLUME", path,
+            "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), GE Voluson (.vol), DICOM "
+            "file, folder or DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
         ->required();
-    command.add_option("--series", series, "Series of a folder or DICOMDIR: its number in info's list, or its UID");
+    command.add_option("--series", series,
+                       "Series of a folder or DICOMDIR: its number in info's list; what is no number is its UID");
     command.add_option("--phase", phase, "Phase of a 4D volume, from 0")->capture_default_str();
     command.add_option("--raw-size", rawSize,
                        "Voxels of a headerless raw file, XxYxZ; samples, lines and planes with --raw-polar");

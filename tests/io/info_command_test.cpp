@@ -126,7 +126,23 @@ TEST(InfoCommand, ListsTheSeriesOfAFolder) {
     EXPECT_TRUE(series[1].at("why_not").is_null());
     const auto text = runInfo({folder.path()}).text;
     EXPECT_THAT(text, HasSubstr("1, read"));
-    EXPECT_THAT(text, HasSubstr("6 x 2, 2 slices  [1.2.4]"));
+    EXPECT_THAT(text, HasSubstr("  series 2                     US, 6 x 2, 2 slices  [1.2.4]\n"));
+}
+
+TEST(InfoCommand, SaysOfASeriesWhatIsWrongAndWhatToDo) {
+    const TemporaryFolder folder;
+    writeTwoSeries(folder);
+    TestImage cine;
+    cine.series = "1.2.5";
+    cine.frames = 3;
+    cine.pixels8.assign(36, 7);
+    writeDicom(folder.file("cine"), cine);
+    cine.series = "1.2.6";
+    cine.pixels8.resize(24);
+    writeDicom(folder.file("short"), cine);
+    const auto text = runInfo({folder.path()}).text;
+    EXPECT_THAT(text, HasSubstr("it is a 2D cine of 3 frames without volume geometry. Add --frames-as-slices"));
+    EXPECT_THAT(text, HasSubstr("(7fe0,0010) Pixel Data holds 24 bytes where 4 x 3 pixels in 3 frame(s) need 36. "));
 }
 
 TEST(VolumeOptions, ASeriesIsChosenByNumberOrName) {
@@ -143,7 +159,9 @@ TEST(VolumeOptions, ASeriesIsChosenByNumberOrName) {
     EXPECT_EQ(runInfo({folder.path(), "--series", "0"}).status, 2);
     const auto unknown = runInfo({folder.path(), "--series", "1.2.9"});
     EXPECT_EQ(unknown.status, 2);
-    EXPECT_THAT(unknown.sentence, HasSubstr("holds no series \"1.2.9\". It holds \"1.2.3\", \"1.2.4\"."));
+    EXPECT_THAT(unknown.sentence,
+                HasSubstr("holds no series \"1.2.9\". It holds 1 (4 x 2, 3 slices), 2 (6 x 2, 2 slices). "
+                          "Choose one of the numbers that info lists."));
     const auto noFolder = runInfo({movingVolume(folder), "--series", "1"});
     EXPECT_EQ(noFolder.status, 2);
     EXPECT_THAT(noFolder.sentence, HasSubstr("--series names a series of a folder or DICOMDIR"));
