@@ -68,9 +68,18 @@ double voxelsAlong(const Range& range, double spacing) {
     return std::floor((range.high - range.low) / spacing + 1e-6) + 1;
 }
 
+double rowsOf(const Bounds& bounds, double spacing) {
+    return voxelsAlong(bounds.axes[1], spacing) * voxelsAlong(bounds.axes[2], spacing);
+}
+
 double voxelsOf(const Bounds& bounds, double spacing) {
-    return voxelsAlong(bounds.axes[0], spacing) * voxelsAlong(bounds.axes[1], spacing) *
-           voxelsAlong(bounds.axes[2], spacing);
+    return voxelsAlong(bounds.axes[0], spacing) * rowsOf(bounds, spacing);
+}
+
+/// By how much the spacing must at least become wider for the grid to stay within both limits; 1 where it does.
+double excess(const Bounds& bounds, double spacing, const ConversionMemory& memory) {
+    return std::max({std::cbrt(voxelsOf(bounds, spacing) / static_cast<double>(memory.mostVoxels())),
+                     std::sqrt(rowsOf(bounds, spacing) / static_cast<double>(memory.mostRows())), 1.0});
 }
 
 void require(const PolarGeometry& polar) {
@@ -99,6 +108,8 @@ std::int64_t ConversionMemory::mostVoxels() const {
     return std::max<std::int64_t>(std::min(phaseBytes, ofAll) / bytesPerVoxel, 1);
 }
 
+std::int64_t ConversionMemory::mostRows() const { return std::max<std::int64_t>(phaseBytes / conversionRowBytes, 1); }
+
 double finestResolutionMm(const PolarGeometry& polar) {
     require(polar);
     const double middle = 0.5 * (polar.rangeStartMm + polar.rangeEndMm());
@@ -118,10 +129,10 @@ ConversionGrid conversionGridOf(const PolarGeometry& polar, double spacingMm) {
 ConversionGrid conversionGrid(const PolarGeometry& polar, const ConversionMemory& memory) {
     const double finest = finestResolutionMm(polar);
     const Bounds bounds = boundsOf(polar);
-    const auto most = static_cast<double>(memory.mostVoxels());
     double spacing = finest;
-    // Voxels are counted whole along each axis, so that the cube root of the excess is not always enough at once.
-    while (voxelsOf(bounds, spacing) > most) spacing *= std::max(std::cbrt(voxelsOf(bounds, spacing) / most), 1.0005);
+    // Voxels are counted whole along each axis, so that the excess is not always enough at once.
+    for (double wider = excess(bounds, spacing, memory); wider > 1; wider = excess(bounds, spacing, memory))
+        spacing *= std::max(wider, 1.0005);
     ConversionGrid grid = gridWithin(bounds, spacing);
     grid.finestMm = finest;
     grid.limitedByMemory = spacing > finest;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "processing/progress.h"
 #include "processing/scan_conversion/polar_geometry.h"
 
 namespace echolucent {
@@ -11,7 +12,8 @@ namespace echolucent {
 /// angles, else the position in mm. The table is linear between its entries, sixteen or more a line.
 class LineLookup {
 public:
-    explicit LineLookup(const PolarAxis& lines);
+    /// Where `progress` was cancelled the table is not complete, and nothing may be looked up in it.
+    explicit LineLookup(const PolarAxis& lines, const Progress& progress = {});
 
     // An index is found so: place = (key - firstKey) entriesPerKey, held within [0, lastPlace], and linear between the
     // entries of `indices` on both sides, of which there is one more than places.

@@ -16,6 +16,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How far beyond the insonified region a voxel's centre counts as in it, voxels: what rounding does.
 constexpr double forgiven = 1e-6;
+/// How far from a sample a voxel's centre counts as on it, samples: what rounding in the file does.
+constexpr double onASample = 1e-4;
 
 /// An interval of positions along x, mm; empty where `low` is above `high`.
 struct Interval {
@@ -43,22 +45,51 @@ Interval insonifiedSide(double along, double nearest, double farthest, double lo
         if (highest > quarter) side.atLeast(along * std::tan(highest));
         if (lowest > quarter) side.atMost(along * std::tan(lowest));
     } else if (highest < quarter || lowest > quarter) {
-        side.clear();
+        // Beams that do not go sideways meet this row at the apex alone, where the way back finds the angle 0.
+        if (lowest > 0) side.clear();
+        side.atMost(0);
     }
     return side;
 }
 
 }  // namespace
 
-ScanConversion::ScanConversion(const PolarGeometry& polar, const ConversionGrid& grid)
-    : m_polar(polar), m_grid(grid), m_lines(polar.lines) {
+ScanConversion::ScanConversion(const PolarGeometry& polar, const ConversionGrid& grid, const Progress& progress)
+    : m_polar(polar), m_grid(grid), m_lines(polar.lines, progress) {
     if (const auto problem = problemOf(polar))
         throw std::invalid_argument("ScanConversion: the geometry makes no sense: " + problem->words);
     const auto& size = m_grid.geometry.size;
-    m_rows.resize(static_cast<std::size_t>(size[1] * size[2]));
+    if (progress.cancelled()) return;
+    m_rows.resize(static_cast<std::size_t>(m_grid.rows()));
     parallelFor(std::int64_t{0}, size[2], [&](std::int64_t z) {
-        for (std::int64_t y = 0; y < size[1]; ++y) setRow(y, z);
+        for (std::int64_t y = 0; y < size[1] && !progress.cancelled(); ++y) setRow(y, z);
     });
+    setLattice();
+}
+
+void ScanConversion::setLattice() {
+    if (kindOf(m_polar) != PolarKind::linear) return;
+    const auto& size = m_grid.geometry.size;
+    const auto indices = [&](std::size_t axis, const auto& indexAt) {
+        std::vector<std::int32_t> found(static_cast<std::size_t>(size[axis]), notThere);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const auto place = static_cast<int>(axis);
+            const std::optional<double> index =
+                indexAt(m_grid.geometry.origin[place] + static_cast<double>(i) * m_grid.geometry.spacing[place]);
+            if (index && std::abs(*index - std::round(*index)) < onASample)
+                found[i] = static_cast<std::int32_t>(std::lround(*index));
+        }
+        return found;
+    };
+    m_lattice.lines = indices(0, [&](double mm) { return indexOnAxis(m_polar.lines, mm); });
+    m_lattice.planes = indices(1, [&](double mm) { return indexOnAxis(m_polar.planes, mm); });
+    m_lattice.samples = indices(2, [&](double mm) -> std::optional<double> {
+        const double sample = (mm - m_polar.rangeStartMm) / m_polar.rangeStepMm;
+        if (!(sample > -onASample && sample < static_cast<double>(m_polar.samples - 1) + onASample))
+            return std::nullopt;
+        return sample;
+    });
+    m_lattice.allLines = std::find(m_lattice.lines.begin(), m_lattice.lines.end(), notThere) == m_lattice.lines.end();
 }
 
 void ScanConversion::setRow(std::int64_t y, std::int64_t z) {
@@ -110,19 +141,39 @@ void ScanConversion::setRow(std::int64_t y, std::int64_t z) {
     if (row.runs[1].first >= row.runs[1].end) row.runs[1] = {};
 }
 
-std::vector<std::uint8_t> ScanConversion::mask() const {
+std::vector<std::uint8_t> ScanConversion::mask(const Progress& progress) const {
+    if (progress.cancelled()) return {};
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(m_grid.geometry.voxelCount()));
     const std::int64_t width = m_grid.geometry.size[0];
     parallelFor(std::size_t{0}, m_rows.size(), [&](std::size_t row) {
+        if (progress.cancelled()) return;
         for (const Run& run : m_rows[row].runs)
             std::fill(mask.begin() + static_cast<std::int64_t>(row) * width + run.first,
                       mask.begin() + static_cast<std::int64_t>(row) * width + run.end, std::uint8_t{1});
     });
-    return mask;
+    return progress.cancelled() ? std::vector<std::uint8_t>() : mask;
+}
+
+/// Copies a row whose voxels are samples; false where it must be interpolated.
+template <typename Value>
+bool ScanConversion::copyRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
+    if (!m_lattice.allLines) return false;
+    const auto& size = m_grid.geometry.size;
+    const std::int32_t plane = m_lattice.planes[static_cast<std::size_t>(index % size[1])];
+    const std::int32_t sample = m_lattice.samples[static_cast<std::size_t>(index / size[1])];
+    if (plane == notThere || sample == notThere) return false;
+    const auto [samples, lines, planes] = m_polar.size();
+    const Value* from = polar.data() + sample + samples * lines * plane;
+    for (const Run& run : m_rows[static_cast<std::size_t>(index)].runs)
+        for (std::int64_t x = run.first; x < run.end; ++x)
+            out[static_cast<std::size_t>(index * size[0] + x)] =
+                from[samples * m_lattice.lines[static_cast<std::size_t>(x)]];
+    return true;
 }
 
 template <typename Value>
 void ScanConversion::convertRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
+    if (copyRow(polar, index, out)) return;
     const Row& row = m_rows[static_cast<std::size_t>(index)];
     const auto [samples, lines, planes] = m_polar.size();
     ConversionRow<Value> job;

@@ -17,16 +17,19 @@ namespace echolucent {
 /// all phases. It may be used by several threads at once.
 class ScanConversion {
 public:
-    /// Computes the tables. Throws std::invalid_argument where the geometry has a problem (problemOf()).
-    ScanConversion(const PolarGeometry& polar, const ConversionGrid& grid);
+    /// Computes the tables. Throws std::invalid_argument where the geometry has a problem (problemOf()). `progress` is
+    /// polled for each row of voxels; where it was cancelled the tables are not complete, and nothing may be converted.
+    ScanConversion(const PolarGeometry& polar, const ConversionGrid& grid, const Progress& progress = {});
 
     [[nodiscard]] const ConversionGrid& grid() const { return m_grid; }
     /// One byte a voxel of the grid, 1 where its centre lies in the insonified region, and 0 elsewhere: no data.
-    [[nodiscard]] std::vector<std::uint8_t> mask() const;
+    /// Empty only where `progress` was cancelled, which is polled for each row of voxels.
+    [[nodiscard]] std::vector<std::uint8_t> mask(const Progress& progress = {}) const;
     /// The voxels of the grid, of the same type; they are 0 outside the insonified region. Bytes and words are rounded
-    /// to the nearest. A value that is not finite makes those that are interpolated from it not finite too. Any number
-    /// of threads gives the same bits. Empty only where `progress` was cancelled, which is polled for each row of
-    /// voxels. Throws std::invalid_argument where the number of voxels is not that of the geometry.
+    /// to the nearest. Rows of a linear probe whose voxels are samples are copied, bit for bit. A value that is not
+    /// finite makes those that are interpolated from it not finite too. Any number of threads gives the same bits.
+    /// Empty only where `progress` was cancelled, which is polled for each row of voxels. Throws std::invalid_argument
+    /// where the number of voxels is not that of the geometry.
     [[nodiscard]] std::optional<Voxels> convert(const Voxels& polar, const Progress& progress = {}) const;
 
 private:
@@ -41,7 +44,18 @@ private:
         std::int32_t plane = 0;
         Run runs[2];
     };
+    static_assert(sizeof(Row) == conversionRowBytes);
+    /// Which sample of a linear probe stands at each index of the grid, by axis: lines along x, planes along y, samples
+    /// along z; notThere where none does. All are empty for other probes.
+    struct Lattice {
+        std::vector<std::int32_t> lines, planes, samples;
+        bool allLines = false;  ///< whether a line stands at every index along x
+    };
+    static constexpr std::int32_t notThere = -1;
+    void setLattice();
     void setRow(std::int64_t y, std::int64_t z);
+    template <typename Value>
+    bool copyRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
     template <typename Value>
     void convertRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
     template <typename Value>
@@ -50,6 +64,7 @@ private:
     PolarGeometry m_polar;
     ConversionGrid m_grid;
     LineLookup m_lines;
+    Lattice m_lattice;
     std::vector<Row> m_rows;  // y runs fastest, then z
 };
 

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <atomic>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -13,27 +14,40 @@ namespace echolucent {
 namespace {
 
 template <typename Value>
+void expectSameAsPlain(const NamedPolar& named, const ConversionGrid& grid, double rounding) {
+    const auto& [name, polar] = named;
+    // Uneven lines bend within an entry of the table: a few thousandths of a line.
+    const double tolerance = rounding + (name == "uneven" ? 0.05 : 0.01);
+    const auto values = sampledValues<Value>(polar, smoothAt);
+    const ScanConversion conversion(polar, grid);
+    const auto converted = std::get<std::vector<Value>>(*conversion.convert(values));
+    const auto mask = conversion.mask();
+    std::size_t insonified = 0, off = 0;
+    forEachVoxel(conversion.grid(), [&](std::size_t offset, const Vec3& mm) {
+        const auto index = polarFromProbeMm(polar, mm);
+        insonified += index ? 1 : 0;
+        if (static_cast<bool>(index) != (mask[offset] != 0)) ++off;
+        if (!index || mask[offset] == 0) return;
+        const double plain = plainTrilinear(polar, values, *index);
+        EXPECT_NEAR(static_cast<double>(converted[offset]), plain, tolerance)
+            << name << " " << mm[0] << " " << mm[1] << " " << mm[2];
+    });
+    EXPECT_GT(insonified, 1000U) << name;
+    EXPECT_EQ(off, 0U) << name;
+}
+
+template <typename Value>
 void expectSameAsPlain(double rounding) {
-    for (const auto& [name, polar] : everyPolar()) {
-        // Uneven lines bend within an entry of the table: a few thousandths of a line.
-        const double tolerance = rounding + (name == "uneven" ? 0.05 : 0.01);
-        const auto values = sampledValues<Value>(polar, smoothAt);
-        const ScanConversion conversion(polar, conversionGridOf(polar, 1.1));
-        const auto converted = std::get<std::vector<Value>>(*conversion.convert(values));
-        const auto mask = conversion.mask();
-        std::size_t insonified = 0, off = 0;
-        forEachVoxel(conversion.grid(), [&](std::size_t offset, const Vec3& mm) {
-            const auto index = polarFromProbeMm(polar, mm);
-            insonified += index ? 1 : 0;
-            if (static_cast<bool>(index) != (mask[offset] != 0)) ++off;
-            if (!index || mask[offset] == 0) return;
-            const double plain = plainTrilinear(polar, values, *index);
-            EXPECT_NEAR(static_cast<double>(converted[offset]), plain, tolerance)
-                << name << " " << mm[0] << " " << mm[1] << " " << mm[2];
-        });
-        EXPECT_GT(insonified, 1000U) << name;
-        EXPECT_EQ(off, 0U) << name;
-    }
+    for (const NamedPolar& named : everyPolar())
+        expectSameAsPlain<Value>(named, conversionGridOf(named.polar, 1.1), rounding);
+    // A sector whose apex is a voxel's centre.
+    const PolarGeometry sector =
+        polarGeometry({PolarKind::wobbler, 0, 0.5, {-28.5, 28.5}, {-28.5, 28.5}, 0, 0}, {100, 25, 25});
+    const ConversionGrid grid = conversionGrid(sector);
+    ASSERT_EQ(grid.geometry.origin[2], 0.0);
+    ASSERT_EQ(grid.geometry.size[0] % 2, 1);
+    ASSERT_EQ(grid.geometry.size[1] % 2, 1);
+    expectSameAsPlain<Value>({"apex on the grid", sector}, grid, rounding);
 }
 
 TEST(ScanConversion, IsTrilinearInPolarCoordinates) {
@@ -70,6 +84,43 @@ TEST(ScanConversion, LinearProbeOnItsOwnGridKeepsEveryBit) {
                 ASSERT_EQ(converted[line + 17 * (plane + 13 * sample)], values[sample + 20 * (line + 17 * plane)]);
     const auto mask = conversion.mask();
     EXPECT_EQ(std::count(mask.begin(), mask.end(), 1), 20 * 17 * 13);
+}
+
+template <typename Value>
+void expectEveryBitKept(const PolarGeometry& polar) {
+    const auto size = polar.size();
+    std::vector<Value> values(static_cast<std::size_t>(size[0] * size[1] * size[2]));
+    std::mt19937 random(7);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<Value>(i % 2 == 0 ? random() % 40000 : 65535 - random() % 3);
+    if constexpr (std::is_same_v<Value, float>) {
+        for (float& value : values) value *= 0.1F;
+        values[5] = std::numeric_limits<float>::quiet_NaN();
+    }
+    const ScanConversion conversion(polar, conversionGrid(polar));
+    const auto& grid = conversion.grid().geometry.size;
+    ASSERT_EQ(grid, (std::array<std::int64_t, 3>{size[1], size[2], size[0]}));
+    const auto converted = std::get<std::vector<Value>>(*conversion.convert(values));
+    std::size_t different = 0;
+    for (std::int64_t z = 0; z < grid[2]; ++z)
+        for (std::int64_t y = 0; y < grid[1]; ++y)
+            for (std::int64_t x = 0; x < grid[0]; ++x) {
+                const Value is = converted[static_cast<std::size_t>(x + grid[0] * (y + grid[1] * z))];
+                const Value was = values[static_cast<std::size_t>(z + size[0] * (x + size[1] * y))];
+                different += std::memcmp(&is, &was, sizeof is) == 0 ? 0 : 1;
+            }
+    EXPECT_EQ(different, 0U) << sizeof(Value);
+}
+
+// 0.3 mm is no number of the machine's, and floats of it lie off the samples by more than 16 bits forgive.
+TEST(ScanConversion, LinearProbeKeepsEveryBitAtAnySpacing) {
+    for (const PolarGeometry& polar :
+         {polarGeometry({PolarKind::linear, 5, 0.3, {-1.2, 1.2}, {-1.2, 1.2}, 0, 0}, {400, 9, 9}),
+          polarGeometry({PolarKind::linear, 5, 0.07, {-1.4, 1.4}, {-0.7, 0.7}, 0, 0}, {1500, 41, 21})}) {
+        expectEveryBitKept<std::uint8_t>(polar);
+        expectEveryBitKept<std::uint16_t>(polar);
+        expectEveryBitKept<float>(polar);
+    }
 }
 
 // A closed form sampled on the polar grid, converted and compared with itself. Linear interpolation is off by up to
@@ -169,6 +220,31 @@ TEST(ScanConversion, MemoryLimitIsKeptAndUsed) {
             EXPECT_TRUE(grid.limitedByMemory);
             EXPECT_GT(grid.geometry.spacing[0], grid.finestMm);
         }
+}
+
+// Beams that lie side by side within a hundredth of a millimetre make rows of one voxel, whose tables take more.
+TEST(ScanConversion, MemoryLimitHoldsForTheTablesToo) {
+    const PolarGeometry polar =
+        polarGeometry({PolarKind::linear, 0, 0.02, {0, 0.01}, {0, 79.98}, 0, 0}, {4000, 2, 4000});
+    const ConversionMemory memory;
+    const ConversionGrid grid = conversionGrid(polar, memory);
+    EXPECT_LE(grid.rows() * conversionRowBytes, memory.phaseBytes);
+    EXPECT_GT(grid.rows() * conversionRowBytes, memory.phaseBytes * 97 / 100);
+    EXPECT_TRUE(grid.limitedByMemory);
+}
+
+TEST(ScanConversion, TablesAndMaskEndAtOnceWhenCancelled) {
+    const PolarGeometry polar = everyPolar({60, 60, 60})[3].polar;
+    const ConversionGrid grid = conversionGridOf(polar, 0.4);
+    std::atomic<bool> cancel = true;
+    Progress progress;
+    progress.cancel = &cancel;
+    const ScanConversion whole(polar, grid);
+    EXPECT_TRUE(whole.mask(progress).empty());
+    // A cancelled conversion has made no tables, and what it converts is nothing.
+    const ScanConversion none(polar, grid, progress);
+    EXPECT_TRUE(none.mask(progress).empty());
+    EXPECT_FALSE(none.convert(sampledValues<std::uint8_t>(polar, smoothAt), progress));
 }
 
 TEST(ScanConversion, AnyNumberOfThreadsGivesTheSameBits) {
