@@ -1,6 +1,7 @@
 #include "io/polar_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,15 +44,33 @@ void addGridFacts(const ConversionGrid& grid, const ConversionMemory& memory, St
                                       grid.finestMm, grid.limitedByMemory ? ", widened to the memory limit" : "");
     parts.facts.push_back(
         {"memory of the scan conversion",
-         fmt::format("{:.1f} MiB a phase; the limit is {:.0f} MiB a phase and {:.0f} MiB for all phases",
+         fmt::format("{:.1f} MiB a phase; the limit is {:.0f} MiB a phase and {:.0f} MiB for all phases; {:.1f} MiB "
+                     "of tables while voxels are converted",
                      static_cast<double>(grid.geometry.voxelCount() * memory.bytesPerVoxel) / mebibyte,
                      static_cast<double>(memory.phaseBytes) / mebibyte,
-                     static_cast<double>(memory.phaseBytes * conversionPhasesInFull) / mebibyte),
+                     static_cast<double>(memory.phaseBytes * conversionPhasesInFull) / mebibyte,
+                     static_cast<double>(grid.rows() * conversionRowBytes) / mebibyte),
          memory.phaseBytes == standardConversionBytes ? "standard limit" : "--conversion-memory"});
 }
 
 std::int64_t bytesPerVoxel(const Voxels& voxels) {
     return std::visit([](const auto& values) { return static_cast<std::int64_t>(sizeof(values[0])); }, voxels);
+}
+
+/// Refuses a grid that is one voxel thick, whatever made it so thin: the distance of the beams, or a memory limit that
+/// widened the spacing beyond it.
+Result<void> checkThickness(const std::string& path, const ConversionGrid& grid, const PolarSources& sources) {
+    const auto& size = grid.geometry.size;
+    const auto thin = std::find(size.begin(), size.end(), std::int64_t{1}) - size.begin();
+    if (thin == 3) return {};
+    const std::array<std::string, 3> elements{"the lines of " + sources.lines, "the planes of " + sources.planes,
+                                              "the range of " + sources.range};
+    return fail(
+        FailureKind::unreadable, path, elements[static_cast<std::size_t>(thin)],
+        fmt::format("make a grid of {} voxels of {:.4g} mm, one voxel thick{}: that is a picture, not a volume",
+                    sizeText(size), grid.geometry.spacing[0], grid.limitedByMemory ? " within the memory limit" : ""),
+        grid.limitedByMemory ? "Correct the geometry of the beams, or allow more with --conversion-memory."
+                             : "Correct the geometry of the beams.");
 }
 
 /// Progress of one of several phases, between 0.8 and 0.9 of the reading.
@@ -96,11 +115,16 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     memory.phases = static_cast<std::int64_t>(parts.voxels.phases.size());
     memory.phaseBytes = options.conversionMebibytes << 20;
     const ConversionGrid grid = conversionGrid(polar, memory);
+    if (auto thick = checkThickness(parts.path, grid, sources); !thick) return thick;
     const auto needed = static_cast<std::uint64_t>(grid.geometry.voxelCount()) *
-                        static_cast<std::uint64_t>(memory.bytesPerVoxel * memory.phases + 1);
+                            static_cast<std::uint64_t>(memory.bytesPerVoxel * memory.phases + 1) +
+                        static_cast<std::uint64_t>(grid.rows() * conversionRowBytes);
     if (auto enough = requireMemory(parts.path, "the scan conversion", needed); !enough) return enough;
 
-    const ScanConversion conversion(polar, grid);
+    Progress tables;
+    tables.cancel = progress.cancel;
+    const ScanConversion conversion(polar, grid, tables);
+    if (progress.cancelled()) return cancelled();
     for (std::size_t phase = 0; phase < parts.voxels.phases.size(); ++phase) {
         auto converted =
             conversion.convert(parts.voxels.phases[phase], partOf(progress, phase, parts.voxels.phases.size()));
@@ -110,7 +134,8 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     parts.geometry = grid.geometry;
     if (parts.phasesSource.empty()) parts.phasesSource = parts.sizeSource;
     parts.sizeSource = "scan conversion: the smallest grid around the insonified region";
-    parts.dataMask = std::make_shared<const std::vector<std::uint8_t>>(conversion.mask());
+    parts.dataMask = std::make_shared<const std::vector<std::uint8_t>>(conversion.mask(tables));
+    if (progress.cancelled()) return cancelled();
     parts.dataMaskSource = "geometry of the beams";
     StatedProbe probe;
     if (const auto apex = apexMm(polar)) probe.apexMm = *apex - grid.geometry.origin;
