@@ -17,9 +17,6 @@ Result<std::vector<double>> neededNumbers(const std::string& text, std::size_t c
     return wrongUsage(option, "is missing beside --raw-polar", "Give it as " + example + ".");
 }
 
-bool turnsLines(PolarKind kind) { return kind == PolarKind::convex || kind == PolarKind::wobbler; }
-bool turnsPlanes(PolarKind kind) { return kind == PolarKind::linearWobbler || kind == PolarKind::wobbler; }
-
 Result<void> setRadii(const std::string& text, EvenPolar& even) {
     const bool lines = turnsLines(even.kind), planes = turnsPlanes(even.kind);
     const std::size_t count = (lines ? 1 : 0) + (planes ? 1 : 0);

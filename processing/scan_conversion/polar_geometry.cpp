@@ -155,6 +155,9 @@ std::optional<Vec3> apexMm(const PolarGeometry& geometry) {
     return Vec3(0, 0, -0.5 * (geometry.lines.radiusMm + geometry.planes.radiusMm));
 }
 
+bool turnsLines(PolarKind kind) { return kind == PolarKind::convex || kind == PolarKind::wobbler; }
+bool turnsPlanes(PolarKind kind) { return kind == PolarKind::linearWobbler || kind == PolarKind::wobbler; }
+
 PolarKind kindOf(const PolarGeometry& geometry) {
     if (isAngular(geometry.planes)) return isAngular(geometry.lines) ? PolarKind::wobbler : PolarKind::linearWobbler;
     return isAngular(geometry.lines) ? PolarKind::convex : PolarKind::linear;
@@ -170,10 +173,8 @@ PolarGeometry polarGeometry(const EvenPolar& even, const std::array<std::int64_t
     geometry.samples = std::max<std::int64_t>(size[0], 1);
     geometry.rangeStartMm = even.rangeStartMm;
     geometry.rangeStepMm = even.rangeStepMm;
-    geometry.lines = evenAxis(spreadIf(even.kind == PolarKind::convex || even.kind == PolarKind::wobbler), even.lines,
-                              even.lineRadiusMm, size[1]);
-    geometry.planes = evenAxis(spreadIf(even.kind == PolarKind::linearWobbler || even.kind == PolarKind::wobbler),
-                               even.planes, even.planeRadiusMm, size[2]);
+    geometry.lines = evenAxis(spreadIf(turnsLines(even.kind)), even.lines, even.lineRadiusMm, size[1]);
+    geometry.planes = evenAxis(spreadIf(turnsPlanes(even.kind)), even.planes, even.planeRadiusMm, size[2]);
     return geometry;
 }
 

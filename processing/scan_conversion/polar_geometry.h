@@ -91,6 +91,9 @@ enum class PolarKind {
     linearWobbler,  ///< parallel lines, planes at angles
     wobbler,        ///< lines and planes at angles; a sector where both radii are 0
 };
+/// Whether such a probe turns its lines, or its planes, about an axis.
+[[nodiscard]] bool turnsLines(PolarKind kind);
+[[nodiscard]] bool turnsPlanes(PolarKind kind);
 [[nodiscard]] PolarKind kindOf(const PolarGeometry& geometry);
 /// "linear", "convex", "linear-wobbler", "wobbler".
 [[nodiscard]] std::string_view nameOf(PolarKind kind);

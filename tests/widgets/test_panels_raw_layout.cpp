@@ -191,7 +191,7 @@ private slots:
         QCOMPARE(child<QDoubleSpinBox>(dialog, "rawLayout.planesRadius")->isEnabled(), planes);
     }
 
-    void beamsThatAreNotEvenComeBackUntilTheyAreChanged() {
+    void beamsThatAreNotEvenStayUntilTheirEndsAreChanged() {
         RawLayoutDialog dialog("heart.raw", 1000);
         RawLayout values{.size = {12, 7, 5}};
         values.polar = polarGeometry({PolarKind::convex, 0, 0.5, {-20, 20}, {-3, 3}, 40, 0}, values.size);
@@ -201,7 +201,19 @@ private slots:
         type(child<QDoubleSpinBox>(dialog, "rawLayout.rangeStep"), "0.25");
         const RawLayout changed = dialog.values();
         QCOMPARE(changed.polar->rangeStepMm, 0.25);
-        QVERIFY(std::abs(changed.polar->lines.values[3]) < 1e-12);
+        QVERIFY(changed.polar->lines == values.polar->lines);
+        auto* fit = child<QLabel>(dialog, "rawLayout.fit");
+        QVERIFY(!fit->text().contains("uneven"));
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.planesLast"), "4");
+        QVERIFY(dialog.values().polar->lines == values.polar->lines);
+        QVERIFY(!fit->text().contains("uneven"));
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.linesLast"), "21");
+        QVERIFY(dialog.values().polar->lines ==
+                polarGeometry({PolarKind::convex, 0, 0.25, {-20, 21}, {-3, 4}, 40, 0}, values.size).lines);
+        QVERIFY2(fit->text().endsWith("Even spacing replaces the uneven lines."), qPrintable(fit->text()));
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.linesLast"), "20");
+        QVERIFY(dialog.values().polar->lines == values.polar->lines);
+        QVERIFY(!fit->text().contains("uneven"));
     }
 
     void everyFieldIsReachedByKeysAndFitsTheScreen() {

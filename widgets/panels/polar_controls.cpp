@@ -3,25 +3,22 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/short_spin_box.h"
 
 namespace echolucent {
 namespace {
 
-/// Shows 0.3 as "0.3", not as "0.300000".
-class ShortSpinBox : public QDoubleSpinBox {
-public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-    QString textFromValue(double value) const override {
-        return locale().toString(value, 'g', QLocale::FloatingPointShortest);
-    }
-};
-
-bool turnsLines(PolarKind kind) { return kind == PolarKind::convex || kind == PolarKind::wobbler; }
-bool turnsPlanes(PolarKind kind) { return kind == PolarKind::linearWobbler || kind == PolarKind::wobbler; }
+/// Whether an axis holds other values than one that is evenly spread between the same ends, but for rounding.
+bool isUneven(const PolarAxis& given, const PolarAxis& even) {
+    const double step = std::abs(even.values.back() - even.values.front()) / static_cast<double>(even.values.size());
+    return !std::equal(given.values.begin(), given.values.end(), even.values.begin(), even.values.end(),
+                       [&](double a, double b) { return std::abs(a - b) <= 1e-6 * step; });
+}
 
 }  // namespace
 
@@ -112,9 +109,44 @@ void PolarControls::setGeometry(const PolarGeometry& geometry) {
     emit changed();
 }
 
+bool PolarControls::keepsLines(std::int64_t count) const {
+    const EvenPolar now = even();
+    return m_given && m_given->size()[1] == count && turnsLines(now.kind) == turnsLines(m_shownOfGiven.kind) &&
+           now.lines == m_shownOfGiven.lines;
+}
+
+bool PolarControls::keepsPlanes(std::int64_t count) const {
+    const EvenPolar now = even();
+    return m_given && m_given->size()[2] == count && turnsPlanes(now.kind) == turnsPlanes(m_shownOfGiven.kind) &&
+           now.planes == m_shownOfGiven.planes;
+}
+
 PolarGeometry PolarControls::geometry(const std::array<std::int64_t, 3>& size) const {
-    if (m_given && m_given->size() == size && even() == m_shownOfGiven) return *m_given;
-    return polarGeometry(even(), size);
+    const EvenPolar now = even();
+    PolarGeometry geometry = polarGeometry(now, size);
+    if (!m_given) return geometry;
+    // What a field still shows is kept as it was given, with the digits that the field does not show.
+    if (now.rangeStartMm == m_shownOfGiven.rangeStartMm) geometry.rangeStartMm = m_given->rangeStartMm;
+    if (now.rangeStepMm == m_shownOfGiven.rangeStepMm) geometry.rangeStepMm = m_given->rangeStepMm;
+    if (keepsLines(size[1])) {
+        geometry.lines.values = m_given->lines.values;
+        if (now.lineRadiusMm == m_shownOfGiven.lineRadiusMm) geometry.lines.radiusMm = m_given->lines.radiusMm;
+    }
+    if (keepsPlanes(size[2])) {
+        geometry.planes.values = m_given->planes.values;
+        if (now.planeRadiusMm == m_shownOfGiven.planeRadiusMm) geometry.planes.radiusMm = m_given->planes.radiusMm;
+    }
+    return geometry;
+}
+
+QString PolarControls::replacedSentence(const std::array<std::int64_t, 3>& size) const {
+    if (!m_given || m_given->lines.values.empty() || m_given->planes.values.empty()) return {};
+    const PolarGeometry evenly = polarGeometry(evenPolarOf(*m_given), m_given->size());
+    const bool lines = !keepsLines(size[1]) && isUneven(m_given->lines, evenly.lines);
+    const bool planes = !keepsPlanes(size[2]) && isUneven(m_given->planes, evenly.planes);
+    if (lines && planes) return " " + tr("Even spacing replaces the uneven lines and planes.");
+    if (lines) return " " + tr("Even spacing replaces the uneven lines.");
+    return planes ? " " + tr("Even spacing replaces the uneven planes.") : QString();
 }
 
 }  // namespace echolucent

@@ -23,10 +23,14 @@ public:
     explicit PolarControls(QWidget* parent = nullptr);
 
     void setKind(PolarKind kind);
-    /// A geometry that is not evenly spaced is kept until a field or the size is changed.
+    /// Lines (planes) that are not evenly spaced are kept until their first, their last, their number or their kind is
+    /// changed.
     void setGeometry(const PolarGeometry& geometry);
     /// The geometry of so many samples, lines and planes.
     [[nodiscard]] PolarGeometry geometry(const std::array<std::int64_t, 3>& size) const;
+    /// Says, behind a space, that uneven lines or planes which were set are replaced by even ones in geometry(); empty
+    /// where none are.
+    [[nodiscard]] QString replacedSentence(const std::array<std::int64_t, 3>& size) const;
 
 signals:
     void changed();
@@ -34,6 +38,8 @@ signals:
 private:
     QDoubleSpinBox* createField(const QString& name, const QString& accessibleName, double value);
     [[nodiscard]] EvenPolar even() const;
+    [[nodiscard]] bool keepsLines(std::int64_t count) const;
+    [[nodiscard]] bool keepsPlanes(std::int64_t count) const;
 
     PolarKind m_kind = PolarKind::wobbler;
     /// What was set, and how the fields show it.

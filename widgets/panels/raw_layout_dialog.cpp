@@ -15,6 +15,7 @@
 
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/polar_controls.h"
+#include "widgets/panels/short_spin_box.h"
 
 namespace echolucent {
 namespace {
@@ -22,15 +23,6 @@ namespace {
 constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
 constexpr int cartesian = -1;                         // of the choices of grid; the others are kinds of probes
 constexpr double largestHeader = 9007199254740992.0;  // 2^53: whole numbers up to here are exact in a double
-
-/// Shows 0.3 as "0.3", not as "0.300000000".
-class SpacingSpinBox : public QDoubleSpinBox {
-public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-    QString textFromValue(double value) const override {
-        return locale().toString(value, 'g', QLocale::FloatingPointShortest);
-    }
-};
 
 QString grouped(std::int64_t bytes) { return QLocale(QLocale::English).toString(static_cast<qlonglong>(bytes)); }
 
@@ -58,7 +50,7 @@ void RawLayoutDialog::createControls() {
         const QString letter = QString(QChar(axisLetters[i]));
         m_size[i] = createSpinBox(new QSpinBox, "size" + letter, tr("Voxels along %1").arg(letter.toLower()));
         m_size[i]->setRange(0, std::numeric_limits<int>::max());
-        m_spacing[i] = createSpinBox<QDoubleSpinBox>(new SpacingSpinBox, "spacing" + letter,
+        m_spacing[i] = createSpinBox<QDoubleSpinBox>(new ShortSpinBox, "spacing" + letter,
                                                      tr("Spacing along %1").arg(letter.toLower()));
         m_size[i]->setMinimumWidth(96);
         m_size[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -243,17 +235,20 @@ QString RawLayoutDialog::fitSentence() const {
     if (const QString problem = polarSentence(); !problem.isEmpty()) return problem;
     const auto needed = bytesNeeded(layout);
     if (!needed) return tr("These settings need more than 2⁶³ bytes.");
+    const QString beams = isPolar() ? m_polar->replacedSentence(layout.size) : QString();
     if (isPacked())
         return tr("These settings need %1 bytes. The file is packed; whether it holds them is seen when it is opened.")
-            .arg(grouped(*needed));
+                   .arg(grouped(*needed)) +
+               beams;
     if (*needed == m_fileBytes) {
-        return tr("✓ These settings need %1 bytes, and the file has as many.").arg(grouped(*needed));
+        return tr("✓ These settings need %1 bytes, and the file has as many.").arg(grouped(*needed)) + beams;
     }
     const QString sizes =
         tr("These settings need %1 bytes; the file has %2").arg(grouped(*needed), grouped(m_fileBytes));
-    return *needed > m_fileBytes
-               ? tr("%1: %2 are missing.").arg(sizes, grouped(*needed - m_fileBytes))
-               : tr("⚠ %1: the last %2 are left over and would be ignored.").arg(sizes, grouped(m_fileBytes - *needed));
+    const qint64 rest = m_fileBytes - *needed;
+    return (rest < 0 ? tr("%1: %2 are missing.").arg(sizes, grouped(-rest))
+                     : tr("⚠ %1: the last %2 are left over and would be ignored.").arg(sizes, grouped(rest))) +
+           beams;
 }
 
 }  // namespace echolucent
