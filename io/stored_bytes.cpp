@@ -153,7 +153,7 @@ Result<void> StoredBytes::endFile() {
     if (!more && isCompressed(encoding)) return tl::unexpected(more.error());
     if (more && !*more) return {};
     if (m_warnings.empty())
-        m_warnings.push_back("The file holds more than the declared voxels; what follows them is ignored.");
+        m_warnings.emplace_back("The file holds more than the declared voxels; what follows them is ignored.");
     return {};
 }
 

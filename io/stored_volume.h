@@ -34,8 +34,10 @@ struct StoredVolume {
     std::int64_t channels = 1;  ///< 3 where every voxel is red, green, blue; these are reduced to luma
     VolumeGeometry geometry;
     std::int64_t phases = 1;
-    bool phasesFastest = false;  ///< the phase is the fastest axis instead of the slowest
-    std::string spacingSource;   ///< the key that gave the spacing; empty where the spacing is assumed
+    bool phasesFastest = false;        ///< the phase is the fastest axis instead of the slowest
+    std::string spacingSource;         ///< the key that gave the spacing; empty where the spacing is assumed
+    bool inPlaneSpacingKnown = false;  ///< as StudyParts::inPlaneSpacingKnown
+    int sliceAxis = 2;                 ///< as StudyParts::sliceAxis
     std::optional<Rescale> rescale;
     std::string rescaleSource;  ///< the keys that gave `rescale`
     /// Where the voxels are samples along beams: their geometry, of geometry.size samples, lines and planes.
@@ -55,7 +57,8 @@ struct ByteCounts {
     std::int64_t phase = 0;  ///< bytes of one phase
     std::int64_t all = 0;    ///< bytes of all phases
 };
-/// Counts the bytes that `stored` declares. Fails (unreadable) where they cannot be counted in 63 bits.
+/// Counts the bytes that `stored` declares. Fails (unreadable) where they cannot be counted in 63 bits,
+/// or where there are too many phases.
 [[nodiscard]] Result<ByteCounts> countBytes(const StoredVolume& stored);
 
 }  // namespace echolucent

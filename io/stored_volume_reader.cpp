@@ -60,7 +60,7 @@ void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
              stored.rescaleSource});
     if (stored.channels == 3) {
         parts.facts.push_back({"colour", "reduced to luma", "3 channels"});
-        parts.warnings.push_back("The voxels are in colour; they were reduced to luma.");
+        parts.warnings.emplace_back("The voxels are in colour; they were reduced to luma.");
     }
 }
 
@@ -92,6 +92,8 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
     parts.geometry = stored.geometry;
     parts.spacingSource = stored.spacingSource;
+    parts.inPlaneSpacingKnown = stored.inPlaneSpacingKnown;
+    parts.sliceAxis = stored.sliceAxis;
     parts.sizeSource = stored.sizeKey;
     parts.typeSource = stored.typeKey;
     parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(*phases), stored.type, *stored.rescale)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -138,6 +139,13 @@ std::string spacingText(const Vec3& spacing) {
     return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing[0], spacing[1], spacing[2]);
 }
 
+Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases) {
+    if (phases <= mostPhases) return {};
+    return fail(FailureKind::unreadable, file, element,
+                fmt::format("makes {} phases, and no more than {} can be opened", phases, mostPhases),
+                "Save a shorter part of the recording.");
+}
+
 std::string nameFromPath(const std::string& path) {
     std::filesystem::path file(path);
     if (!file.has_filename()) file = file.parent_path();
@@ -177,9 +185,13 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
-/// Refuses a spacing that no scanner has, which is a slip of units somewhere and would make tube cores and rays of
-/// millions of samples, and an origin that is no position.
+/// Refuses more phases than are taken, a spacing that no scanner has, which is a slip of units somewhere and would make
+/// tube cores and rays of millions of samples, and an origin that is no position.
 Result<void> checkGeometry(const StudyParts& parts) {
+    if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
+                                 static_cast<std::int64_t>(parts.voxels.phases.size()));
+        !few)
+        return few;
     const Vec3& spacing = parts.geometry.spacing;
     constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
     const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
@@ -202,10 +214,22 @@ Result<void> checkGeometry(const StudyParts& parts) {
     return {};
 }
 
+/// Refuses a white level that float32, in which voxels are shown, cannot hold.
+Result<void> checkWhite(const StudyParts& parts) {
+    using Float = std::numeric_limits<float>;
+    if (!parts.whiteLevel || (*parts.whiteLevel >= static_cast<double>(Float::min()) &&
+                              *parts.whiteLevel <= static_cast<double>(Float::max())))
+        return {};
+    return fail(FailureKind::unreadable, parts.path, parts.whiteLevelSource,
+                fmt::format("puts white at {:.6g}, which no voxel can show", *parts.whiteLevel),
+                "Correct the white level or leave it out.");
+}
+
 }  // namespace
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
     if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());
+    if (auto sensible = checkWhite(parts); !sensible) return tl::unexpected(sensible.error());
     Study study;
     study.name = nameFromPath(parts.path);
     study.files = std::move(parts.files);
@@ -239,7 +263,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
         study.warnings.push_back(
             fmt::format("The distance of the slices is unknown; {:.6g} mm is assumed, so lengths "
                         "across them cannot be trusted. Within a slice the spacing is known.",
-                        parts.geometry.spacing[2]));
+                        parts.geometry.spacing[parts.sliceAxis]));
     else if (!parts.geometry.spacingKnown)
         study.warnings.push_back("The spacing of the voxels is unknown; " + spacingText(parts.geometry.spacing) +
                                  " is assumed, so lengths and proportions cannot be trusted.");

@@ -17,6 +17,12 @@ struct WindowWhite {
     std::string source;  ///< tags that gave it
 };
 
+/// No scanner writes more phases, and no reader takes more.
+constexpr std::int64_t mostPhases = 4096;
+/// Fails (unreadable, about `file` and the key, tag or option `element` that gave the number) where `phases` are more.
+/// To be asked before memory is taken for them.
+[[nodiscard]] Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases);
+
 /// What a reader has found out. Its own `facts` and `warnings` come first in the study's.
 struct StudyParts {
     std::string path;                ///< as the person gave it
@@ -27,9 +33,10 @@ struct StudyParts {
     std::string phasesSource;  ///< of the number of phases; it may be empty where that is in the size's source
     VolumeGeometry geometry;
     std::string spacingSource;  ///< key or tag that gave the spacing; empty where the spacing is assumed
-    /// Whether spacingSource gives the spacing along x and y of slices whose distance is a guess
-    /// (VolumeGeometry::spacingKnown is false).
+    /// Whether spacingSource gives the spacing within slices whose distance is a guess (VolumeGeometry::spacingKnown is
+    /// false).
     bool inPlaneSpacingKnown = false;
+    int sliceAxis = 2;  ///< axis of the grid, 0 to 2, that such slices lie along
     ConvertedVoxels voxels;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;       ///< key or tag that gave whiteLevel

@@ -69,13 +69,15 @@ std::size_t turnPhasesIntoSlices(StoredVolume& stored) {
 /// The frames lie along `axis`; what the scale in them is stays.
 void takeAsSlices(StoredVolume& stored, std::size_t axis, const std::string& story) {
     VolumeGeometry& geometry = stored.geometry;
+    const bool scaled = geometry.spacingKnown && !stored.spacingSource.empty();
     const auto across = static_cast<int>(axis == 0 ? 1 : 0), down = static_cast<int>(axis == 2 ? 1 : 2);
     geometry.spacing[static_cast<int>(axis)] = std::min(geometry.spacing[across], geometry.spacing[down]);
     geometry.spacingKnown = false;
     geometry.direction = Mat3::eye();
     geometry.origin = {0, 0, 0};
     geometry.patientFrameKnown = false;
-    if (!stored.spacingSource.empty()) stored.spacingSource += " in the frames, assumed between them";
+    stored.inPlaneSpacingKnown = scaled;
+    stored.sliceAxis = static_cast<int>(axis);
     stored.warnings.push_back(story);
 }
 
@@ -94,8 +96,11 @@ Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool fr
     }
     const auto time = std::find(words.kinds.begin(), words.kinds.end(), "time");
     const bool overTime = time != words.kinds.end();
-    if (overTime || (framesAlongZ && (!flat || framesAsSlices))) {
+    if (overTime || framesAlongZ) {
         const auto axis = overTime ? static_cast<std::size_t>(time - words.kinds.begin()) : 2;
+        if (!framesAsSlices && flat)
+            return refuseCine(stored.path, stored.sizeKey,
+                              fmt::format("has one slice and {} time points", stored.phases));
         if (!framesAsSlices)
             return overTime ? refuseCine(stored.path, words.kindsKey, fmt::format("says that {} is time", "xyz"[axis]))
                             : refuseCine(stored.path, keys.frameKey, "tells of one frame among others");

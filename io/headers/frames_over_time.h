@@ -1,4 +1,5 @@
-// 2D frames that a MetaImage or an NRRD stores as if they were the slices of a volume: cines and tracked sweeps.
+// 2D frames that a MetaImage, an NRRD or a NIfTI stores as if they were the slices of a volume: cines and tracked
+// sweeps.
 #pragma once
 
 #include <array>
@@ -17,10 +18,10 @@ struct FrameWords {
                                        ///< the like tell of frames
 };
 
-/// Settles whether `stored` (its size, spacing and phases are read) holds frames, not a volume: an axis of kind time,
-/// keys of several frames along z, or keys of a tracked probe over phases of one slice. Fails (unreadable) where it
-/// does, with the way out, unless `framesAsSlices` is set: then the frames become slices of unknown spacing. An axis of
-/// kind list alone, which true volumes carry too, makes the spacing unknown, with a note.
+/// Settles whether `stored` (its size, spacing and phases are read) holds frames, not a volume: one slice over time, an
+/// axis of kind time, or keys of several frames along z. Fails (unreadable) where it
+/// does, with the way out, unless `framesAsSlices` is set: then the frames become slices whose distance is unknown. An
+/// axis of kind list alone, which true volumes carry too, makes the spacing unknown, with a note.
 [[nodiscard]] Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices);
 
 }  // namespace echolucent

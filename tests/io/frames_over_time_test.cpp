@@ -41,6 +41,8 @@ struct FramesRow {
     std::string file, bytes, words;
     Vec3 spacing;  ///< where the frames are taken as slices
     std::array<std::int64_t, 3> size{2, 3, 4};
+    int sliceAxis = 2;   ///< that the frames lie along
+    bool scaled = true;  ///< whether the file says the spacing within a frame
 };
 
 class FramesOverTime : public testing::TestWithParam<FramesRow> {};
@@ -64,8 +66,15 @@ TEST_P(FramesOverTime, AreRefusedWithTheWayOutAndTakenAsSlicesWhenAsked) {
     EXPECT_EQ(geometry.spacing, row.spacing);
     EXPECT_FALSE(geometry.spacingKnown);
     EXPECT_FALSE(geometry.patientFrameKnown);
-    EXPECT_TRUE(warnsOf(*study, "spacing of the voxels is unknown"));
-    EXPECT_TRUE(warnsOf(*study, "taken as slices"));
+    if (!row.scaled) {
+        EXPECT_TRUE(warnsOf(*study, "spacing of the voxels is unknown"));
+    } else {
+        EXPECT_TRUE(warnsOf(*study, fmt::format("The distance of the slices is unknown; {:.6g} mm is assumed",
+                                                row.spacing[row.sliceAxis])));
+        EXPECT_TRUE(warnsOf(*study, "Within a slice the spacing is known"));
+        EXPECT_FALSE(warnsOf(*study, "spacing of the voxels is unknown"));
+    }
+    EXPECT_EQ(sourceOf(*study, "spacing").ends_with("; distance of slices assumed"), row.scaled);
 }
 
 const std::string sweep = "this is a tracked 2D sweep of 4 frames, not a volume";
@@ -91,15 +100,29 @@ INSTANTIATE_TEST_SUITE_P(
                        "space: LPS\nspace directions: none (0.2,0,0) (0,0.25,0) (0,0,1)\n" + frameKeys(4, ":=", true)),
                   sweep,
                   {0.2, 0.2, 0.25},
-                  {4, 2, 3}},
+                  {4, 2, 3},
+                  0},
         FramesRow{
             "colour.nrrd",
             nrrd("3 2 3 4", "RGB-color domain domain list", "spacings: NaN 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
             sweep,
             {0.2, 0.25, 0.2}},
         FramesRow{"time.nrrd", nrrd("2 3 4", "domain domain time", "spacings: 0.2 0.25 NaN\n"), cine, {0.2, 0.25, 0.2}},
-        FramesRow{
-            "first.nrrd", nrrd("2 3 4", "time domain domain", "spacings: NaN 0.25 0.5\n"), cine, {0.25, 0.25, 0.5}},
+        FramesRow{"first.nrrd",
+                  nrrd("2 3 4", "time domain domain", "spacings: NaN 0.25 0.5\n"),
+                  cine,
+                  {0.25, 0.25, 0.5},
+                  {2, 3, 4},
+                  0},
+        FramesRow{"slice.nrrd",
+                  nrrd("2 3 1 4", "domain domain domain time", "spacings: 0.2 0.25 1 0.04\n"),
+                  "sizes has one slice and 4 time points: " + cine,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"slice.mha",
+                  metaImage("2 3 1 4", ""),
+                  "DimSize has one slice and 4 time points: " + cine,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"unscaled.nrrd", nrrd("2 3 4", "domain domain time", ""), cine, {1, 1, 1}, {2, 3, 4}, 2, false},
         FramesRow{"colourtime.nrrd",
                   nrrd("3 2 3 4", "RGB-color domain domain time", "spacings: NaN 0.2 0.25 0.04\n"),
                   cine,

@@ -43,7 +43,7 @@ Outcome runInfo(std::vector<std::string> arguments) {
 
 std::string movingVolume(const TemporaryFolder& folder) {
     return folder.write("v.mha",
-                        "NDims = 4\nDimSize = 2 1 1 3\nElementSpacing = 0.1 0.2 0.3 0.05\nElementType = MET_USHORT\n"
+                        "NDims = 4\nDimSize = 1 1 2 3\nElementSpacing = 0.1 0.2 0.3 0.05\nElementType = MET_USHORT\n"
                         "WhiteLevel = 4095\nElementDataFile = LOCAL\n" +
                             bytesFrom<std::uint16_t>({1, 2, 3, 4, 5, 6}));
 }
@@ -54,7 +54,7 @@ TEST(InfoCommand, JsonSaysWhatTheVolumeIs) {
     ASSERT_EQ(outcome.status, 0) << outcome.sentence;
     const json object = json::parse(outcome.text);
     const json& volume = object.at("volume");
-    EXPECT_EQ(volume.at("size"), json({2, 1, 1}));
+    EXPECT_EQ(volume.at("size"), json({1, 1, 2}));
     EXPECT_EQ(volume.at("spacing_mm"), json({0.1, 0.2, 0.3}));
     EXPECT_EQ(volume.at("spacing_known"), true);
     EXPECT_EQ(volume.at("type"), "uint16");
@@ -75,7 +75,7 @@ TEST(InfoCommand, JsonSaysWhatTheVolumeIs) {
 TEST(InfoCommand, TextNamesSizeSpacingAndDirection) {
     const TemporaryFolder folder;
     const auto outcome = runInfo({movingVolume(folder)});
-    EXPECT_THAT(outcome.text, HasSubstr("2 x 1 x 1 voxels"));
+    EXPECT_THAT(outcome.text, HasSubstr("1 x 1 x 2 voxels"));
     EXPECT_THAT(outcome.text, HasSubstr("0.1 x 0.2 x 0.3 mm  [ElementSpacing]"));
     EXPECT_THAT(outcome.text, HasSubstr("4095  [WhiteLevel]"));
     EXPECT_THAT(outcome.text, HasSubstr("+z"));

@@ -173,7 +173,7 @@ TEST(MetaImage, WithoutSpacingItIsMarkedUnknown) {
 TEST(MetaImage, FourthAxisIsTimeWhateverItsSpacing) {
     const TemporaryFolder folder;
     const auto read = [&](const std::string& spacing) {
-        const std::string text = "NDims = 4\nDimSize = 2 1 1 3\nElementType = MET_UCHAR\nElementSpacing = " + spacing +
+        const std::string text = "NDims = 4\nDimSize = 1 1 2 3\nElementType = MET_UCHAR\nElementSpacing = " + spacing +
                                  "\nElementDataFile = LOCAL\n";
         return readStudy(folder.write("v.mha", text + bytesFrom<std::uint8_t>({1, 2, 3, 4, 5, 6})), withoutGuess());
     };
@@ -190,8 +190,9 @@ TEST(MetaImage, FourthAxisIsTimeWhateverItsSpacing) {
 
 TEST(MetaImage, PhasesShareOneWhiteLevelAndType) {
     const TemporaryFolder folder;
-    const std::string text = "NDims = 4\nDimSize = 1 1 1 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n";
-    const auto study = readStudy(folder.write("v.mha", text + bytesFrom<std::int16_t>({100, 400, -5})), withoutGuess());
+    const std::string text = "NDims = 4\nDimSize = 1 1 2 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+    const auto study =
+        readStudy(folder.write("v.mha", text + bytesFrom<std::int16_t>({100, 7, 400, 8, -5, 9})), withoutGuess());
     ASSERT_TRUE(study);
     for (const auto& phase : study->phases) {
         EXPECT_EQ(phase->typeName(), "float32");

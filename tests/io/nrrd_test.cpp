@@ -132,7 +132,7 @@ TEST(Nrrd, ObliqueVectorsWithSpacesAndNegativeSpacing) {
 
 TEST(Nrrd, WithoutSpacingItIsMarkedUnknown) { EXPECT_FALSE(geometryOf("").spacingKnown); }
 
-/// The file is 4D: two phases of 2 x 1 x 1, with the values 10, 11 and 20, 21.
+/// The file is 4D: two phases of 1 x 1 x 2, with the values 10, 11 and 20, 21.
 Result<Study> readMoving(const std::string& sizes, const std::string& more, const std::vector<std::uint8_t>& values) {
     const TemporaryFolder folder;
     return readStudy(
@@ -145,13 +145,13 @@ TEST(Nrrd, TimeAxisMayBeLastOrFirst) {
     const std::vector<std::uint8_t> slowest{10, 11, 20, 21};
     const std::vector<std::uint8_t> fastest{10, 20, 11, 21};
     const std::vector<Result<Study>> studies{
-        readMoving("2 1 1 2", "spacings: 1 2 3 NaN\nkinds: domain domain domain time\n", slowest),
-        readMoving("2 1 1 2", "spacings: 1 2 3 NaN\nkinds: space space space list\n", slowest),
-        readMoving("2 1 1 2", "spacings: 1 2 3 1\n", slowest),
-        readMoving("2 1 1 2", "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3) none\n", slowest),
-        readMoving("2 2 1 1", "spacings: NaN 1 2 3\nkinds: time domain domain domain\n", fastest),
-        readMoving("2 2 1 1", "spacings: 0 1 2 3\nkinds: list domain domain domain\n", fastest),
-        readMoving("2 2 1 1", "space: LPS\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n", fastest),
+        readMoving("1 1 2 2", "spacings: 1 2 3 NaN\nkinds: domain domain domain time\n", slowest),
+        readMoving("1 1 2 2", "spacings: 1 2 3 NaN\nkinds: space space space list\n", slowest),
+        readMoving("1 1 2 2", "spacings: 1 2 3 1\n", slowest),
+        readMoving("1 1 2 2", "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3) none\n", slowest),
+        readMoving("2 1 1 2", "spacings: NaN 1 2 3\nkinds: time domain domain domain\n", fastest),
+        readMoving("2 1 1 2", "spacings: 0 1 2 3\nkinds: list domain domain domain\n", fastest),
+        readMoving("2 1 1 2", "space: LPS\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n", fastest),
     };
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const auto& study = studies[i];
@@ -160,18 +160,18 @@ TEST(Nrrd, TimeAxisMayBeLastOrFirst) {
         EXPECT_THAT(storedValues(*study->phases[0]), ElementsAre(10, 11)) << i;
         EXPECT_THAT(storedValues(*study->phases[1]), ElementsAre(20, 21)) << i;
         EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 2, 3)) << i;
-        EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{2, 1, 1})) << i;
+        EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{1, 1, 2})) << i;
         EXPECT_FALSE(study->phaseSeconds) << i;
     }
 }
 
 TEST(Nrrd, TimeStepIsReadWithItsUnit) {
     const std::vector<std::uint8_t> values{10, 11, 20, 21};
-    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 40\nunits: \"mm\" \"mm\" \"mm\" \"ms\"\n", values)->phaseSeconds,
+    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 40\nunits: \"mm\" \"mm\" \"mm\" \"ms\"\n", values)->phaseSeconds,
               0.04);
-    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 1\nunits: \"mm\" \"mm\" \"mm\" \"s\"\n", values)->phaseSeconds,
+    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 1\nunits: \"mm\" \"mm\" \"mm\" \"s\"\n", values)->phaseSeconds,
               1.0);
-    EXPECT_EQ(readMoving("2 1 1 2", "spacings: 1 1 1 0.5\n", values)->phaseSeconds, 0.5);
+    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 0.5\n", values)->phaseSeconds, 0.5);
 }
 
 TEST(Nrrd, ColourAxisIsReducedToLuma) {

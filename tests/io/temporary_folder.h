@@ -67,6 +67,13 @@ inline std::string factOf(const Study& study, const std::string& name) {
     return "none";
 }
 
+/// Where a fact comes from, or "none".
+inline std::string sourceOf(const Study& study, const std::string& name) {
+    for (const ImportFact& fact : study.facts)
+        if (fact.name == name) return fact.source;
+    return "none";
+}
+
 inline bool warnsOf(const Study& study, const std::string& words) {
     return std::ranges::any_of(study.warnings,
                                [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
