@@ -27,6 +27,7 @@ std::string axisText(const PolarAxis& axis) {
 
 void addAcquisitionFacts(const PolarGeometry& polar, const PolarSources& sources, std::vector<ImportFact>& facts) {
     const auto size = polar.size();
+    const std::string assumed = sources.assumed.empty() ? "" : "; assumed: " + sources.assumed;
     facts.push_back(
         {"polar volume",
          fmt::format("{}: {} samples x {} lines x {} planes", nameOf(kindOf(polar)), size[0], size[1], size[2]),
@@ -34,9 +35,9 @@ void addAcquisitionFacts(const PolarGeometry& polar, const PolarSources& sources
     facts.push_back({"range",
                      fmt::format("{:.6g} to {:.6g} mm from the probe's face, a sample every {:.6g} mm",
                                  polar.rangeStartMm, polar.rangeEndMm(), polar.rangeStepMm),
-                     sources.range});
-    facts.push_back({"lines", axisText(polar.lines), sources.lines});
-    facts.push_back({"planes", axisText(polar.planes), sources.planes});
+                     sources.range + assumed});
+    facts.push_back({"lines", axisText(polar.lines), sources.lines + assumed});
+    facts.push_back({"planes", axisText(polar.planes), sources.planes + assumed});
 }
 
 void addGridFacts(const ConversionGrid& grid, const ConversionMemory& memory, StudyParts& parts) {

@@ -10,10 +10,12 @@ namespace echolucent {
 
 /// The keys, items or options that gave the numbers of a polar geometry, for the import report and for refusals.
 struct PolarSources {
-    std::string size;    ///< samples, lines and planes
-    std::string range;   ///< where the first sample lies, and how far one is from the next
-    std::string lines;   ///< angles or positions of the lines, and the radius of their axis
-    std::string planes;  ///< the same of the planes
+    std::string size;       ///< samples, lines and planes
+    std::string range;      ///< where the first sample lies, and how far one is from the next
+    std::string lines;      ///< angles or positions of the lines, and the radius of their axis
+    std::string planes;     ///< the same of the planes
+    std::string assumed{};  ///< what the reader assumes of distances, for the report: "the first sample lies on the
+                            ///< probe's face"; empty where the file says all
 };
 
 /// Fails (unreadable) where the geometry makes no sense or is not that of `size` samples, lines and planes. `path` and

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "io/kretz/kretz_tags.h"
 #include "io/voxel_types.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr KretzTag lastTag{0xFFFF, 0xFFFF};
 constexpr std::uint64_t headerBytes = 8;
 
 std::uint64_t littleEndian(std::span<const std::uint8_t> bytes) {
@@ -69,7 +69,7 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
                               static_cast<std::uint16_t>(littleEndian(all.subspan(2, 2)))},
                              offset + headerBytes,
                              littleEndian(all.subspan(4, 4))};
-        if (item.tag == lastTag) break;
+        if (item.tag == kretz::end) break;
         if (item.length > rest - headerBytes)
             return items.refused(item.tag,
                                  fmt::format("at byte {} declares {} bytes where only {} follow", offset, item.length,

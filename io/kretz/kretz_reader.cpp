@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,13 @@ namespace echolucent {
 namespace {
 
 constexpr std::size_t pieceBytes = std::size_t{4} << 20;
-constexpr std::size_t mostPhases = 4096;
 
 /// Where the voxels of each phase begin.
 struct StoredPhases {
     std::vector<std::uint64_t> offsets;
     std::uint64_t bytes = 0;  ///< of one phase
     std::string source;
+    bool onePerItem = false;  ///< whether each phase is an item of its own, which the format does not explain
 };
 
 class KretzReader {
@@ -96,15 +97,18 @@ Result<StoredPhases> KretzReader::findPhases(const Size& size) const {
             return m_items.refused(
                 sequence.tag, fmt::format("holds {} bytes, which is no whole number of volumes of {}", sequence.length,
                                           phases.bytes));
-        if (sequence.length / phases.bytes <= mostPhases)
-            for (std::uint64_t offset = 0; offset < sequence.length; offset += phases.bytes)
-                phases.offsets.push_back(sequence.offset + offset);
         phases.source = tagText(sequence.tag);
+        const auto count = static_cast<std::int64_t>(sequence.length / phases.bytes);
+        if (auto few = requirePhases(m_items.source().path, phases.source, count); !few)
+            return tl::unexpected(few.error());
+        for (std::uint64_t offset = 0; offset < sequence.length; offset += phases.bytes)
+            phases.offsets.push_back(sequence.offset + offset);
     } else {
         for (const KretzItem& volume : volumes) {
             if (auto whole = checkLength(volume, phases.bytes, size); !whole) return tl::unexpected(whole.error());
             phases.offsets.push_back(volume.offset);
         }
+        phases.onePerItem = true;
         phases.source = tagText(kretz::voxels);
         if (volumes.empty()) {
             if (saysCompressed()) return compressed();
@@ -112,9 +116,10 @@ Result<StoredPhases> KretzReader::findPhases(const Size& size) const {
                                    "Save it without compression on the scanner or in its software.");
         }
     }
-    if (phases.offsets.empty() || phases.offsets.size() > mostPhases)
-        return m_items.refused(sequences.empty() ? kretz::voxels : kretz::sequenceVoxels,
-                               fmt::format("holds more than {} phases, which no scanner writes", mostPhases));
+    if (auto few =
+            requirePhases(m_items.source().path, phases.source, static_cast<std::int64_t>(phases.offsets.size()));
+        !few)
+        return tl::unexpected(few.error());
     return phases;
 }
 
@@ -186,7 +191,8 @@ Result<void> KretzReader::setCartesian(const Size& size, StudyParts& parts) cons
     }
     const double mm = *spacing ? **spacing : 1000 * **resolution;
     parts.geometry.spacing = {mm, mm, mm};
-    parts.spacingSource = tagText(*spacing ? kretz::cartesianSpacing : kretz::resolution);
+    parts.spacingSource =
+        *spacing ? tagText(kretz::cartesianSpacing) + ", assumed to be mm" : tagText(kretz::resolution);
     if (*spacing && *resolution && !(std::abs(1000 * **resolution - mm) <= 0.01 * std::abs(mm)))
         parts.warnings.push_back(
             fmt::format("The file says two spacings, {:.6g} mm ({}) and {:.6g} mm ({}); the first "
@@ -200,13 +206,11 @@ void KretzReader::noteWhatIsLeftOut(StudyParts& parts) const {
         parts.warnings.push_back(
             fmt::format("The file also holds a filtered copy of the volume ({}), which is left out.",
                         tagText(kretz::filteredVoxels)));
-    constexpr std::array<const char*, 2> kinds{"colour flow", "power Doppler"};
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-        const KretzTag tag{kretz::voxels.group, static_cast<std::uint16_t>(0x0101 + 0x0100 * kind)};
+    for (const auto& [tag, words] :
+         {std::pair{kretz::colourVoxels, "colour flow"}, std::pair{kretz::powerVoxels, "power Doppler"}})
         if (m_items.has(tag))
             parts.warnings.push_back(
-                fmt::format("The file also holds a volume of {} ({}), which is left out.", kinds[kind], tagText(tag)));
-    }
+                fmt::format("The file also holds a volume of {} ({}), which is left out.", words, tagText(tag)));
 }
 
 Result<Study> KretzReader::read() {
@@ -219,7 +223,8 @@ Result<Study> KretzReader::read() {
     const auto tags = [](KretzTag first, KretzTag second) { return tagText(first) + ", " + tagText(second); };
     const PolarSources sources{tagText(kretz::samples) + " to " + tagText(kretz::planes),
                                tags(kretz::resolution, kretz::firstSample), tags(kretz::lineAngles, kretz::firstSample),
-                               tags(kretz::planeAngles, kretz::planesAxis)};
+                               tags(kretz::planeAngles, kretz::planesAxis),
+                               "the first sample lies on the probe's face"};
     const KretzSource& source = m_items.source();
     if (*polar)
         if (auto sensible = checkPolar(source.path, **polar, *size, sources); !sensible)
@@ -235,7 +240,8 @@ Result<Study> KretzReader::read() {
     parts.phaseSource = stored->offsets.size() > 1 ? stored->source + " holds the phases, but no time" : "";
     parts.voxels = convertVoxels(std::move(*phases), StoredType::uint8);
     parts.typeSource = stored->source;
-    parts.phasesSource = stored->source;
+    parts.phasesSource =
+        stored->source + (stored->onePerItem ? ", which stands several times: assumed to be phases" : "");
     parts.sizeSource = sources.size;
     noteWhatIsLeftOut(parts);
     auto placed = *polar ? scanConvert(parts, **polar, sources, m_options, m_progress) : setCartesian(*size, parts);

@@ -18,6 +18,8 @@ constexpr KretzTag filteredVoxels{0xD000, 0x0002};
 constexpr KretzTag sequenceVoxels{0xD600, 0x0001};  ///< those of all phases, one behind the other
 /// One for each volume of grey values, colour flow and power Doppler that is compressed.
 constexpr KretzTag compressedVoxels[] = {{0x0002, 0x1000}, {0x0002, 0x1100}, {0x0002, 0x1200}};
+/// Volumes of other echoes than grey values.
+constexpr KretzTag colourVoxels{0xD000, 0x0101}, powerVoxels{0xD000, 0x0201};
 constexpr KretzTag end{0xFFFF, 0xFFFF};
 
 /// What is stored for an angle of 0.
