@@ -93,10 +93,12 @@ Result<Study> readUnknown(const InputFile& file, std::string_view beginning, con
     if (!known) return tl::unexpected(known.error());
     if (!*known) {
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
-        auto unknown = fail(FailureKind::unreadable, path, "",
-                            beginning.empty() ? "is empty" : "is not a MetaImage, NRRD, NIfTI or DICOM file",
-                            "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
-                            "--raw-byte-order, --raw-header-bytes and --raw-spacing.");
+        auto unknown =
+            fail(FailureKind::unreadable, path, "",
+                 beginning.empty() ? "is empty" : "is no MetaImage, NRRD, NIfTI, DICOM or GE Voluson (Kretz) file",
+                 "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
+                 "--raw-byte-order, --raw-header-bytes and --raw-spacing, or, where it holds beams, with "
+                 "--raw-polar, --raw-range, --raw-lines and --raw-planes instead of the spacing.");
         unknown.value().layoutUnknown = !beginning.empty();
         return unknown;
     }
@@ -111,6 +113,15 @@ Result<Study> readStored(Result<StoredVolume> stored, const ReadOptions& options
     return readStoredVolume(std::move(*stored), options, progress);
 }
 
+/// Half the way is unpacking the voxels, where they are packed in a file of their own.
+Result<Study> readNifti(const InputFile& file, const ReadOptions& options, const Progress& progress) {
+    double reached = 0;
+    auto stored = readNiftiHeader(file, options.framesAsSlices,
+                                  {[&](double share) { progress.at(reached = 0.5 * share); }, progress.cancel});
+    return readStored(std::move(stored), options,
+                      {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel});
+}
+
 /// Reads an opened file; what was packed as a whole is unpacked.
 Result<Study> readOpened(const InputFile& file, const ReadOptions& options, const Progress& progress) {
     const auto beginning = file.beginning(4096);
@@ -121,8 +132,7 @@ Result<Study> readOpened(const InputFile& file, const ReadOptions& options, cons
     switch (format) {
         case Format::metaImage: return readStored(readMetaImageHeader(file, options.framesAsSlices), options, progress);
         case Format::nrrd: return readStored(readNrrdHeader(file, options.framesAsSlices), options, progress);
-        case Format::nifti:
-            return readStored(readNiftiHeader(file, options.framesAsSlices, progress), options, progress);
+        case Format::nifti: return readNifti(file, options, progress);
         case Format::dicom: return readDicom(file, options, progress);
         case Format::kretz: return readKretz(kretzSource(file), options, progress);
         case Format::unknown: break;
@@ -157,10 +167,37 @@ Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, co
     return study;
 }
 
+/// The header of the NIfTI or Analyze pair whose voxels were named; no value where the file is something else: where a
+/// layout describes it, where its own content is known, or where what lies beside it is no such header.
+Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const ReadOptions& options,
+                                              const Progress& progress) {
+    const auto beside = niftiHeaderBeside(voxels.path());
+    if (!beside) return std::optional<InputFile>();
+    const auto layout = knownLayout(voxels.path(), options);
+    if (!layout) return tl::unexpected(layout.error());
+    const auto own = voxels.beginning(4096);
+    if (!own) return tl::unexpected(own.error());
+    if (layout->has_value() || formatFromContent(*own) != Format::unknown) return std::optional<InputFile>();
+    auto header = InputFile::open(*beside);
+    if (!header) return tl::unexpected(header.error());
+    auto beginning = header->beginning(niftiHeaderBytes);
+    if (beginning && looksLikeGzip(*beginning)) {
+        const auto unpacked = unpackGzip(*header, {nullptr, progress.cancel});
+        if (!unpacked) return tl::unexpected(unpacked.error());
+        beginning = unpacked->beginning(niftiHeaderBytes);
+    }
+    if (!beginning) return tl::unexpected(beginning.error());
+    if (!looksLikeNifti(*beginning) && !looksLikeAnalyze(*beginning)) return std::optional<InputFile>();
+    return std::optional(std::move(*header));
+}
+
 Result<Study> readFile(const std::string& path, const ReadOptions& options, const Progress& progress) {
-    // The voxels of a NIfTI pair may be named as well as its header.
-    const auto file = InputFile::open(niftiHeaderBeside(path).value_or(path));
+    auto file = InputFile::open(path);
     if (!file) return tl::unexpected(file.error());
+    // The voxels of a pair may be named as well as its header.
+    auto header = headerOfPair(*file, options, progress);
+    if (!header) return tl::unexpected(header.error());
+    if (*header) file = std::move(**header);
     const auto packed = isPacked(*file, options);
     if (!packed) return tl::unexpected(packed.error());
     return *packed ? readPacked(*file, options, progress) : readOpened(*file, options, progress);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -157,6 +158,34 @@ std::optional<StoredType> storedTypeFromName(std::string_view name) {
     for (const TypeFacts& facts : typeFacts)
         if (facts.name == name) return facts.type;
     return std::nullopt;
+}
+
+std::optional<std::string> problemOf(const Rescale& rescale, double smallest, double largest) {
+    const double low = rescale.of(smallest), high = rescale.of(largest);
+    constexpr double most = std::numeric_limits<float>::max();
+    constexpr double least = std::numeric_limits<float>::min();
+    if (std::abs(low) <= most && std::abs(high) <= most && std::abs(high - low) >= least &&
+        static_cast<float>(low) != static_cast<float>(high))
+        return std::nullopt;
+    return fmt::format("is {:.6g} with intercept {:.6g}, which makes values from {:.6g} to {:.6g}", rescale.slope,
+                       rescale.intercept, low, high);
+}
+
+std::array<double, 2> rangeOf(StoredType type) {
+    const double bits = 8.0 * static_cast<double>(bytesOf(type));
+    switch (type) {
+        case StoredType::uint8:
+        case StoredType::uint16:
+        case StoredType::uint32:
+        case StoredType::uint64: return {0.0, std::exp2(bits) - 1};
+        case StoredType::int8:
+        case StoredType::int16:
+        case StoredType::int32:
+        case StoredType::int64: return {-std::exp2(bits - 1), std::exp2(bits - 1) - 1};
+        case StoredType::float32:
+        case StoredType::float64: break;
+    }
+    return {-1.0, 1.0};
 }
 
 void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian) {

@@ -1,6 +1,7 @@
 // The voxel types that files store, and their way into the three types kept in memory.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,7 +44,14 @@ struct ConvertedVoxels {
 struct Rescale {
     double slope = 1.0;
     double intercept = 0.0;
+    [[nodiscard]] double of(double stored) const { return slope * stored + intercept; }
 };
+/// What is wrong with a line that puts stored values from `smallest` to `largest` beyond float32, or makes them all one
+/// there, lower case and without full stop: "is 1e+300 with intercept 0, which makes values from 0 to inf". No value
+/// where all is well.
+[[nodiscard]] std::optional<std::string> problemOf(const Rescale& rescale, double smallest, double largest);
+/// The smallest and the largest value of a whole-number type; -1 and 1, which stand for all, of a float type.
+[[nodiscard]] std::array<double, 2> rangeOf(StoredType type);
 
 /// As convertVoxels(), but every value is put on that line, in double, and kept as float32.
 [[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,

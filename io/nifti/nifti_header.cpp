@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <fmt/format.h>
+
 namespace echolucent {
 
 namespace {
@@ -11,9 +13,14 @@ constexpr std::size_t bytesOfOne = 348, bytesOfTwo = 540;
 constexpr std::string_view magicOfTwo("+2\0\r\n\x1a\n", 7);
 
 /// Values in a header's bytes, in the order that it was written in.
-class HeaderBytes {
+class HeaderReader {
 public:
-    HeaderBytes(std::string_view bytes, bool bigEndian) : m_bytes(bytes), m_bigEndian(bigEndian) {}
+    HeaderReader(std::string_view bytes, bool bigEndian) : m_bytes(bytes), m_bigEndian(bigEndian) {}
+    /// The text in 80 bytes, up to its first zero.
+    [[nodiscard]] std::string textAt(std::size_t offset) const {
+        const std::string_view text = m_bytes.substr(offset, 80);
+        return std::string(text.substr(0, text.find('\0')));
+    }
     template <typename T>
     [[nodiscard]] T at(std::size_t offset) const {
         std::array<char, sizeof(T)> raw{};
@@ -35,7 +42,7 @@ private:
     bool m_bigEndian;
 };
 
-NiftiHeader headerOfOne(const HeaderBytes& bytes) {
+NiftiHeader headerOfOne(const HeaderReader& bytes) {
     NiftiHeader header;
     header.version = 1;
     bytes.fill<std::int16_t>(40, header.dim);
@@ -50,6 +57,7 @@ NiftiHeader headerOfOne(const HeaderBytes& bytes) {
     header.calMax = bytes.at<float>(124);
     header.calMin = bytes.at<float>(128);
     header.toffset = bytes.at<float>(136);
+    header.descrip = bytes.textAt(148);
     header.qformCode = bytes.at<std::int16_t>(252);
     header.sformCode = bytes.at<std::int16_t>(254);
     bytes.fill<float>(256, header.quatern);
@@ -58,7 +66,7 @@ NiftiHeader headerOfOne(const HeaderBytes& bytes) {
     return header;
 }
 
-NiftiHeader headerOfTwo(const HeaderBytes& bytes) {
+NiftiHeader headerOfTwo(const HeaderReader& bytes) {
     NiftiHeader header;
     header.version = 2;
     header.datatype = bytes.at<std::int16_t>(12);
@@ -71,6 +79,7 @@ NiftiHeader headerOfTwo(const HeaderBytes& bytes) {
     header.calMax = bytes.at<double>(192);
     header.calMin = bytes.at<double>(200);
     header.toffset = bytes.at<double>(216);
+    header.descrip = bytes.textAt(240);
     header.qformCode = bytes.at<std::int32_t>(344);
     header.sformCode = bytes.at<std::int32_t>(348);
     bytes.fill<double>(352, header.quatern);
@@ -85,7 +94,7 @@ NiftiHeader headerOfTwo(const HeaderBytes& bytes) {
 std::optional<bool> bigEndianOf(std::string_view beginning, std::size_t headerBytes) {
     if (beginning.size() < headerBytes) return std::nullopt;
     for (const bool big : {false, true})
-        if (HeaderBytes(beginning, big).at<std::int32_t>(0) == static_cast<std::int32_t>(headerBytes)) return big;
+        if (HeaderReader(beginning, big).at<std::int32_t>(0) == static_cast<std::int32_t>(headerBytes)) return big;
     return std::nullopt;
 }
 
@@ -100,6 +109,10 @@ std::optional<bool> apartOf(std::string_view magic, int version) {
 
 }  // namespace
 
+std::string niftiWhiteText(double whiteLevel, std::string_view typeName) {
+    return fmt::format("Echolucent white level {} of {}", whiteLevel, typeName);
+}
+
 bool looksLikeNifti(std::string_view beginning) { return niftiHeaderIn(beginning).has_value(); }
 
 bool looksLikeAnalyze(std::string_view beginning) {
@@ -113,7 +126,7 @@ std::optional<NiftiHeader> niftiHeaderIn(std::string_view beginning) {
         if (!big) continue;
         const auto apart = apartOf(beginning.substr(version == 1 ? 344 : 4), version);
         if (!apart) continue;
-        const HeaderBytes bytes(beginning, *big);
+        const HeaderReader bytes(beginning, *big);
         NiftiHeader header = version == 1 ? headerOfOne(bytes) : headerOfTwo(bytes);
         header.bigEndian = *big;
         header.voxelsApart = *apart;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace echolucent {
@@ -22,12 +23,17 @@ struct NiftiHeader {
     double sclSlope = 0, sclInter = 0;
     double calMax = 0, calMin = 0;
     double toffset = 0;
+    std::string descrip;  ///< up to its first zero
     int xyztUnits = 0;
     std::int64_t qformCode = 0, sformCode = 0;
     std::array<double, 3> quatern{};              ///< b, c, d
     std::array<double, 3> qoffset{};              ///< x, y, z
     std::array<std::array<double, 4>, 3> srow{};  ///< srow_x, srow_y, srow_z
 };
+
+/// The description (descrip) that says white: "Echolucent white level 65535 of uint16". The display range of NIfTI
+/// (cal_max) may be any program's choice of contrast; this is no choice.
+[[nodiscard]] std::string niftiWhiteText(double whiteLevel, std::string_view typeName);
 
 /// How many bytes of a file's beginning the header takes at most.
 constexpr std::size_t niftiHeaderBytes = 540;

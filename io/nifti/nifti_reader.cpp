@@ -77,13 +77,14 @@ public:
     Result<StoredVolume> read(bool framesAsSlices, const Progress& progress);
 
 private:
-    Result<void> readShape(bool framesAsSlices);
+    Result<void> readShape();
     Result<void> readIntent();
     Result<void> readType();
     Result<void> readTime();
     Result<void> readScale();
     Result<void> readVoxelPlace(const Progress& progress);
     Result<std::int64_t> offsetOfVoxels() const;
+    [[nodiscard]] bool saysWhite() const;
     void readWindow();
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
                                                 const std::string& remedy = exportAgain) const {
@@ -94,7 +95,6 @@ private:
     const InputFile& m_file;
     NiftiHeader m_header;
     StoredVolume m_stored;
-    bool m_frames = false;  // 2D frames over time, taken as slices
 };
 
 Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& progress) {
@@ -102,24 +102,19 @@ Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& prog
         {"format",
          fmt::format("NIfTI-{}{}", m_header.version, m_header.voxelsApart ? ", voxels in a file of their own" : ""),
          "sizeof_hdr, magic"});
-    if (auto shape = readShape(framesAsSlices); !shape) return tl::unexpected(shape.error());
+    if (auto shape = readShape(); !shape) return tl::unexpected(shape.error());
     if (auto intent = readIntent(); !intent) return tl::unexpected(intent.error());
     if (auto type = readType(); !type) return tl::unexpected(type.error());
     if (auto placed = placeNifti(m_header, m_stored); !placed) return tl::unexpected(placed.error());
     if (auto time = readTime(); !time) return tl::unexpected(time.error());
-    if (m_frames) {
-        FrameWords words;
-        words.kinds[2] = "time";
-        words.kindsKey = "dim";
-        if (auto settled = settleFrames(m_stored, words, true); !settled) return tl::unexpected(settled.error());
-    }
+    if (auto settled = settleFrames(m_stored, {}, framesAsSlices); !settled) return tl::unexpected(settled.error());
     if (auto scale = readScale(); !scale) return tl::unexpected(scale.error());
     readWindow();
     if (auto place = readVoxelPlace(progress); !place) return tl::unexpected(place.error());
     return m_stored;
 }
 
-Result<void> NiftiReader::readShape(bool framesAsSlices) {
+Result<void> NiftiReader::readShape() {
     auto& dim = m_header.dim;
     if (dim[0] < 1 || dim[0] > 7) return wrong("dim[0]", fmt::format("must be 1 to 7, not {}", dim[0]));
     // What lies beyond dim[0] has no meaning.
@@ -135,15 +130,7 @@ Result<void> NiftiReader::readShape(bool framesAsSlices) {
         return wrong("dim[0]", fmt::format("is {}: this is a 2D picture, not a volume", dim[0]),
                      "Open a 3D or 4D volume.");
     m_stored.phases = dim[4];
-    m_frames = dim[3] == 1 && dim[4] > 1;
-    if (!m_frames || framesAsSlices) return {};
-    auto refused = wrong("dim",
-                         fmt::format("has one slice and {} time points: these are 2D frames over time, not a "
-                                     "volume",
-                                     dim[4]),
-                         "Add --frames-as-slices to take the frames as slices of unknown spacing.");
-    refused.value().framesCouldBeSlices = true;
-    return refused;
+    return {};
 }
 
 Result<void> NiftiReader::readIntent() {
@@ -222,13 +209,28 @@ Result<void> NiftiReader::readScale() {
     if (!std::isfinite(intercept)) return wrong("scl_inter", "is no number beside a scl_slope that is one");
     if (slope == 1.0 && intercept == 0.0) return {};
     if (m_stored.channels == 3) return wrong("scl_slope", "rescales colours, which NIfTI does not allow");
+    const auto [smallest, largest] = rangeOf(m_stored.type);
+    if (const auto problem = problemOf(Rescale{slope, intercept}, smallest, largest))
+        return wrong("scl_slope", *problem);
     m_stored.rescale = Rescale{slope, intercept};
     m_stored.rescaleSource = "scl_slope, scl_inter";
     if (slope < 0) note("scl_slope is negative: what is stored as dark becomes bright.");
     return {};
 }
 
+/// Whether the description names the upper end of the display range, from 0 on, as the white level of voxels that are
+/// stored as they are here. A program that changed the voxels or their range left it behind otherwise.
+bool NiftiReader::saysWhite() const {
+    return m_header.calMin == 0 && m_header.calMax > 0 && !m_stored.rescale &&
+           m_header.descrip == niftiWhiteText(m_header.calMax, nameOf(m_stored.type));
+}
+
 void NiftiReader::readWindow() {
+    if (saysWhite()) {
+        m_stored.whiteLevel = m_header.calMax;
+        m_stored.whiteLevelSource = "descrip, cal_max";
+        return;
+    }
     if (std::isfinite(m_header.calMax) && std::isfinite(m_header.calMin) && m_header.calMax > m_header.calMin) {
         m_stored.window =
             WindowWhite{m_header.calMax, fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax),
@@ -237,7 +239,7 @@ void NiftiReader::readWindow() {
     }
     // Eight bits are white at 255 wherever they come from, and so are they on the file's line.
     if (!m_stored.rescale || m_stored.type != StoredType::uint8) return;
-    const double white = m_stored.rescale->slope * 255.0 + m_stored.rescale->intercept;
+    const double white = m_stored.rescale->of(255.0);
     if (m_stored.rescale->slope < 0 || white <= 0) return;
     m_stored.whiteLevel = white;
     m_stored.whiteLevelSource = "255 of 8 bits, by scl_slope and scl_inter";

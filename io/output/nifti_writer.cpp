@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/nifti/nifti_header.h"
 #include "io/output/atomic_file.h"
 #include "io/output/deflate_stream.h"
+#include "io/study_assembly.h"
 
 namespace echolucent {
 
@@ -21,13 +23,15 @@ constexpr std::size_t headerBytes = 348, voxelOffset = 352;
 constexpr std::int16_t scannerFrame = 1;
 
 /// A header whose fields are put at their bytes, little endian as this machine is.
-class HeaderBytes {
+class HeaderWriter {
 public:
     template <typename T>
     void put(std::size_t offset, T value) {
         std::memcpy(m_bytes.data() + offset, &value, sizeof value);
     }
     void putFloat(std::size_t offset, double value) { put(offset, static_cast<float>(value)); }
+    /// A text of less than 80 bytes.
+    void putText(std::size_t offset, const std::string& text) { m_bytes.replace(offset, text.size(), text); }
     [[nodiscard]] std::string text() const { return m_bytes; }
 
 private:
@@ -57,11 +61,13 @@ std::array<double, 4> quaternionOf(const Mat3& rotation) {
     return quaternion;
 }
 
-void putFrame(HeaderBytes& header, const VolumeGeometry& geometry) {
+void putFrame(HeaderWriter& header, const VolumeGeometry& geometry) {
     const Mat3 rasFromLps = Mat3::diag({-1, -1, 1});
     Mat3 direction = rasFromLps * geometry.direction;
     const Vec3 origin = rasFromLps * geometry.origin;
-    header.put(252, scannerFrame);
+    // A quaternion holds no skew: only sform says where the voxels are then.
+    const bool skew = !skewWarning(geometry.direction).empty();
+    header.put(252, static_cast<std::int16_t>(skew ? 0 : scannerFrame));
     header.put(254, scannerFrame);
     for (int row = 0; row < 3; ++row) {
         const auto place = static_cast<std::size_t>(row);
@@ -71,6 +77,7 @@ void putFrame(HeaderBytes& header, const VolumeGeometry& geometry) {
         header.putFloat(280 + 16 * place + 12, origin[row]);
         header.putFloat(268 + 4 * place, origin[row]);
     }
+    if (skew) return;
     // A quaternion turns and does not mirror: qfac tells that the third axis is turned round.
     const double qfac = cv::determinant(direction) < 0 ? -1.0 : 1.0;
     for (int row = 0; row < 3; ++row) direction(row, 2) *= qfac;
@@ -83,7 +90,7 @@ std::string headerOf(const Volume& volume, std::size_t phases, std::optional<dou
     constexpr std::array<std::int16_t, 3> typeCodes{2, 512, 16}, bits{8, 16, 32};
     constexpr std::uint8_t unitMm = 2, unitSeconds = 8;
     const VolumeGeometry& geometry = volume.geometry();
-    HeaderBytes header;
+    HeaderWriter header;
     header.put(0, static_cast<std::int32_t>(headerBytes));
     header.put(38, 'r');
     header.put(40, static_cast<std::int16_t>(phases > 1 ? 4 : 3));
@@ -100,6 +107,7 @@ std::string headerOf(const Volume& volume, std::size_t phases, std::optional<dou
     header.putFloat(112, 1.0);  // scl_slope
     header.put(123, static_cast<std::uint8_t>(geometry.spacingKnown ? unitMm | unitSeconds : unitSeconds));
     header.putFloat(124, volume.whiteLevel());
+    header.putText(148, niftiWhiteText(static_cast<float>(volume.whiteLevel()), volume.typeName()));
     if (geometry.spacingKnown) putFrame(header, geometry);
     header.put(344, std::array<char, 4>{'n', '+', '1', '\0'});
     return header.text();

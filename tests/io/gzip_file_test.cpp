@@ -124,7 +124,8 @@ TEST(GzipFile, ThatIsDamagedOrCutSaysSo) {
         EXPECT_THAT(sentenceOf(whole.substr(0, length)), HasSubstr("is gzip that ends too early")) << length;
     const auto unknown = readStudy(folder.write("v.dat.gz", packed("nothing known")));
     ASSERT_FALSE(unknown);
-    EXPECT_THAT(unknown.error().sentence(), HasSubstr("is not a MetaImage, NRRD, NIfTI or DICOM file"));
+    EXPECT_THAT(unknown.error().sentence(),
+                HasSubstr("is no MetaImage, NRRD, NIfTI, DICOM or GE Voluson (Kretz) file"));
 }
 
 TEST(GzipFile, ThatUnpacksToFarMoreThanAVolumeDoesIsRefused) {

@@ -5,8 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <vector>
+
+#include "temporary_folder.h"
 
 namespace echolucent {
 
@@ -73,6 +76,24 @@ inline std::string niftiHeader(const NiftiFields& fields) {
     bytes.replace(two ? 4 : 344, magic.size(), magic);
     if (fields.apart) bytes.resize(length);
     return bytes;
+}
+
+/// The values 1 to 24.
+template <typename T>
+std::vector<T> twentyFour() {
+    std::vector<T> values(24);
+    std::iota(values.begin(), values.end(), T{1});
+    return values;
+}
+/// The same as bytes: the voxels of the default header.
+inline const std::string countedVoxels = bytesFrom(twentyFour<std::uint8_t>());
+
+/// What a file of that header and those voxels is read as.
+inline Result<Study> readFields(const NiftiFields& fields, const std::string& bytes = countedVoxels,
+                                ReadOptions options = {}) {
+    const TemporaryFolder folder;
+    options.guessNoData = false;
+    return readStudy(folder.write("v.nii", niftiHeader(fields) + bytes), options);
 }
 
 }  // namespace echolucent

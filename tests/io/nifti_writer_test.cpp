@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
 
+#include "io/study_assembly.h"
 #include "processing/phantom/phantom.h"
 #include "temporary_folder.h"
 
@@ -69,6 +71,52 @@ TEST_P(NiftiRoundTrip, GivesBackEveryBitOfTheVoxels) {
 INSTANTIATE_TEST_SUITE_P(All, NiftiRoundTrip,
                          testing::Combine(testing::Values(8, 12, 16, 32), testing::Values(1, 3),
                                           testing::Values("v.nii", "v.nii.gz")));
+
+// A dim scan reaches an eighth of white and less, which cal_max alone does not outweigh.
+TEST(NiftiWriter, WhiteOfADimScanComesBackWithItsSource) {
+    const TemporaryFolder folder;
+    VolumeGeometry geometry;
+    geometry.size = {4, 4, 4};
+    std::vector<std::uint16_t> values(64);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint16_t>(50 * i);
+    for (const double white : {65535.0, 4095.0, 12345.678}) {
+        ASSERT_TRUE(writeNifti(folder.file("v.nii"), {std::make_shared<const Volume>(geometry, values, white)}));
+        const auto study = readStudy(folder.file("v.nii"), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_NEAR(study->phases[0]->whiteLevel(), white, 1e-3);
+        EXPECT_EQ(sourceOf(*study, "white level"), "descrip, cal_max");
+    }
+    // What is not word for word what the writer writes is no more than any display range.
+    std::ifstream file(folder.file("v.nii"), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    const std::size_t at = bytes.find("uint16");
+    ASSERT_NE(at, std::string::npos);
+    for (const char* type : {"uint32", "uint16, edited", "UINT16"}) {
+        std::string changed = bytes;
+        changed.replace(at, std::strlen(type), type);
+        const auto study = readStudy(folder.write("c.nii", changed), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_NE(sourceOf(*study, "white level"), "descrip, cal_max") << type;
+    }
+}
+
+// The axes lean on each other; a quaternion would set them upright.
+TEST(NiftiWriter, SkewAxesStandInSformAlone) {
+    const TemporaryFolder folder;
+    VolumeGeometry geometry;
+    geometry.size = {4, 4, 4};
+    geometry.direction(0, 1) = 0.2;
+    ASSERT_TRUE(normalizeDirection(geometry.direction));
+    ASSERT_TRUE(
+        writeNifti(folder.file("v.nii"), {std::make_shared<const Volume>(geometry, std::vector<std::uint8_t>(64, 7))}));
+    std::ifstream file(folder.file("v.nii"), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(bytes.substr(252, 4), std::string("\0\0\1\0", 4));
+    const auto study = readStudy(folder.file("v.nii"), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_LT(cv::norm(study->phases[0]->geometry().direction - geometry.direction), 1e-6);
+    EXPECT_FALSE(warnsOf(*study, "qform"));
+}
 
 TEST(NiftiWriter, KeepsThatTheSpacingIsUnknown) {
     const TemporaryFolder folder;

@@ -42,12 +42,9 @@ Read rescaleOf(DcmItem& item, const DicomPixelFormat& format) {
         return problemAt(interceptTag, "Rescale Intercept",
                          "is no number: " + quotedText(dicomText(item, interceptTag)));
     if (rescale.slope == 0.0) return problemAt(slopeTag, "Rescale Slope", "is 0, which makes all values one");
-    const auto low = static_cast<float>(rescale.of(format.smallestValue()));
-    const auto high = static_cast<float>(rescale.of(format.largestValue()));
-    if (!std::isfinite(low) || !std::isfinite(high) || low == high)
-        return problemAt(slopeTag, "Rescale Slope",
-                         fmt::format("is {:.6g} with intercept {:.6g}, which makes values from {:.6g} to {:.6g}",
-                                     rescale.slope, rescale.intercept, low, high));
+    if (auto problem =
+            problemOf(Rescale{rescale.slope, rescale.intercept}, format.smallestValue(), format.largestValue()))
+        return problemAt(slopeTag, "Rescale Slope", *std::move(problem));
     return rescale;
 }
 
