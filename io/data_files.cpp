@@ -112,7 +112,8 @@ Result<std::vector<std::string>> namesOfPattern(const DataFileKey& key, const st
                                                 const FileNumbers& numbers) {
     const auto pattern = patternFrom(text);
     if (!pattern)
-        return wrong(key, "is " + quotedText(text) + ", which is no pattern with one number such as slice%03d.raw");
+        return wrong(key, "is " + quotedText(text) + ", which is no pattern with one number such as slice%03d.raw",
+                     "Correct the pattern. Where the % belongs to the name of one file, rename that file without it.");
     constexpr std::int64_t largest = 1'000'000'000;
     for (const std::int64_t number : {numbers.first, numbers.last, numbers.step})
         if (number < -largest || number > largest)

@@ -22,6 +22,12 @@ using Problem = VoxelDecoder::Problem;
 using Decoded = tl::expected<Step, Problem>;
 
 constexpr const char* damaged = "has damaged compressed data";
+// What a member of gzip or bzip2 begins with. Files may hold several, one behind the other.
+constexpr std::string_view gzipMagic = "\x1f\x8b", bzip2Magic = "BZh";
+
+std::string_view textOf(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 class ZlibDecoder : public VoxelDecoder {
 public:
@@ -33,19 +39,36 @@ public:
     ZlibDecoder(const ZlibDecoder&) = delete;
     ZlibDecoder& operator=(const ZlibDecoder&) = delete;
 
-    Decoded decode(std::span<const std::uint8_t> input, bool, std::span<std::uint8_t> output) override {
+    Decoded decode(std::span<const std::uint8_t> input, bool isLast, std::span<std::uint8_t> output) override {
         m_stream.next_in = const_cast<Bytef*>(input.data());
         m_stream.avail_in = static_cast<uInt>(input.size());
         m_stream.next_out = output.data();
         m_stream.avail_out = static_cast<uInt>(output.size());
-        const int status = inflate(&m_stream, Z_NO_FLUSH);
-        if (status != Z_STREAM_END && status != Z_OK && status != Z_BUF_ERROR)
-            return tl::unexpected(Problem{damaged, m_stream.msg != nullptr ? m_stream.msg : "not zlib or gzip"});
-        return Step{input.size() - m_stream.avail_in, output.size() - m_stream.avail_out, status == Z_STREAM_END};
+        const auto step = [&](bool ended) {
+            return Step{input.size() - m_stream.avail_in, output.size() - m_stream.avail_out, ended};
+        };
+        while (true) {
+            const std::string_view rest = textOf(input.last(m_stream.avail_in));
+            if (m_between) {
+                if (rest.size() < gzipMagic.size() && !isLast) return step(false);
+                if (!m_gzip || !rest.starts_with(gzipMagic)) return step(true);
+                inflateReset(&m_stream);
+                m_between = false;
+            } else if (m_stream.total_in == 0 && !rest.empty()) {
+                m_gzip = rest.front() == gzipMagic.front();
+            }
+            const int status = inflate(&m_stream, Z_NO_FLUSH);
+            if (status != Z_STREAM_END && status != Z_OK && status != Z_BUF_ERROR)
+                return tl::unexpected(Problem{damaged, m_stream.msg != nullptr ? m_stream.msg : "not zlib or gzip"});
+            m_between = status == Z_STREAM_END;
+            if (!m_between) return step(false);
+        }
     }
 
 private:
     z_stream m_stream{};
+    bool m_gzip = false;     // zlib's own format has one member
+    bool m_between = false;  // a member has ended; another one may follow
 };
 
 class Bzip2Decoder : public VoxelDecoder {
@@ -57,21 +80,47 @@ public:
     Bzip2Decoder(const Bzip2Decoder&) = delete;
     Bzip2Decoder& operator=(const Bzip2Decoder&) = delete;
 
-    Decoded decode(std::span<const std::uint8_t> input, bool, std::span<std::uint8_t> output) override {
+    Decoded decode(std::span<const std::uint8_t> input, bool isLast, std::span<std::uint8_t> output) override {
         m_stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(input.data()));
         m_stream.avail_in = static_cast<unsigned>(input.size());
         m_stream.next_out = reinterpret_cast<char*>(output.data());
         m_stream.avail_out = static_cast<unsigned>(output.size());
-        const int status = BZ2_bzDecompress(&m_stream);
-        if (status == BZ_MEM_ERROR) throw std::bad_alloc();
-        if (status != BZ_OK && status != BZ_STREAM_END)
-            return tl::unexpected(
-                Problem{damaged, status == BZ_DATA_ERROR_MAGIC ? "not bzip2" : "the bzip2 checks do not hold"});
-        return Step{input.size() - m_stream.avail_in, output.size() - m_stream.avail_out, status == BZ_STREAM_END};
+        const auto step = [&](bool ended) {
+            return Step{input.size() - m_stream.avail_in, output.size() - m_stream.avail_out, ended};
+        };
+        while (true) {
+            if (m_between) {
+                const std::string_view rest = textOf(input.last(m_stream.avail_in));
+                if (rest.size() < bzip2Magic.size() && !isLast) return step(false);
+                if (!rest.starts_with(bzip2Magic)) return step(true);
+                beginAnother();
+            }
+            const int status = BZ2_bzDecompress(&m_stream);
+            if (status == BZ_MEM_ERROR) throw std::bad_alloc();
+            if (status != BZ_OK && status != BZ_STREAM_END)
+                return tl::unexpected(
+                    Problem{damaged, status == BZ_DATA_ERROR_MAGIC ? "not bzip2" : "the bzip2 checks do not hold"});
+            m_between = status == BZ_STREAM_END;
+            if (!m_between) return step(false);
+        }
     }
 
 private:
+    /// bzip2 knows no reset; what it is given and where it puts it stays.
+    void beginAnother() {
+        const bz_stream places = m_stream;
+        BZ2_bzDecompressEnd(&m_stream);
+        m_stream = {};
+        if (BZ2_bzDecompressInit(&m_stream, 0, 0) != BZ_OK) throw std::bad_alloc();
+        m_stream.next_in = places.next_in;
+        m_stream.avail_in = places.avail_in;
+        m_stream.next_out = places.next_out;
+        m_stream.avail_out = places.avail_out;
+        m_between = false;
+    }
+
     bz_stream m_stream{};
+    bool m_between = false;  // a member has ended; another one may follow
 };
 
 bool separates(std::uint8_t byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r') || byte == ','; }

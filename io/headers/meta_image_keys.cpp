@@ -48,7 +48,9 @@ Result<void> readListedNames(const InputFile& file, std::string_view rest, MetaI
 
 }  // namespace
 
-bool isMetaImageList(const std::string& dataFile) { return dataFile == "LIST" || dataFile.starts_with("LIST "); }
+bool isMetaImageList(const std::string& dataFile) {
+    return dataFile == "LIST" || dataFile.starts_with("LIST ") || dataFile.starts_with("LIST\t");
+}
 
 const std::string* MetaImageKeys::find(const std::string& key) const {
     const auto found = values.find(key);

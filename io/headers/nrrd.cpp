@@ -336,6 +336,9 @@ Result<void> NrrdHeader::readFileList(const std::vector<std::string>& words) {
 }
 
 Result<void> NrrdHeader::readFilePattern(const std::vector<std::string>& words) {
+    // A name with a stray % is no pattern, whatever follows it.
+    if (const auto pattern = namesOfPattern({m_path, "data file"}, words.front(), {1, 1, 1}); !pattern)
+        return tl::unexpected(pattern.error());
     std::vector<std::int64_t> numbers;
     for (std::size_t i = 1; i < words.size(); ++i)
         if (const auto number = wholeNumber(words[i])) numbers.push_back(*number);

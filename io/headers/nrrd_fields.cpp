@@ -114,7 +114,9 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
     return result;
 }
 
-bool isNrrdList(const std::string& dataFile) { return dataFile == "LIST" || dataFile.starts_with("LIST "); }
+bool isNrrdList(const std::string& dataFile) {
+    return dataFile == "LIST" || dataFile.starts_with("LIST ") || dataFile.starts_with("LIST\t");
+}
 
 std::optional<StoredType> nrrdType(const std::string& text) {
     const std::string name = lowerCase(text);

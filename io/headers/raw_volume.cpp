@@ -14,6 +14,8 @@ namespace echolucent {
 
 namespace {
 
+// As many lines and planes as a geometry may have, each a number on a line of its own.
+constexpr std::size_t layoutLimit = 2 * static_cast<std::size_t>(mostPolarLines) * 64;
 constexpr const char* formatName = "echolucent-raw-layout";
 constexpr const char* remedy =
     "Delete this file and describe the raw file again, with --raw-size and the options beside it.";
@@ -72,7 +74,7 @@ Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
     const std::string file = rawLayoutPath(path);
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return std::optional<RawLayout>();
-    const auto text = readWholeFile(file, headerLimit);
+    const auto text = readWholeFile(file, layoutLimit);
     if (!text) return tl::unexpected(text.error());
     const auto object = jsonObject(*text, file, formatName, remedy);
     if (!object) return tl::unexpected(object.error());

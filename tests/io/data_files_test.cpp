@@ -250,6 +250,45 @@ TEST_F(DataFiles, ThatAreCompressedAreCheckedToTheirLastBit) {
     }
 }
 
+// As pigz, pbzip2 and "cat a.gz b.gz" write them.
+TEST_F(DataFiles, MayBeCompressedInSeveralMembers) {
+    const auto gzipped = [](const std::string& bytes) { return deflated(bytes, 31); };
+    const std::string all = voxels();
+    const auto members = [&](const auto& packed) {
+        return packed(all.substr(0, 7)) + packed("") + packed(all.substr(7, 20)) + packed(all.substr(27));
+    };
+    const auto expectAll = [&](const std::string& name, const std::string& bytes) {
+        const auto study = readStudy(m_folder.write(name, bytes), withoutGuess());
+        ASSERT_TRUE(study) << study.error().sentence();
+        for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1) << name;
+        EXPECT_FALSE(warnsOf(*study, "more than the declared voxels"));
+    };
+    expectAll("g.nrrd", nrrd("encoding: gzip\n\n") + members(gzipped));
+    expectAll("b.nrrd", nrrd("encoding: bzip2\n\n") + members(bzipped));
+    expectAll("z.mha", metaImage("CompressedData = True\nElementDataFile = LOCAL\n") + members(gzipped));
+    // Padding is no member, and neither is what follows zlib's own format.
+    expectAll("p.nrrd", nrrd("encoding: gzip\n\n") + members(gzipped) + std::string(9, '\0'));
+    expectAll("q.nrrd", nrrd("encoding: bzip2\n\n") + members(bzipped) + "BZ");
+    expectAll("o.mha", metaImage("CompressedData = True\nElementDataFile = LOCAL\n") + deflated(all) + gzipped("more"));
+    // The checks of every member hold.
+    std::string damaged = members(gzipped);
+    damaged[damaged.size() - 5] ^= 1;
+    EXPECT_THAT(sentenceOf(nrrd("encoding: gzip\n\n") + damaged), HasSubstr("has damaged compressed data"));
+    EXPECT_THAT(sentenceOf(nrrd("encoding: gzip\n\n") + members(gzipped).substr(0, 70)), HasSubstr("where"));
+}
+
+TEST_F(DataFiles, NamedWithAPercentSignSayWhatToDo) {
+    const std::string sentence = sentenceOf(nrrd("encoding: raw\ndata file: 50%.raw\n"));
+    EXPECT_THAT(sentence, AllOf(HasSubstr("\"50%.raw\", which is no pattern"), HasSubstr("rename that file")));
+    EXPECT_THAT(sentenceOf(metaImage("ElementDataFile = 50%.raw\n")),
+                AllOf(HasSubstr("\"50%.raw\", which is no pattern"), HasSubstr("rename that file")));
+}
+
+TEST_F(DataFiles, OfAListMayFollowATab) {
+    expectVoxels(nrrd("encoding: raw\ndata file: LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
+    expectVoxels(metaImage("ElementDataFile = LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
+}
+
 TEST_F(DataFiles, WithMoreThanTheVoxelsSaySo) {
     const auto saysSo = [&](const std::string& bytes) {
         const auto study = readStudy(m_folder.write("v.nrrd", bytes), withoutGuess());

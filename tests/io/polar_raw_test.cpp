@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -124,6 +125,32 @@ TEST(PolarRaw, WrongGeometriesAreRefusedInWords) {
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->lines.values[3] = nan; }), HasSubstr("hold nan radians"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->lines.values[3] = -1; }), HasSubstr("neither rise nor fall"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->rangeStepMm = -1; }), HasSubstr("has a step of -1 mm"));
+}
+
+// Two lines a hundredth of a millimetre apart: within the memory limit the grid has one voxel across them.
+TEST(PolarRaw, AGridOfOneVoxelIsRefusedBeforeItIsMade) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("thin.raw", "");
+    std::filesystem::resize_file(file, std::size_t{4000} * 2 * 4000);
+    ReadOptions options;
+    options.raw = RawLayout{.size = {4000, 2, 4000}};
+    options.raw->polar = polarGeometry({PolarKind::linear, 0, 0.02, {0, 0.01}, {0, 79.98}, 0, 0}, options.raw->size);
+    const auto study = readStudy(file, options);
+    ASSERT_FALSE(study);
+    EXPECT_THAT(study.error().sentence(), HasSubstr("the lines of --raw-lines make a grid of 1 x "));
+    EXPECT_THAT(study.error().sentence(), HasSubstr("one voxel thick within the memory limit"));
+    EXPECT_THAT(study.error().sentence(), HasSubstr("--conversion-memory"));
+}
+
+TEST(PolarRaw, ASideCarMayHoldAsManyLinesAsAProbe) {
+    const TemporaryFolder folder;
+    RawLayout layout{.size = {2, mostPolarLines, 2}};
+    layout.polar = polarGeometry({PolarKind::wobbler, 0, 0.5, {-35, 35}, {-30, 30}, 40, 25}, layout.size);
+    ASSERT_TRUE(rememberRawLayout(folder.file("v.raw"), layout));
+    EXPECT_GT(std::filesystem::file_size(folder.file("v.raw.echolucent.json")), 1U << 20);
+    const auto recalled = recalledRawLayout(folder.file("v.raw"));
+    ASSERT_TRUE(recalled) << recalled.error().sentence();
+    EXPECT_EQ(**recalled, layout);
 }
 
 TEST(PolarRaw, WrongSideCarsAreRefusedWithTheirKey) {
