@@ -137,7 +137,8 @@ std::string withoutGzipEnding(const std::string& path) {
 }
 
 std::uint64_t mostUnpackedBytes(std::uint64_t packedBytes) {
-    return std::min(machineMemoryBytes() / 2, std::max(alwaysUnpacked, packedBytes * largestRatio));
+    return std::min(machineMemoryBytes() / 2,
+                    std::max(alwaysUnpacked, std::min(packedBytes, machineMemoryBytes()) * largestRatio));
 }
 
 Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) {

@@ -91,7 +91,10 @@ Result<std::string> readWholeFile(const std::string& path, std::size_t limit) {
     const auto file = InputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     if (file->size() > limit)
-        return fail(FailureKind::unreadable, path, "", "is larger than a file of this kind can be");
+        return fail(
+            FailureKind::unreadable, path, "",
+            fmt::format("holds {} bytes, more than the {} that a file of this kind can have", file->size(), limit),
+            "Choose another file, or have this one written again.");
     return file->beginning(limit);
 }
 

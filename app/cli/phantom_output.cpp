@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/cli/option_text.h"
+#include "io/headers/header_text.h"
 #include "io/output/enhanced_us_writer.h"
 #include "io/output/meta_image_writer.h"
 #include "io/output/nifti_writer.h"
@@ -42,8 +43,8 @@ constexpr std::array formats{PhantomFormat{".mha", writeAsMetaImage}, PhantomFor
 /// The format for a name; null where none has its ending. Names without an ending (devices, the standard output) are
 /// MetaImages.
 const PhantomFormat* formatOf(const std::string& path) {
-    const std::string_view name = std::string_view(path).substr(path.find_last_of('/') + 1);
-    if (name.find('.') == std::string_view::npos) return &formats.front();
+    const std::string name = lowerCase(path.substr(path.find_last_of('/') + 1));
+    if (name.find('.') == std::string::npos) return &formats.front();
     const auto found =
         std::ranges::find_if(formats, [&](const PhantomFormat& format) { return name.ends_with(format.ending); });
     return found != formats.end() ? &*found : nullptr;

@@ -60,14 +60,17 @@ Result<std::optional<PolarGeometry>> polarOfPhantom(const std::string& path, con
     if (!named) return tl::unexpected<Failure>(named.error());
     if (ending == Ending::kretz && *named != PolarKind::wobbler)
         return wrongUsage("--polar", "must be wobbler for a .vol file", "Write other probes to FILE.raw.");
-    if (ending == Ending::kretz && config.bits != 8) return wrongUsage("--bits", "must be 8 for a .vol file");
+    if (ending == Ending::kretz && config.bits != 8)
+        return wrongUsage("--bits", "must be 8 for a .vol file", "Write more bits to FILE.raw.");
     if (ending == Ending::raw && phases > 1)
         return wrongUsage("--phases", "must be 1 for a raw file", "Write several phases to FILE.vol.");
     if (config.spacing[0] != config.spacing[1] || config.spacing[0] != config.spacing[2])
-        return wrongUsage("--spacing", "must be one number along beams: mm from sample to sample");
+        return wrongUsage("--spacing", "must be one number along beams",
+                          "Give the mm from sample to sample, such as --spacing 0.5.");
     const PolarGeometry polar = polarGeometry(usualPolar(*named, config.size[0], config.spacing[0]), config.size);
     if (const auto problem = problemOf(polar))
-        return wrongUsage("--spacing", "makes beams whose range " + problem->words);
+        return wrongUsage("--spacing", "makes beams whose range " + problem->words,
+                          "Choose a spacing in mm that scanners have.");
     return std::optional(polar);
 }
 

@@ -32,7 +32,8 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
     }
     if (!options.rawType.empty()) layout.type = options.rawType;
     layout.bigEndian = options.rawByteOrder == "big";
-    if (options.rawHeaderBytes < 0) return wrongUsage("--raw-header-bytes", "must be 0 or more");
+    if (options.rawHeaderBytes < 0)
+        return wrongUsage("--raw-header-bytes", "must be 0 or more", "Give the number of bytes before the voxels.");
     layout.headerBytes = options.rawHeaderBytes;
     const auto polar = options.rawPolar.get(layout.size);
     if (!polar) return tl::unexpected(polar.error());
@@ -114,7 +115,7 @@ void VolumeOptions::addTo(CLI::App& command) {
         ->check(CLI::Range(std::int64_t{1}, mostConversionMebibytes))
         ->capture_default_str();
     command.add_flag("--frames-as-slices", read.framesAsSlices,
-                     "Take the frames of a 2D cine as slices; their distance stays unknown");
+                     "Take the frames of a 2D cine or of a tracked sweep as slices; their distance stays unknown");
     command.add_flag(
         "--all-voxels", [this](std::int64_t) { read.guessNoData = false; },
         "Take every voxel as data: do not guess what lies outside the scanned sector");

@@ -171,6 +171,9 @@ TEST_F(PhantomCommand, WritesNiftiOfTheSameVoxels) {
     EXPECT_EQ(volumeOf("v.nii"), volumeOf("v.mha"));
     EXPECT_EQ(volumeOf("v.nii.gz"), volumeOf("v.mha"));
     EXPECT_EQ(contentOf(path("v.nii")).substr(344, 3), "n+1");
+    // Capitals name the same format.
+    ASSERT_EQ(run("phantom " + path("V.NII") + options).status, 0);
+    EXPECT_EQ(contentOf(path("V.NII")), contentOf(path("v.nii")));
 }
 
 TEST_F(PhantomCommand, SameBytesForAnyNumberOfThreads) {

@@ -79,9 +79,11 @@ TEST_F(Polar, WrongOptionsAreNamed) {
     says(sentenceOf("phantom " + volume), "--polar is missing for a raw file");
     says(sentenceOf("phantom " + (m_folder / "v.mha") + " --polar convex"), "--polar needs a file");
     says(sentenceOf("phantom " + (m_folder / "v.vol") + " --polar convex"), "--polar must be wobbler");
-    says(sentenceOf("phantom " + (m_folder / "v.vol") + " --bits 12"), "--bits must be 8");
+    says(sentenceOf("phantom " + (m_folder / "v.vol") + " --bits 12"),
+         "--bits must be 8 for a .vol file. Write more bits to FILE.raw.");
     says(sentenceOf("phantom " + volume + " --polar convex --phases 3"), "--phases must be 1");
-    says(sentenceOf("phantom " + volume + " --polar convex --spacing 1x2x1"), "--spacing must be one number");
+    says(sentenceOf("phantom " + volume + " --polar convex --spacing 1x2x1"),
+         "--spacing must be one number along beams. Give the mm");
     says(sentenceOf("phantom " + volume + " --polar convex --truth " + volume + ".echolucent.json"), "is named twice");
 }
 
