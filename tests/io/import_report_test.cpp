@@ -76,7 +76,7 @@ TEST(ImportReport, EveryNumberOfRealFilesSaysItsSource) {
             expectEverySourceIsSaid(entry.path().string(), options);
             ++opened;
         }
-    EXPECT_GT(opened, 20);
+    EXPECT_GE(opened, 20);
 }
 
 }  // namespace
