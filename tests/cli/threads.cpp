@@ -30,6 +30,7 @@ std::set<std::string> commandsOf(const std::string& command) {
 std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& volume) {
     const std::string quoted = "\"" + volume + "\"";
     return {{"info", quoted},
+            {"files", "\"FOLDER/\" -o \"FOLDER/f.md\""},
             {"parameters", ""},
             {"otf", quoted},
             {"render", quoted + " --size 32x32 -o \"FOLDER/p.png\""},
