@@ -19,11 +19,11 @@ std::string cell(std::string text) {
     return text;
 }
 
-/// A fact of the import report, "value [source]"; an empty text where there is none of that name.
+/// A fact of the import report, "value {source}"; an empty text where there is none of that name.
 std::string factOf(const Study& study, const std::string& name) {
     const auto fact = std::find_if(study.facts.begin(), study.facts.end(),
                                    [&](const ImportFact& candidate) { return candidate.name == name; });
-    return fact == study.facts.end() ? std::string() : fmt::format("{} [{}]", fact->value, fact->source);
+    return fact == study.facts.end() ? std::string() : fmt::format("{} {{{}}}", fact->value, fact->source);
 }
 
 std::string summaryOf(const Study& study) {

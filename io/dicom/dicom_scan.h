@@ -1,11 +1,9 @@
 // A first walk over a DICOM file, before the DICOM library sees it: flat, without recursion, bounded by the file.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
+#include "io/dicom/dicom_scan_result.h"
 #include "io/input_file.h"
 #include "processing/progress.h"
 #include "processing/result.h"
@@ -15,34 +13,6 @@ namespace echolucent {
 /// Whether the beginning of a file (132 bytes or more, or all of it) looks like DICOM, with or without preamble and
 /// meta header.
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
-
-/// Bytes of the file that are to be read otherwise than they are written.
-struct DicomRepair {
-    std::uint64_t offset = 0;  ///< in the file, of the first byte
-    std::string bytes;         ///< in place of as many; behind the end of the file they are added to it
-};
-
-/// What the walk has seen.
-struct DicomScan {
-    std::string transferSyntax;  ///< UID from the meta header; empty where it has none
-    std::string sopClass;        ///< SOP class from the meta header, else from the data set; empty where it has none
-    bool hasPixelData = false;   ///< whether (7FE0,0010) stands at top level
-    std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
-    std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
-    std::uint64_t pixelStart = 0;  ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
-    bool pixelsEnd = false;        ///< whether the walk came to the end of (7FE0,0010)
-    bool holdsKretz = false;       ///< whether a volume of GE's (kretzVolumeIn()) stands behind the pixels
-    /// What a reader that is as strict as the standard needs to get through: delimiters missing at the end of the file,
-    /// lengths of sequences that are declared empty and are not, items that belong to no sequence.
-    std::vector<DicomRepair> repairs;
-    std::vector<std::string> notes;  ///< sentences on the repairs, each once
-};
-
-/// Sequences may lie this deep in each other; the standard's own objects need fewer than ten. DCMTK recurses into every
-/// level and runs out of stack in the thousands.
-constexpr int deepestSequence = 64;
-/// More repairs than this are not made: files that need any need a few.
-constexpr std::size_t mostRepairs = 1000;
 
 /// Walks the elements of an opened file; where `headerOnly` is set, up to the private group behind its pixel data.
 /// Fails only where sequences are nested too deep, where more than mostRepairs are needed, where deflated bytes unpack

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/dicom/byte_stream.h"
-#include "io/dicom/dicom_scan.h"
+#include "io/dicom/dicom_scan_result.h"
 #include "io/input_file.h"
 #include "processing/progress.h"
 

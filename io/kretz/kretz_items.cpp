@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "io/kretz/kretz_tags.h"
 #include "io/voxel_types.h"
 
 namespace echolucent {
@@ -34,8 +33,6 @@ KretzSource kretzSource(const InputFile& file) {
     return {file.path(), "", file.size(),
             [file](std::uint64_t offset, std::span<std::uint8_t> bytes) { return file.readAt(offset, bytes); }};
 }
-
-std::string tagText(KretzTag tag) { return fmt::format("{:04X}:{:04X}", tag.group, tag.element); }
 
 tl::unexpected<Failure> KretzItems::refused(KretzTag tag, const std::string& problem, const std::string& remedy) const {
     return fail(FailureKind::unreadable, m_source.path, tagText(tag), problem, remedy);

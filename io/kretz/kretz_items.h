@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/input_file.h"
+#include "io/kretz/kretz_tags.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 
@@ -27,14 +28,6 @@ struct KretzSource {
     std::function<Result<void>(std::uint64_t offset, std::span<std::uint8_t> bytes)> read;
 };
 [[nodiscard]] KretzSource kretzSource(const InputFile& file);
-
-struct KretzTag {
-    std::uint16_t group = 0;
-    std::uint16_t element = 0;
-    friend bool operator==(const KretzTag&, const KretzTag&) = default;
-};
-/// The tag as the reports name it: "C000:0001".
-[[nodiscard]] std::string tagText(KretzTag tag);
 
 /// One item; its value lies in the source.
 struct KretzItem {

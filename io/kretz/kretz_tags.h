@@ -1,9 +1,22 @@
 // The items that reader and writer of GE Voluson (Kretz) volumes know (docs/formats-read.md).
 #pragma once
 
+#include <cstdint>
 #include <numbers>
+#include <string>
 
-#include "io/kretz/kretz_items.h"
+namespace echolucent {
+
+/// Group and element of an item.
+struct KretzTag {
+    std::uint16_t group = 0;
+    std::uint16_t element = 0;
+    friend bool operator==(const KretzTag&, const KretzTag&) = default;
+};
+/// The tag as the reports name it: "C000:0001".
+[[nodiscard]] std::string tagText(KretzTag tag);
+
+}  // namespace echolucent
 
 namespace echolucent::kretz {
 

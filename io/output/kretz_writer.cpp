@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "io/kretz/kretz_items.h"
 #include "io/kretz/kretz_tags.h"
 #include "io/output/atomic_file.h"
 

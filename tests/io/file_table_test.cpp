@@ -29,8 +29,8 @@ TEST(FileTable, SaysOfEveryFileHowItOpensOrWhyItDoesNot) {
     std::ofstream(folder.file(".hidden")) << "x";
     const auto table = fileTable(folder.path(), {});
     ASSERT_TRUE(table) << table.error().sentence();
-    EXPECT_THAT(*table, HasSubstr("| `a.mha` | opens | MetaImage [keys of the header]; 2 x 3 x 4 uint8; "
-                                  "0.5 x 0.5 x 1 mm [ElementSpacing]; white 255 [8-bit voxels]; 0.0 % ["));
+    EXPECT_THAT(*table, HasSubstr("| `a.mha` | opens | MetaImage {keys of the header}; 2 x 3 x 4 uint8; "
+                                  "0.5 x 0.5 x 1 mm {ElementSpacing}; white 255 {8-bit voxels}; 0.0 % {"));
     EXPECT_THAT(*table, HasSubstr("| `deep/note\\|.txt` | refused |")) << "a bar in a name would end the cell";
     EXPECT_THAT(*table, Not(HasSubstr("hidden")));
     EXPECT_THAT(*table, Not(HasSubstr(folder.path()))) << "the row names the file already";
