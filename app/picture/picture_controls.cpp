@@ -101,9 +101,8 @@ void PictureControls::setBeamAxis(BeamAxis axis) {
 }
 
 void PictureControls::resetView() {
-    edit(tr("reset view"), [this](Document& next) {
-        poseOf(next, view()) = m_parts.picture.wholeVolume(viewAlongBeam(next.beam));
-    });
+    edit(tr("reset view"),
+         [this](Document& next) { poseOf(next, view()) = m_parts.picture.wholeVolume(viewAlongBeam(next.beam)); });
 }
 
 void PictureControls::resetAll(const Document& opened) {

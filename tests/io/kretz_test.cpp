@@ -52,8 +52,12 @@ TEST(Kretz, IsReadWithItsReport) {
     EXPECT_THAT(factOf(*study, "beam"), HasSubstr("+z"));
     for (const ImportFact& fact : study->facts) {
         EXPECT_THAT(fact.value, testing::Not(HasSubstr("Doe")));
-        if (fact.name == "voxels without data") EXPECT_THAT(fact.source, HasSubstr("geometry of the beams"));
-        if (fact.name == "spacing") EXPECT_THAT(fact.source, HasSubstr("finest resolution"));
+        if (fact.name == "voxels without data") {
+            EXPECT_THAT(fact.source, HasSubstr("geometry of the beams"));
+        }
+        if (fact.name == "spacing") {
+            EXPECT_THAT(fact.source, HasSubstr("finest resolution"));
+        }
     }
     for (const char* name : {"range", "lines", "planes"})
         EXPECT_THAT(sourceOf(*study, name), testing::EndsWith("; assumed: the first sample lies on the probe's face"));
@@ -296,7 +300,9 @@ TEST(Kretz, MemoryLimitWidensTheSpacingAndIsSaid) {
     EXPECT_GT(study->phases.front()->geometry().voxelCount(), 1000000);
     EXPECT_THAT(factOf(*study, "memory of the scan conversion"), HasSubstr("the limit is 1 MiB a phase and 8 MiB"));
     for (const ImportFact& fact : study->facts)
-        if (fact.name == "spacing") EXPECT_THAT(fact.source, HasSubstr("widened to the memory limit"));
+        if (fact.name == "spacing") {
+            EXPECT_THAT(fact.source, HasSubstr("widened to the memory limit"));
+        }
 }
 
 TEST(Kretz, WriterThrowsWhereTheFormatHasNoWords) {

@@ -84,7 +84,9 @@ TEST(PolarRaw, SideCarKeepsEveryBit) {
         const auto study = readStudy(file);
         ASSERT_TRUE(study) << study.error().sentence();
         for (const ImportFact& fact : study->facts)
-            if (fact.name == "lines") EXPECT_EQ(fact.source, "v.raw.echolucent.json");
+            if (fact.name == "lines") {
+                EXPECT_EQ(fact.source, "v.raw.echolucent.json");
+            }
     }
 }
 

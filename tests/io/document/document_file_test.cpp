@@ -28,8 +28,8 @@ std::vector<ScalpelStroke> unusualStrokes() {
 /// A document in which every part differs from its default, with numbers that have no short decimal text.
 Document unusual() {
     Document document;
-    StudyFile file{
-        .path = "/data/a \"study\" \\ with ümlauts.dcm", .options = {.series = "1.2.840.1"}, .checksum = "x"};
+    StudyFile file{.path = "/data/a \"study\" \\ with ümlauts.dcm", .options = {}, .checksum = "x"};
+    file.options.series = "1.2.840.1";
     file.options.raw = RawLayout{{20, 21, 22}, "int16", true, 352, {0.1, 1.0 / 3.0, 2e-7}, true};
     file.options.framesAsSlices = true;
     file.options.guessNoData = false;
