@@ -42,7 +42,8 @@ struct Seen {
     TubeEcho tubes;
     Levels levels;
     int meetData = 0;
-    int front = 0;  ///< the sample at which the first of them does
+    int front = 0;                    ///< the sample at which the first of them does
+    std::vector<bool> beginsInFluid;  ///< of each tube core
     int beginInFluid = 0, meetFluid = 0;
     double frontContrast = 0.0;  ///< of the stretches at the front, as FluidStretch::contrast
 };
@@ -57,18 +58,19 @@ void countTubes(Seen& seen) {
         ++seen.meetData;
         seen.front = std::min(seen.front, static_cast<int>(first - echo));
     }
-    std::vector<bool> front(seen.tubes.tubes()), any(seen.tubes.tubes());
+    seen.beginsInFluid.resize(seen.tubes.tubes());
+    std::vector<bool> any(seen.tubes.tubes());
     double samples = 0.0;
     for (const auto& stretches : seen.levels)
         for (const FluidStretch& stretch : stretches) {
             any[static_cast<std::size_t>(stretch.tube)] = true;
             if (!stretch.atFront) continue;
-            front[static_cast<std::size_t>(stretch.tube)] = true;
+            seen.beginsInFluid[static_cast<std::size_t>(stretch.tube)] = true;
             samples += stretch.length();
             seen.frontContrast += stretch.length() * stretch.contrast;
         }
     if (samples > 0.0) seen.frontContrast /= samples;
-    seen.beginInFluid = static_cast<int>(std::count(front.begin(), front.end(), true));
+    seen.beginInFluid = static_cast<int>(std::count(seen.beginsInFluid.begin(), seen.beginsInFluid.end(), true));
     seen.meetFluid = static_cast<int>(std::count(any.begin(), any.end(), true));
 }
 
@@ -98,30 +100,6 @@ std::vector<FluidStretch> behindWalls(const Seen& seen) {
     return walled;
 }
 
-/// How many tube cores are in fluid behind a wall at a depth, and in how many of these fluid began at the front: there
-/// the wall is what the fluid surrounds.
-struct Opened {
-    int all = 0, behindFluid = 0;
-};
-
-Opened openedAt(const Seen& seen, int sample) {
-    std::vector<bool> begins(seen.tubes.tubes()), opened(seen.tubes.tubes());
-    for (const auto& stretches : seen.levels)
-        for (const FluidStretch& stretch : stretches) {
-            const auto tube = static_cast<std::size_t>(stretch.tube);
-            if (stretch.atFront)
-                begins[tube] = true;
-            else if (stretch.begin <= sample && sample < stretch.end)
-                opened[tube] = true;
-        }
-    Opened count;
-    for (std::size_t tube = 0; tube < opened.size(); ++tube) {
-        count.all += opened[tube] ? 1 : 0;
-        count.behindFluid += opened[tube] && begins[tube] ? 1 : 0;
-    }
-    return count;
-}
-
 void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
     const TubeEcho& tubes = seen.tubes;
     finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
@@ -141,14 +119,18 @@ NearCutFinding judged(const Seen& seen) {
     NearCutFinding finding;
     finding.tubes = seen.meetData;
     const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
-    const Opened opened = openedAt(seen, flat.sample);
+    const int opened = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int) { return flat.sample; });
+    constexpr int nowhere = -1;
+    const int openedBehindFluid = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int tube) {
+        return seen.beginsInFluid[static_cast<std::size_t>(tube)] ? flat.sample : nowhere;
+    });
     const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
     const bool clearFront = seen.frontContrast >= clearFrontContrast;
     const double timesOpened = clearFront ? moreAtFront : farMoreAtFront;
     // In a wide sector few tube cores meet the fluid at the front, and behind what it surrounds there is more of it.
-    const bool surrounds = clearFront && opened.behindFluid >= mostlySurrounded * opened.all;
+    const bool surrounds = clearFront && openedBehindFluid >= mostlySurrounded * opened;
     if (frontShare >= mostlyAtFront ||
-        (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened.all || surrounds))) {
+        (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened || surrounds))) {
         finding.answer = NearCutAnswer::fluidAtFront;
         finding.tubesThatSaySo = seen.beginInFluid;
         finding.confidence = frontShare;
@@ -157,7 +139,7 @@ NearCutFinding judged(const Seen& seen) {
         finding.confidence = seen.meetData > 0 ? 1.0 - flat.fluid / leastFluid : 0.0;
     } else {
         finding.answer = NearCutAnswer::wallBeforeFluid;
-        finding.tubesThatSaySo = opened.all;
+        finding.tubesThatSaySo = opened;
         finding.confidence = clampedShare(flat.fluid, 0.0, clearFluid) *
                              clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
         finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;

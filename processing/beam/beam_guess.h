@@ -34,8 +34,8 @@ struct BeamGuess {
 };
 
 /// The beam axis of a volume: the one nearest to what its file says of the probe, else a guess (docs/beam.md says how,
-/// and when it is unsure). A guess costs about one pass over the
-/// voxels, and is the same for any number of threads. The result is empty only where the run was cancelled.
+/// and when it is unsure). A guess costs about one pass over the voxels, and is the same for any number of threads. The
+/// result is empty only where the run was cancelled.
 [[nodiscard]] std::optional<BeamGuess> guessBeamAxis(const Volume& volume, const Progress& progress = {});
 
 }  // namespace echolucent
