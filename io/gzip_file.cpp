@@ -2,18 +2,18 @@
 
 #include <sys/mman.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <new>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/voxel_source.h"
 
 namespace echolucent {
 
@@ -23,107 +23,32 @@ constexpr std::uint64_t alwaysUnpacked = std::uint64_t{256} << 20;
 constexpr std::uint64_t largestRatio = 32;
 constexpr std::size_t pieceBytes = std::size_t{1} << 20;
 
-class GzipUnpacker {
+/// A file in memory that is written from its beginning on.
+class MemoryFile {
 public:
-    explicit GzipUnpacker(const InputFile& packed)
-        : m_packed(packed), m_most(mostUnpackedBytes(packed.size())), m_input(pieceBytes), m_output(pieceBytes) {
-        // 16 more than the window's 15 bits take gzip and nothing else; zlib then verifies checksum and length.
-        if (inflateInit2(&m_stream, 15 + 16) != Z_OK) throw std::bad_alloc();
+    MemoryFile() : m_descriptor(memfd_create("echolucent-unpacked", MFD_CLOEXEC)) {}
+    ~MemoryFile() {
+        if (m_descriptor >= 0) close(m_descriptor);
     }
-    ~GzipUnpacker() {
-        inflateEnd(&m_stream);
-        if (m_memory >= 0) close(m_memory);
-    }
-    GzipUnpacker(const GzipUnpacker&) = delete;
-    GzipUnpacker& operator=(const GzipUnpacker&) = delete;
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
 
-    Result<InputFile> unpack(const Progress& progress);
+    /// False, with errno set, where there is not enough memory.
+    [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) {
+        while (m_descriptor >= 0 && !bytes.empty()) {
+            const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written <= 0) return false;
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        }
+        return m_descriptor >= 0;
+    }
+    /// Hands the descriptor over.
+    [[nodiscard]] int release() { return std::exchange(m_descriptor, -1); }
 
 private:
-    /// Reads more of the packed file where none is left; false at its end.
-    Result<bool> refill();
-    /// Whether another member follows the one that ended. Bytes that begin no member are padding.
-    Result<bool> beginsAnother();
-    Result<void> store(std::size_t count);
-    [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& problem, const std::string& remedy) const {
-        return fail(FailureKind::unreadable, m_packed.path(), "", problem, remedy);
-    }
-
-    const InputFile& m_packed;
-    std::uint64_t m_most;
-    std::vector<std::uint8_t> m_input, m_output;
-    z_stream m_stream{};
-    std::uint64_t m_taken = 0, m_given = 0;
-    int m_memory = -1;
+    int m_descriptor;
 };
-
-Result<bool> GzipUnpacker::refill() {
-    if (m_stream.avail_in > 0) return true;
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(m_input.size(), m_packed.size() - m_taken));
-    if (count == 0) return false;
-    if (const auto read = m_packed.readAt(m_taken, {m_input.data(), count}); !read) return tl::unexpected(read.error());
-    m_taken += count;
-    m_stream.next_in = m_input.data();
-    m_stream.avail_in = static_cast<uInt>(count);
-    return true;
-}
-
-Result<bool> GzipUnpacker::beginsAnother() {
-    const auto more = refill();
-    if (!more || !*more || *m_stream.next_in != 0x1f) return more ? Result<bool>(false) : more;
-    inflateReset(&m_stream);
-    return true;
-}
-
-Result<void> GzipUnpacker::store(std::size_t count) {
-    m_given += count;
-    if (m_given > m_most)
-        return wrong(
-            fmt::format("unpacks to more than {} bytes out of {}, which no volume does", m_most, m_packed.size()),
-            "Unpack it with gunzip if you trust it, and open what comes out.");
-    for (std::size_t done = 0; done < count;) {
-        const ssize_t written = write(m_memory, m_output.data() + done, count - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0)
-            return wrong(fmt::format("needs more memory than there is to be unpacked ({})", std::strerror(errno)),
-                         "Unpack it with gunzip and open what comes out.");
-        done += static_cast<std::size_t>(written);
-    }
-    return {};
-}
-
-Result<InputFile> GzipUnpacker::unpack(const Progress& progress) {
-    m_memory = memfd_create("echolucent-unpacked", MFD_CLOEXEC);
-    if (m_memory < 0)
-        return wrong(std::string("cannot be unpacked in memory: ") + std::strerror(errno),
-                     "Unpack it with gunzip and open what comes out.");
-    for (bool ended = false; !ended;) {
-        if (progress.cancelled()) return fail(FailureKind::cancelled, m_packed.path(), "", "was not read: cancelled");
-        progress.at(static_cast<double>(m_taken - m_stream.avail_in) / static_cast<double>(m_packed.size()));
-        const auto more = refill();
-        if (!more) return tl::unexpected(more.error());
-        m_stream.next_out = m_output.data();
-        m_stream.avail_out = static_cast<uInt>(m_output.size());
-        const int status = inflate(&m_stream, Z_NO_FLUSH);
-        const std::size_t count = m_output.size() - m_stream.avail_out;
-        if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
-            return wrong(fmt::format("is damaged gzip near byte {}: {}", m_taken - m_stream.avail_in,
-                                     m_stream.msg != nullptr ? m_stream.msg : "no gzip data"),
-                         "Copy or export it again.");
-        if (auto stored = store(count); !stored) return tl::unexpected(stored.error());
-        if (status == Z_STREAM_END) {
-            const auto another = beginsAnother();
-            if (!another) return tl::unexpected(another.error());
-            ended = !*another;
-        } else if (count == 0 && !*more) {
-            return wrong(fmt::format("is gzip that ends too early, after {} bytes", m_packed.size()),
-                         "The file is incomplete: copy it again.");
-        }
-    }
-    auto unpacked = InputFile::adopt(m_packed.path(), std::exchange(m_memory, -1));
-    progress.at(1.0);
-    return unpacked;
-}
 
 }  // namespace
 
@@ -142,7 +67,37 @@ std::uint64_t mostUnpackedBytes(std::uint64_t packedBytes) {
 }
 
 Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) {
-    return GzipUnpacker(packed).unpack(progress);
+    const auto wrong = [&](const std::string& problem, const std::string& remedy) {
+        return fail(FailureKind::unreadable, packed.path(), "", problem, remedy);
+    };
+    const std::uint64_t most = mostUnpackedBytes(packed.size());
+    VoxelSource source(packed, {.offset = 0, .length = packed.size(), .encoding = VoxelEncoding::zlib, .skipBytes = 0},
+                       StoredType::uint8);
+    MemoryFile memory;
+    std::vector<std::uint8_t> piece(pieceBytes);
+    for (std::uint64_t given = 0; true;) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, packed.path(), "", "was not read: cancelled");
+        progress.at(source.shareTaken());
+        const auto count = source.readSome(piece);
+        if (!count) return tl::unexpected(count.error());
+        if (*count == 0) break;
+        given += *count;
+        if (given > most)
+            return wrong(
+                fmt::format("unpacks to more than {} bytes out of {}, which no volume does", most, packed.size()),
+                "Unpack it with gunzip if you trust it, and open what comes out.");
+        if (!memory.write(std::span(piece).first(*count)))
+            return wrong(fmt::format("needs more memory than there is to be unpacked ({})", std::strerror(errno)),
+                         "Unpack it with gunzip and open what comes out.");
+    }
+    if (!source.ended())
+        return wrong(fmt::format("is gzip that ends too early, after {} bytes", packed.size()),
+                     "The file is incomplete: copy it again.");
+    if (!memory.write({}))
+        return wrong(std::string("cannot be unpacked in memory: ") + std::strerror(errno),
+                     "Unpack it with gunzip and open what comes out.");
+    progress.at(1.0);
+    return InputFile::adopt(packed.path(), memory.release());
 }
 
 }  // namespace echolucent

@@ -43,6 +43,10 @@ Result<std::size_t> VoxelSource::readSome(std::span<std::uint8_t> bytes) {
     return count;
 }
 
+double VoxelSource::shareTaken() const {
+    return m_extent.length > 0 ? static_cast<double>(m_position) / static_cast<double>(m_extent.length) : 1.0;
+}
+
 Result<void> VoxelSource::refill() {
     std::memmove(m_input.data(), m_waiting.data(), m_waiting.size());
     const auto count = static_cast<std::size_t>(

@@ -1,4 +1,5 @@
-// The bytes of voxels, read in order from one file, stored as they are or encoded.
+// The bytes of voxels, or of a file that was packed as a whole, read in order from one file, stored as they are or
+// encoded.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,14 @@ public:
     /// shares from `from` to `to`. Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
+    /// Fills `bytes`, which holds whole values, as far as there are more, and returns how many bytes that were; 0 at
+    /// the end. Fails (unreadable) where the bytes are damaged.
+    [[nodiscard]] Result<std::size_t> readSome(std::span<std::uint8_t> bytes);
+    /// Whether an encoding that says where it ends has said so: compressed bytes that are cut off never do.
+    [[nodiscard]] bool ended() const { return m_ended; }
+    /// The share of the extent that was taken from the file, in [0,1].
+    [[nodiscard]] double shareTaken() const;
+
     /// Whether more follows the bytes that were read. Where nothing does, the checksum of compressed bytes has been
     /// verified once this is answered. Fails (unreadable) where what follows is damaged or no voxels.
     [[nodiscard]] Result<bool> hasMore();
@@ -41,7 +50,6 @@ public:
     [[nodiscard]] Result<std::uint64_t> countBytes(std::uint64_t limit, const Progress& progress);
 
 private:
-    [[nodiscard]] Result<std::size_t> readSome(std::span<std::uint8_t> bytes);
     [[nodiscard]] Result<std::size_t> decodeSome(std::span<std::uint8_t> bytes);
     [[nodiscard]] Result<void> refill();
     void rewind();

@@ -115,10 +115,10 @@ TEST(GzipFile, ThatIsDamagedOrCutSaysSo) {
     EXPECT_EQ(sentenceOf(whole), "was read");
     std::string wrongSum = whole;
     wrongSum[whole.size() - 7] ^= 1;  // of the checksum
-    EXPECT_THAT(sentenceOf(wrongSum), HasSubstr("is damaged gzip near byte"));
+    EXPECT_THAT(sentenceOf(wrongSum), HasSubstr("has damaged compressed data near byte"));
     std::string wrongLength = whole;
     wrongLength[whole.size() - 2] ^= 1;
-    EXPECT_THAT(sentenceOf(wrongLength), HasSubstr("is damaged gzip"));
+    EXPECT_THAT(sentenceOf(wrongLength), HasSubstr("has damaged compressed data near byte"));
     EXPECT_THAT(sentenceOf(packed(whole)), HasSubstr("compressed with gzip twice"));
     for (std::size_t length = 3; length < whole.size(); ++length)
         EXPECT_THAT(sentenceOf(whole.substr(0, length)), HasSubstr("is gzip that ends too early")) << length;
