@@ -5,16 +5,15 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <random>
 #include <sstream>
 
 #include "enhanced_us_files.h"
 #include "io/output/meta_image_writer.h"
+#include "python_script.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -150,49 +149,12 @@ TEST(EnhancedUsDimensions, AnyAttributeThatNamesATimeSplitsThePhases) {
     }
 }
 
-struct Outcome {
-    int status = -1;
-    std::string output;  ///< both streams
-};
-
-Outcome runTool(const std::string& command) {
-    Outcome outcome;
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    char buffer[4096];
-    while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe)) outcome.output.append(buffer, count);
-    const int ended = pclose(pipe);
-    outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    return outcome;
-}
-
 TEST_P(EnhancedUsRoundTrip, DciodvfyFindsNoError) {
-    if (runTool("command -v dciodvfy").status != 0) GTEST_SKIP() << "dciodvfy (package dicom3tools) is not there";
+    if (runTool("command -v dciodvfy 2>&1").status != 0) GTEST_SKIP() << "dciodvfy (package dicom3tools) is not there";
     writeKind(m_path, GetParam());
-    const Outcome outcome = runTool("dciodvfy '" + m_path + "'");
+    const Outcome outcome = runTool("dciodvfy '" + m_path + "' 2>&1");
     EXPECT_THAT(outcome.output, HasSubstr("EnhancedUltrasoundVolume"));
     EXPECT_THAT(outcome.output, Not(HasSubstr("Error"))) << outcome.output;
-}
-
-/// A program of pydicom's that says of every phase and slice: time index, position, and the checksum of the pixels.
-constexpr const char* pydicomReader = R"(
-import sys, zlib, pydicom
-d = pydicom.dcmread(sys.argv[1])
-pixels = d.pixel_array
-shared = d.SharedFunctionalGroupsSequence[0]
-measures = shared.PixelMeasuresSequence[0]
-print(repr(float(measures.PixelSpacing[1])), repr(float(measures.PixelSpacing[0])))
-print(*[repr(v) for v in shared.PlaneOrientationVolumeSequence[0].ImageOrientationVolume])
-for frame, groups in zip(pixels, d.PerFrameFunctionalGroupsSequence):
-    position = groups.PlanePositionVolumeSequence[0].ImagePositionVolume
-    time = groups.FrameContentSequence[0].DimensionIndexValues[0]
-    print(time, *[repr(v) for v in position], zlib.crc32(frame.tobytes()))
-)";
-
-std::string findPythonWithPydicom() {
-    for (const char* python : {"python3", "/usr/bin/python3"})
-        if (runTool(std::string(python) + " -c 'import pydicom, numpy'").status == 0) return python;
-    return {};
 }
 
 std::uint32_t checksumOfSlice(const Volume& volume, std::int64_t slice) {
@@ -209,10 +171,9 @@ std::uint32_t checksumOfSlice(const Volume& volume, std::int64_t slice) {
 }
 
 TEST_P(EnhancedUsRoundTrip, PydicomAgreesOnPixelsAndGeometry) {
-    static const std::string python = findPythonWithPydicom();
-    if (python.empty()) GTEST_SKIP() << "python3-pydicom is not there";
     const auto written = writeKind(m_path, GetParam());
-    const Outcome outcome = runTool(python + " '" + m_folder.write("read.py", pydicomReader) + "' '" + m_path + "'");
+    const Outcome outcome = runScript("pydicom_files.py", "'" + m_path + "'");
+    if (outcome.missing) GTEST_SKIP() << "python3 cannot import pydicom";
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     std::istringstream lines(outcome.output);
     const VolumeGeometry& geometry = GetParam().geometry;

@@ -14,12 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-std::optional<std::string> nibabel(const std::string& arguments) {
-    return printedByScript("nibabel_files.py", arguments);
-}
-
-#define SKIP_WITHOUT_NIBABEL(answer) \
-    if (!(answer)) GTEST_SKIP() << "python3 cannot import nibabel"
+Outcome nibabel(const std::string& arguments) { return runScript("nibabel_files.py", arguments); }
 
 void expectAgreement(const std::string& name, const Study& study, const json& facts) {
     const VolumeGeometry& geometry = study.phases[0]->geometry();
@@ -48,7 +43,9 @@ void expectAgreement(const std::string& name, const Study& study, const json& fa
 
 TEST(Nibabel, ItsFilesAreReadAsItReadsThem) {
     const TemporaryFolder folder;
-    SKIP_WITHOUT_NIBABEL(nibabel("write " + folder.path()));
+    const Outcome written = nibabel("write " + folder.path());
+    if (written.missing) GTEST_SKIP() << "python3 cannot import nibabel";
+    ASSERT_EQ(written.status, 0);
     std::ifstream stream(folder.file("expected.json"));
     const json expected = json::parse(stream);
     EXPECT_GT(expected.size(), 35U);
@@ -80,9 +77,10 @@ TEST(Nibabel, ReadsOurFilesAsWeReadThem) {
                 ASSERT_TRUE(writeNifti(file, studies.back().phases));
                 files += " " + file;
             }
-    const auto answer = nibabel("read" + files);
-    SKIP_WITHOUT_NIBABEL(answer);
-    const json facts = json::parse(*answer);
+    const Outcome read = nibabel("read" + files);
+    if (read.missing) GTEST_SKIP() << "python3 cannot import nibabel";
+    ASSERT_EQ(read.status, 0);
+    const json facts = json::parse(read.output);
     ASSERT_EQ(facts.size(), studies.size());
     for (std::size_t i = 0; i < studies.size(); ++i) expectAgreement(std::to_string(i), studies[i], facts[i]);
 }

@@ -1,29 +1,43 @@
-// What another reader says, through a script beside the tests.
+// Other programs that say what they think of a file: Python's readers, through scripts beside the tests, and checkers.
 #pragma once
 
 #include <sys/wait.h>
 
 #include <cstdio>
-#include <optional>
 #include <string>
 
 namespace echolucent {
 
-/// What `python3 tests/io/SCRIPT ARGUMENTS` prints; no value where it does not end well under any python3, as scripts
-/// do whose modules are not there. Debian's own is tried too, since its packages hold these modules.
-inline std::optional<std::string> printedByScript(const std::string& script, const std::string& arguments) {
-    for (const char* python : {"python3", "/usr/bin/python3"}) {
-        const std::string command =
-            std::string(python) + " " ECHOLUCENT_SOURCE_DIR "/tests/io/" + script + " " + arguments + " 2>/dev/null";
-        std::FILE* pipe = popen(command.c_str(), "r");
-        if (pipe == nullptr) continue;
-        std::string output;
-        char buffer[65536];
-        while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
-        const int ended = pclose(pipe);
-        if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0) return output;
+/// How a program ended, and what it printed.
+struct Outcome {
+    int status = -1;
+    std::string output;
+    bool missing = false;  ///< whether the program or its modules are not there, so that the test is to be skipped
+};
+
+/// Runs a command of the shell and keeps its standard output; the standard error goes where the command sends it.
+inline Outcome runTool(const std::string& command) {
+    Outcome outcome;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    char buffer[65536];
+    while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe)) outcome.output.append(buffer, count);
+    const int ended = pclose(pipe);
+    outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    return outcome;
+}
+
+/// How `python3 tests/io/SCRIPT ARGUMENTS` ends; Debian's own python3, whose packages hold the modules, is tried where
+/// another one lacks them. The standard error goes to the test's.
+inline Outcome runScript(const std::string& script, const std::string& arguments) {
+    Outcome outcome;
+    for (const std::string python : {"python3", "/usr/bin/python3"}) {
+        outcome = runTool(python + " " ECHOLUCENT_SOURCE_DIR "/tests/io/" + script + " " + arguments);
+        constexpr int moduleMissing = 77, programMissing = 127;  // the scripts' own, and the shell's
+        outcome.missing = outcome.status == moduleMissing || outcome.status == programMissing;
+        if (!outcome.missing) break;
     }
-    return std::nullopt;
+    return outcome;
 }
 
 }  // namespace echolucent

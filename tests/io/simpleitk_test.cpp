@@ -25,9 +25,10 @@ TEST(SimpleItk, ReadsOurFilesAsWeReadThem) {
     const auto volume = std::make_shared<const Volume>(geometry, made.voxels());
     ASSERT_TRUE(writeMetaImage(folder.file("a.mha"), {volume}));
     ASSERT_TRUE(writeNifti(folder.file("a.nii.gz"), {volume}));
-    const auto answer = printedByScript("simpleitk_files.py", folder.file("a.mha") + " " + folder.file("a.nii.gz"));
-    if (!answer) GTEST_SKIP() << "python3 cannot import SimpleITK";
-    const auto read = nlohmann::json::parse(*answer);
+    const Outcome outcome = runScript("simpleitk_files.py", folder.file("a.mha") + " " + folder.file("a.nii.gz"));
+    if (outcome.missing) GTEST_SKIP() << "python3 cannot import SimpleITK";
+    ASSERT_EQ(outcome.status, 0);
+    const auto read = nlohmann::json::parse(outcome.output);
     ASSERT_EQ(read.size(), 2U);
     for (const auto& facts : read) {
         const auto values = facts.at("values").get<std::vector<double>>();
