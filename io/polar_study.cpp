@@ -140,7 +140,7 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     parts.dataMaskSource = "geometry of the beams";
     StatedProbe probe;
     if (const auto apex = apexMm(polar)) probe.apexMm = *apex - grid.geometry.origin;
-    parts.probe = probe;
+    parts.geometry.probe = probe;
     parts.probeSource = "geometry of the beams";
     addAcquisitionFacts(polar, sources, parts.facts);
     addGridFacts(grid, memory, parts);

@@ -82,16 +82,17 @@ std::string vectorText(const Vec3& vector) {
 
 /// What the file says of the probe, in words. What the echo says is found after reading.
 void addProbeFacts(const StudyParts& parts, Study& study) {
-    if (!parts.probe) return;
-    const Viewpoint view = viewFromProbe(*parts.probe);
+    const auto& probe = parts.geometry.probe;
+    if (!probe) return;
+    const Viewpoint view = viewFromProbe(*probe);
     const bool leans = view.azimuthDegrees != 0.0 || view.elevationDegrees != 0.0;
     study.facts.push_back({"beam",
                            std::string(nameOf(view.beamAxis)) + " of the voxel grid" +
-                               (leans ? ", leaning: direction " + vectorText(parts.probe->forward) : ""),
+                               (leans ? ", leaning: direction " + vectorText(probe->forward) : ""),
                            parts.probeSource});
-    if (parts.probe->apexMm)
+    if (probe->apexMm)
         study.facts.push_back(
-            {"apex of the beams", vectorText(*parts.probe->apexMm) + " mm from the first voxel", parts.probeSource});
+            {"apex of the beams", vectorText(*probe->apexMm) + " mm from the first voxel", parts.probeSource});
 }
 
 /// One box for all phases, so that the picture of a beating heart keeps still.
@@ -241,7 +242,6 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.facts = std::move(parts.facts);
     study.warnings = std::move(parts.warnings);
 
-    if (parts.probe) parts.geometry.probe = parts.probe;
     const ChosenWhite white = chooseWhite(parts, study.warnings);
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");

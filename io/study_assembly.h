@@ -44,9 +44,8 @@ struct StudyParts {
     /// Which voxels are data (one byte a voxel, 1 is data), for all phases, where the format knows what was scanned: no
     /// guess is made then. Null where it does not.
     Volume::SharedMask dataMask;
-    std::string dataMaskSource;        ///< what gave dataMask: "geometry of the sweep"
-    std::optional<StatedProbe> probe;  ///< where the file says where the probe was
-    std::string probeSource;           ///< tags or items that gave it
+    std::string dataMaskSource;  ///< what gave dataMask: "geometry of the sweep"
+    std::string probeSource;     ///< tags or items that gave geometry.probe, where there is one
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< key or tag of the time between phases
     bool lossyCompressed = false;

@@ -45,6 +45,8 @@ struct Rescale {
     double slope = 1.0;
     double intercept = 0.0;
     [[nodiscard]] double of(double stored) const { return slope * stored + intercept; }
+    [[nodiscard]] bool isIdentity() const { return slope == 1.0 && intercept == 0.0; }
+    friend bool operator==(const Rescale&, const Rescale&) = default;
 };
 /// What is wrong with a line that puts stored values from `smallest` to `largest` beyond float32, or makes them all one
 /// there, lower case and without full stop: "is 1e+300 with intercept 0, which makes values from 0 to inf". No value

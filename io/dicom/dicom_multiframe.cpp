@@ -132,7 +132,7 @@ Result<Study> MultiframeReader::read() {
     parts.phaseSeconds = layout->phaseSeconds;
     parts.phaseSource = layout->phaseSource;
     if (layout->probe) {
-        parts.probe = layout->probe->probe;
+        parts.geometry.probe = layout->probe->probe;
         parts.probeSource = layout->probe->source;
     }
     parts.lossyCompressed = m_frames.lossyCompressed();

@@ -93,7 +93,7 @@ struct DicomFrames::State {
         return format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     }
     /// The different rescalings of the frames that are shown; the first frame's comes first.
-    [[nodiscard]] std::vector<LinearRescale> rescalesShown() const;
+    [[nodiscard]] std::vector<Rescale> rescalesShown() const;
     /// Finds out what depends on the frames that are shown.
     void askShown();
     /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any frame shown can mean.
@@ -153,21 +153,21 @@ Result<void> DicomFrames::State::readDescription() {
     return {};
 }
 
-std::vector<LinearRescale> DicomFrames::State::rescalesShown() const {
-    std::vector<LinearRescale> different;
-    const auto add = [&](const LinearRescale& one) {
+std::vector<Rescale> DicomFrames::State::rescalesShown() const {
+    std::vector<Rescale> different;
+    const auto add = [&](const Rescale& one) {
         if (different.empty() || one != different.back()) different.push_back(one);
     };
     for (const std::size_t frame : shown) add(rescales.of(frame));
     if (!shown.empty()) return different;
-    for (const LinearRescale& one : rescales.single) add(one);
+    for (const Rescale& one : rescales.single) add(one);
     if (rescales.single.size() < static_cast<std::size_t>(format.frames)) add(rescales.all);
     return different;
 }
 
 void DicomFrames::State::askShown() {
-    const std::vector<LinearRescale> different = rescalesShown();
-    rescaled = isGrey() && (rescaledAmongOthers || std::ranges::any_of(different, [](const LinearRescale& rescale) {
+    const std::vector<Rescale> different = rescalesShown();
+    rescaled = isGrey() && (rescaledAmongOthers || std::ranges::any_of(different, [](const Rescale& rescale) {
                                 return !rescale.isIdentity();
                             }));
     const std::size_t first = shown.empty() ? 0 : shown.front();
@@ -176,7 +176,7 @@ void DicomFrames::State::askShown() {
 
 double DicomFrames::State::extreme(double sign) const {
     double found = -HUGE_VAL;
-    for (const LinearRescale& rescale : rescalesShown())
+    for (const Rescale& rescale : rescalesShown())
         found = std::max({found, sign * rescale.of(format.smallestValue()), sign * rescale.of(format.largestValue())});
     return sign * found;
 }
@@ -315,8 +315,8 @@ std::vector<ImportFact> DicomFrames::facts() const {
     std::vector<ImportFact> facts{{"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
                                   {"photometric interpretation", m_state->format.photometric, "(0028,0004)"}};
     if (m_state->rescaled) {
-        const std::vector<LinearRescale> different = m_state->rescalesShown();
-        const LinearRescale& first = different.front();
+        const std::vector<Rescale> different = m_state->rescalesShown();
+        const Rescale& first = different.front();
         facts.push_back({"rescaling",
                          fmt::format("slope {:.6g}, intercept {:.6g}{}", first.slope, first.intercept,
                                      different.size() > 1 ? " in the first frame; each frame has its own" : ""),

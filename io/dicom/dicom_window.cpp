@@ -56,8 +56,7 @@ double numberIn(DcmItem& item, DicomTag tag) { return realNumber(firstValueOf(it
 
 }  // namespace
 
-DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
-                       const LinearRescale& rescale) {
+DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame, const Rescale& rescale) {
     DicomWindow window;
     const bool grey = format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     if (!grey || format.bitsStored <= 8) return window;

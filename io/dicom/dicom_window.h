@@ -23,6 +23,6 @@ struct DicomWindow {
 /// which is inverted as the pixels are. Windows count in rescaled values; `rescale` is that of the frame. Only grey
 /// pixels of more than 8 stored bits have a window here; others say nothing.
 [[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
-                                     const LinearRescale& rescale);
+                                     const Rescale& rescale);
 
 }  // namespace echolucent

@@ -18,7 +18,7 @@ constexpr DicomTag interceptTag{0x0028, 0x1052};
 constexpr DicomTag slopeTag{0x0028, 0x1053};
 constexpr DicomTag transformationTag{0x0028, 0x9145};
 
-using Read = tl::expected<LinearRescale, PixelFormatProblem>;
+using Read = tl::expected<Rescale, PixelFormatProblem>;
 
 tl::unexpected<PixelFormatProblem> problemAt(DicomTag tag, const char* name, std::string text) {
     return tl::unexpected(PixelFormatProblem{tagText(tag) + " " + name, std::move(text)});
@@ -35,15 +35,14 @@ bool take(DcmItem& item, DicomTag tag, double& value) {
 }
 
 Read rescaleOf(DcmItem& item, const DicomPixelFormat& format) {
-    LinearRescale rescale;
+    Rescale rescale;
     if (!take(item, slopeTag, rescale.slope))
         return problemAt(slopeTag, "Rescale Slope", "is no number: " + quotedText(dicomText(item, slopeTag)));
     if (!take(item, interceptTag, rescale.intercept))
         return problemAt(interceptTag, "Rescale Intercept",
                          "is no number: " + quotedText(dicomText(item, interceptTag)));
     if (rescale.slope == 0.0) return problemAt(slopeTag, "Rescale Slope", "is 0, which makes all values one");
-    if (auto problem =
-            problemOf(Rescale{rescale.slope, rescale.intercept}, format.smallestValue(), format.largestValue()))
+    if (auto problem = problemOf(rescale, format.smallestValue(), format.largestValue()))
         return problemAt(slopeTag, "Rescale Slope", *std::move(problem));
     return rescale;
 }
@@ -53,7 +52,7 @@ DcmItem* transformationIn(DcmItem* groups) {
 }
 
 template <typename T>
-void writeFloats(const LinearRescale& rescale, std::span<const std::uint8_t> grey, std::span<std::uint8_t> out) {
+void writeFloats(const Rescale& rescale, std::span<const std::uint8_t> grey, std::span<std::uint8_t> out) {
     for (std::size_t i = 0; i * sizeof(T) < grey.size(); ++i) {
         T stored{};
         std::memcpy(&stored, grey.data() + i * sizeof(T), sizeof(T));
@@ -78,7 +77,7 @@ tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset, c
         const Read read = own != nullptr ? rescaleOf(*own, format) : all;
         if (!read) problem = read.error();
         perFrame = perFrame || own != nullptr;
-        rescales.single.push_back(read.value_or(LinearRescale{}));
+        rescales.single.push_back(read.value_or(Rescale{}));
         return read && rescales.single.size() < static_cast<std::size_t>(format.frames);
     });
     if (problem) return tl::unexpected(*problem);
@@ -86,7 +85,7 @@ tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset, c
     return rescales;
 }
 
-void applyRescale(const LinearRescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
+void applyRescale(const Rescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
                   std::span<std::uint8_t> out) {
     switch (type) {
         case StoredType::uint8: return writeFloats<std::uint8_t>(rescale, grey, out);

@@ -10,22 +10,11 @@
 
 namespace echolucent {
 
-/// value = slope * stored + intercept.
-struct LinearRescale {
-    double slope = 1.0;
-    double intercept = 0.0;
-    [[nodiscard]] double of(double stored) const { return slope * stored + intercept; }
-    [[nodiscard]] bool isIdentity() const { return slope == 1.0 && intercept == 0.0; }
-    friend bool operator==(const LinearRescale&, const LinearRescale&) = default;
-};
-
 /// The rescaling of every frame of a data set.
 struct FrameRescales {
-    LinearRescale all;                  ///< of the frames that have none of their own
-    std::vector<LinearRescale> single;  ///< of the first frames, where the groups of single frames hold any; or none
-    [[nodiscard]] const LinearRescale& of(std::size_t frame) const {
-        return frame < single.size() ? single[frame] : all;
-    }
+    Rescale all;                  ///< of the frames that have none of their own
+    std::vector<Rescale> single;  ///< of the first frames, where the groups of single frames hold any; or none
+    [[nodiscard]] const Rescale& of(std::size_t frame) const { return frame < single.size() ? single[frame] : all; }
 };
 
 /// Rescale Slope and Intercept of a data set: one for all frames (at top level or in the shared functional groups), or
@@ -36,7 +25,7 @@ struct FrameRescales {
                                                                            const DicomPixelFormat& format);
 
 /// Writes the values that grey values of `type` (as toGrey() gives them) stand for into `out`, as float32.
-void applyRescale(const LinearRescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
+void applyRescale(const Rescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
                   std::span<std::uint8_t> out);
 
 }  // namespace echolucent
