@@ -91,13 +91,8 @@ Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view) {
     const Vec3 forward = frameOf(view).forward;
     const double nearest = volume.geometry().depthsAlong(forward).nearest;
     const DataBox& box = volume.dataBox();
-    double depth = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        Vec3 at = box.lowMm;
-        for (int axis = 0; axis < 3; ++axis)
-            if ((corner >> axis & 1) != 0) at[axis] = box.highMm[axis];
-        depth = std::max(depth, at.dot(forward) - nearest);
-    }
+    double depth = box.centreMm().dot(forward) - nearest;
+    for (int axis = 0; axis < 3; ++axis) depth += 0.5 * box.sizeMm()[axis] * std::abs(forward[axis]);
     if (view.nearCutMm < depth) return view;
     return wrongUsage("--near",
                       fmt::format("is {:.6g} mm, but along this view the volume ends {:.4g} mm behind its foremost "

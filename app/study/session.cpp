@@ -77,13 +77,13 @@ Session::Read Session::readerOf(const StudyFile& file) {
 
 void Session::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
-    load(file, options, readerOf(file));
+    load(file, readerOf(file));
 }
 
 void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
     options.series = list->series.at(entry).uid;
     const StudyFile file{.path = list->path, .options = options, .checksum = {}};
-    load(file, options, [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
+    load(file, [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
         auto study = readSeries(*list, list->series[entry], options, progress);
         if (!study) return tl::unexpected(study.error());
         return Opening{std::move(*study), list};
@@ -92,7 +92,7 @@ void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t ent
 
 void Session::openSimulatedScan() {
     const SimulatedScan scan;
-    load(scan, {}, [scan](const Progress& progress) -> Result<Opening> {
+    load(scan, [scan](const Progress& progress) -> Result<Opening> {
         auto study = simulated(scan, progress);
         if (!study) return tl::unexpected(study.error());
         return Opening{std::move(*study), nullptr};
@@ -106,8 +106,9 @@ QString Session::path() const {
 
 void Session::cancelLoading() { m_loader.cancel(); }
 
-void Session::load(const StudyReference& reference, const ReadOptions& options, Read read) {
+void Session::load(const StudyReference& reference, Read read) {
     const auto* file = std::get_if<StudyFile>(&reference);
+    const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
     m_loader.submit([this, reference, path, options,
                      read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {

@@ -148,7 +148,7 @@ private:
     };
     using Read = std::function<Result<Opening>(const Progress&)>;
     static Read readerOf(const StudyFile& file);
-    void load(const StudyReference& reference, const ReadOptions& options, Read read);
+    void load(const StudyReference& reference, Read read);
     void show(int phase);
     void takeQuietVoxels(int phase);
     void takeCut(int phase);
