@@ -22,6 +22,10 @@ struct ImportFact {
     std::string source;  ///< "ElementSpacing", "(0018,0088)", "assumed"
 };
 
+/// Whether voxels were ever compressed with loss, as far as a file tells. In rising order: what holds for several files
+/// together is the largest.
+enum class LossyCompression { no, unknown, yes };
+
 /// A study: one volume, or the phases of a 4D one. Never empty once read. No patient name or identifier in it.
 struct Study {
     std::string name;  ///< name of the file or folder, for the window's title
@@ -31,7 +35,7 @@ struct Study {
     std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
     std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value where they are unknown
-    bool lossyCompressed = false;
+    LossyCompression lossyCompression = LossyCompression::unknown;
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;  ///< sentences for the person: assumptions, conversions, unknown spacing
 };

@@ -226,6 +226,14 @@ Result<void> checkWhite(const StudyParts& parts) {
                 "Correct the white level or leave it out.");
 }
 
+void addLossFact(const StudyParts& parts, Study& study) {
+    const char* value = "unknown";
+    if (parts.lossyCompression != LossyCompression::unknown)
+        value = parts.lossyCompression == LossyCompression::yes ? "yes" : "no";
+    study.facts.push_back(
+        {"lossy compression", value, parts.lossSource.empty() ? "the format has no entry for it" : parts.lossSource});
+}
+
 }  // namespace
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
@@ -238,7 +246,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     if (parts.phaseSeconds && !(*parts.phaseSeconds > 0 && std::isfinite(*parts.phaseSeconds)))
         parts.phaseSeconds.reset();
     study.phaseSeconds = parts.phaseSeconds;
-    study.lossyCompressed = parts.lossyCompressed;
+    study.lossyCompression = parts.lossyCompression;
     study.facts = std::move(parts.facts);
     study.warnings = std::move(parts.warnings);
 
@@ -258,6 +266,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.facts.push_back({"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
                            maskSource(parts, options)});
     addProbeFacts(parts, study);
+    addLossFact(parts, study);
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
     if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)
         study.warnings.push_back(

@@ -48,7 +48,8 @@ struct StudyParts {
     std::string probeSource;     ///< tags or items that gave geometry.probe, where there is one
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< key or tag of the time between phases
-    bool lossyCompressed = false;
+    LossyCompression lossyCompression = LossyCompression::unknown;
+    std::string lossSource;  ///< tags that gave lossyCompression; empty where the format has no entry for it
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;
 };

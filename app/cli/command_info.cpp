@@ -67,7 +67,9 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     entry["phase_seconds"] = study.phaseSeconds ? ordered_json(*study.phaseSeconds) : ordered_json();
     entry["stored_range"] = range.dataVoxels > 0 ? ordered_json{range.low, range.high} : ordered_json();
     entry["no_data_share"] = 1.0 - static_cast<double>(range.dataVoxels) / static_cast<double>(geometry.voxelCount());
-    entry["lossy_compressed"] = study.lossyCompressed;
+    const bool lossKnown = study.lossyCompression != LossyCompression::unknown;
+    entry["lossy_compressed"] =
+        lossKnown ? ordered_json(study.lossyCompression == LossyCompression::yes) : ordered_json();
     const BeamGuess guess = *guessBeamAxis(volume);
     object["view"] = {{"beam_axis", nameOf(guess.axis)}};
     object["beam"] = {{"axis", nameOf(guess.axis)},

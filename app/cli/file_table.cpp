@@ -34,7 +34,7 @@ std::string summaryOf(const Study& study) {
                     factOf(study, "spacing"), factOf(study, "white level"));
     if (study.phases.size() > 1) text += fmt::format("; {} phases", study.phases.size());
     text += "; " + factOf(study, "voxels without data") + " without data";
-    if (study.lossyCompressed) text += "; compressed with loss";
+    if (study.lossyCompression == LossyCompression::yes) text += "; compressed with loss";
     if (const std::size_t notes = study.warnings.size(); notes > 0)
         text += notes == 1 ? "; 1 note" : fmt::format("; {} notes", notes);
     return text;

@@ -148,7 +148,8 @@ QString explainPicture(const PictureFacts& facts) {
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)
         sentences << tr("The spacing of the voxels is unknown, so proportions may be wrong.");
-    if (facts.study.lossyCompressed) sentences << tr("The data were compressed with loss, which changes intensities.");
+    if (facts.study.lossyCompression == LossyCompression::yes)
+        sentences << tr("The data were compressed with loss, which changes intensities.");
     sentences << tr("Not a medical device.");
     return sentences.join(QStringLiteral("\n\n"));
 }

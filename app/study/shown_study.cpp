@@ -56,7 +56,10 @@ void ShownStudy::tellFacts() {
     for (const std::string& warning : study.warnings) warnings << QString::fromStdString(warning);
     m_parts.facts.setStudy(facts, warnings);
 
-    QStringList notes{study.lossyCompressed ? tr("lossy compression") : tr("no lossy compression")};
+    QStringList notes;
+    if (study.lossyCompression != LossyCompression::unknown)
+        notes << (study.lossyCompression == LossyCompression::yes ? tr("lossy compression")
+                                                                  : tr("no lossy compression"));
     if (!geometry.spacingKnown) notes << tr("spacing unknown");
     m_parts.status.setNotes(notes);
 

@@ -135,7 +135,7 @@ Result<Study> MultiframeReader::read() {
         parts.geometry.probe = layout->probe->probe;
         parts.probeSource = layout->probe->source;
     }
-    parts.lossyCompressed = m_frames.lossyCompressed();
+    sayLoss(m_file.dataset(), parts);
     parts.facts = {{"format", formatInWords(*layout), "(0008,0016) SOP Class UID"}};
     for (auto&& fact : layout->facts) parts.facts.push_back(std::move(fact));
     for (auto&& fact : m_frames.facts()) parts.facts.push_back(std::move(fact));

@@ -55,6 +55,32 @@ Coding codingOf(E_TransferSyntax syntax) {
     }
 }
 
+/// Whether a transfer syntax always loses; JPEG 2000 may, which nothing but the attribute (0028,2110) tells.
+bool syntaxLoses(E_TransferSyntax syntax) {
+    return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGProcess6_8 ||
+           syntax == EXS_JPEGProcess10_12 || syntax == EXS_JPEGLSLossy;
+}
+
+struct StatedLoss {
+    LossyCompression compression;
+    std::string source;
+};
+
+/// What a file tells of lossy compression. Images of ultrasound must state it where there was loss (DICOM PS3.3, US
+/// Image Module: type 1C); for others the attribute is optional.
+StatedLoss statedLoss(DcmDataset& dataset) {
+    const E_TransferSyntax syntax = dataset.getOriginalXfer();
+    const std::string stated = dicomText(dataset, {0x0028, 0x2110});
+    if (stated == "01") return {LossyCompression::yes, "(0028,2110) Lossy Image Compression"};
+    if (syntaxLoses(syntax)) return {LossyCompression::yes, "(0002,0010) Transfer Syntax UID"};
+    if (stated == "00") return {LossyCompression::no, "(0028,2110) Lossy Image Compression"};
+    const std::string sopClass = dicomText(dataset, {0x0008, 0x0016});
+    const bool ultrasound = sopClass == UID_UltrasoundImageStorage || sopClass == UID_UltrasoundMultiframeImageStorage;
+    if (ultrasound && syntax != EXS_JPEG2000)
+        return {LossyCompression::no, "(0028,2110) is absent, as it may be where an ultrasound image lost nothing"};
+    return {LossyCompression::unknown, "(0028,2110) is absent"};
+}
+
 std::string syntaxNameOf(E_TransferSyntax syntax) { return transferSyntaxName(DcmXfer(syntax).getXferID()); }
 
 void registerDecoders() {
@@ -67,6 +93,13 @@ void registerDecoders() {
 }
 
 }  // namespace
+
+void sayLoss(DcmDataset& dataset, StudyParts& parts) {
+    const StatedLoss loss = statedLoss(dataset);
+    if (!parts.lossSource.empty() && loss.compression <= parts.lossyCompression) return;
+    parts.lossyCompression = loss.compression;
+    parts.lossSource = loss.source;
+}
 
 struct DicomFrames::State {
     std::string path;
@@ -303,14 +336,6 @@ void DicomFrames::sayWhite(StudyParts& parts) const {
     if (m_state->rescaled) parts.whiteLevelSource += ", (0028,1053) Rescale Slope";
 }
 
-bool DicomFrames::lossyCompressed() const {
-    const E_TransferSyntax syntax = m_state->syntax;
-    const bool lossySyntax = syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 ||
-                             syntax == EXS_JPEGProcess6_8 || syntax == EXS_JPEGProcess10_12 ||
-                             syntax == EXS_JPEGLSLossy;
-    return lossySyntax || dicomText(*m_state->dataset, {0x0028, 0x2110}) == "01";
-}
-
 std::vector<ImportFact> DicomFrames::facts() const {
     std::vector<ImportFact> facts{{"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
                                   {"photometric interpretation", m_state->format.photometric, "(0028,0004)"}};
@@ -324,7 +349,6 @@ std::vector<ImportFact> DicomFrames::facts() const {
     }
     if (m_state->format.palette.segmented)
         facts.push_back({"palette", "stored in segments", "(0028,1221), (0028,1222), (0028,1223)"});
-    facts.push_back({"lossy compression", lossyCompressed() ? "yes" : "no", "(0028,2110), transfer syntax"});
     return facts;
 }
 
@@ -335,7 +359,7 @@ std::vector<std::string> DicomFrames::warnings() const {
         sentences.push_back("The pixels are in colour (" + m_state->format.photometric +
                             "); they were reduced to luma.");
     if (model == ColourModel::monochrome1) sentences.emplace_back("MONOCHROME1: the grey values were inverted.");
-    if (lossyCompressed())
+    if (statedLoss(*m_state->dataset).compression == LossyCompression::yes)
         sentences.emplace_back(
             "The pixels were compressed with loss, which changes their distribution and so the OTF.");
     if (m_state->rescaled && m_state->extreme(-1) < 0)

@@ -15,6 +15,10 @@ class DcmDataset;
 
 namespace echolucent {
 
+/// Adds what a data set tells of lossy compression to `parts`: loss in one of several files is loss of the study, and
+/// "no" needs all of them.
+void sayLoss(DcmDataset& dataset, StudyParts& parts);
+
 /// The frames of one data set, which must outlive this object.
 class DicomFrames {
 public:
@@ -41,8 +45,7 @@ public:
     /// Sets white level, its source and window of `parts`: where 8 bits or fewer are stored, white is the largest value
     /// that they can hold; files of more bits mostly use a small part of these and may declare a window.
     void sayWhite(StudyParts& parts) const;
-    [[nodiscard]] bool lossyCompressed() const;
-    /// What the import report says of the pixels: transfer syntax, photometric interpretation, lossy compression.
+    /// What the import report says of the pixels: transfer syntax, photometric interpretation, rescaling.
     [[nodiscard]] std::vector<ImportFact> facts() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
 

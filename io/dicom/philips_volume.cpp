@@ -288,7 +288,6 @@ Result<PhilipsVoxels> framesVoxels(const DicomFile& file, const PhilipsVolume& v
         if (const auto read = frames->readGrey(index, out); !read) return tl::unexpected(read.error());
     }
     frames->sayWhite(parts);
-    parts.lossyCompressed = frames->lossyCompressed();
     for (auto&& fact : frames->facts()) parts.facts.push_back(std::move(fact));
     for (auto&& warning : frames->warnings()) parts.warnings.push_back(std::move(warning));
     return voxels;
@@ -376,6 +375,7 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
                            : "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
     parts.phaseSeconds = volume.phaseSeconds;
     if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
+    sayLoss(file.dataset(), parts);
     markMissing(*voxels, options, parts);
     parts.voxels = convertVoxels(std::move(voxels->phases), voxels->type);
     for (auto&& fact : equipmentFacts(file.dataset())) parts.facts.push_back(std::move(fact));

@@ -43,6 +43,10 @@ void putFloats(DcmItem& item, const DcmTagKey& tag, const std::vector<double>& v
     require(item.putAndInsertFloat64Array(tag, values.data(), values.size()), "numbers");
 }
 
+void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
+    if (!text.empty()) put(item, tag, text);
+}
+
 void registerEncoders() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -65,6 +69,7 @@ void putImageModule(DcmDataset& dataset, const TestImage& image) {
     put(dataset, DCM_InstanceNumber, std::to_string(image.instance));
     require(dataset.putAndInsertUint16(DCM_SamplesPerPixel, static_cast<Uint16>(image.samples)), "samples");
     put(dataset, DCM_PhotometricInterpretation, image.photometric);
+    putText(dataset, DCM_LossyImageCompression, image.lossyImageCompression);
     if (image.samples > 1)
         require(dataset.putAndInsertUint16(DCM_PlanarConfiguration, static_cast<Uint16>(image.planar)), "planar");
     if (image.frames > 0) put(dataset, DCM_NumberOfFrames, std::to_string(image.frames));
@@ -124,10 +129,6 @@ void putFunctionalGroups(DcmDataset& dataset, const TestImage& image) {
                       {*frame.seconds});
         if (!frame.dataType.empty()) put(itemIn(groups, DCM_ImageDataTypeSequence, 0), DCM_DataType, frame.dataType);
     }
-}
-
-void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
-    if (!text.empty()) put(item, tag, text);
 }
 
 void putWindow(DcmDataset& dataset, const TestImage& image) {

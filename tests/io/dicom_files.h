@@ -59,6 +59,7 @@ struct TestImage {
     std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
     bool patientFrame = false;                ///< whether it is Plane Position (Patient) instead
     std::optional<TestPalette> palette;
+    std::string lossyImageCompression;           ///< as text, where not empty
     std::string windowCentre, windowWidth;       ///< as text, where not empty
     std::string rescaleSlope, rescaleIntercept;  ///< as text, where not empty
     std::string lutFunction;                     ///< VOI LUT Function, where not empty

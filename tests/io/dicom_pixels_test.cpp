@@ -49,7 +49,7 @@ TEST_P(LosslessSyntaxes, KeepEightBitGrey) {
     EXPECT_EQ(storedValues(*study->phases[0]), asDoubles(image.pixels8));
     EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{16, 8, 2}));
     EXPECT_EQ(study->phases[0]->whiteLevel(), 255);
-    EXPECT_FALSE(study->lossyCompressed);
+    EXPECT_EQ(study->lossyCompression, LossyCompression::unknown);
 }
 
 TEST_P(LosslessSyntaxes, KeepTwelveBitGrey) {
@@ -192,6 +192,42 @@ TEST(DicomPixels, SignedValuesKeepTheirSign) {
     }
 }
 
+TEST(DicomPixels, LossIsSaidAsFarAsTheFileTells) {
+    TestImage image = ramp8();
+    image.lossyImageCompression = "00";
+    auto study = writtenAndRead(image, TestSyntax::explicitLittle);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->lossyCompression, LossyCompression::no);
+    EXPECT_EQ(sourceOf(*study, "lossy compression"), "(0028,2110) Lossy Image Compression");
+    image.lossyImageCompression = "01";  // compressed once, whatever it is stored as now
+    study = writtenAndRead(image, TestSyntax::explicitLittle);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->lossyCompression, LossyCompression::yes);
+    image.lossyImageCompression = "";
+    study = writtenAndRead(image, TestSyntax::explicitLittle);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(factOf(*study, "lossy compression"), "unknown");
+
+    // The single images of a series of ultrasound must state loss, and one that does counts for all.
+    const TemporaryFolder folder;
+    TestImage slice;
+    slice.orientation = {1, 0, 0, 0, 1, 0};
+    slice.pixels8.assign(12, 7);
+    for (int i = 0; i < 3; ++i) {
+        slice.instance = i + 1;
+        slice.position = Vec3{0, 0, 1.5 * i};
+        writeDicom(folder.file(std::to_string(i) + ".dcm"), slice);
+    }
+    study = readStudy(folder.path());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->lossyCompression, LossyCompression::no);
+    slice.lossyImageCompression = "01";
+    writeDicom(folder.file("2.dcm"), slice);
+    study = readStudy(folder.path());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->lossyCompression, LossyCompression::yes);
+}
+
 TEST(DicomPixels, LossyJpegIsCloseAndSaid) {
     TestImage image = ramp8();
     // The pixels have the full range, because the encoder stretches a narrower one.
@@ -200,7 +236,7 @@ TEST(DicomPixels, LossyJpegIsCloseAndSaid) {
     ASSERT_TRUE(study) << study.error().sentence();
     const auto values = storedValues(*study->phases[0]);
     for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], image.pixels8[i], 6) << i;
-    EXPECT_TRUE(study->lossyCompressed);
+    EXPECT_EQ(study->lossyCompression, LossyCompression::yes);
     EXPECT_EQ(factOf(*study, "lossy compression"), "yes");
 
     // In colour the encoder turns RGB into YBR: the decoder's first sample must still be the luma.

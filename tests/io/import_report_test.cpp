@@ -38,7 +38,8 @@ void expectEverySourceIsSaid(const std::string& path, const ReadOptions& options
         EXPECT_EQ(fact.value.find("1.2.840."), std::string::npos) << path << ": " << fact.value << " is no word";
         names.push_back(fact.name);
     }
-    for (const char* needed : {"format", "size", "spacing", "voxel type", "white level", "voxels without data", "beam"})
+    for (const char* needed :
+         {"format", "size", "spacing", "voxel type", "white level", "voxels without data", "lossy compression", "beam"})
         EXPECT_EQ(std::count(names.begin(), names.end(), needed), 1) << path << ": " << needed;
 }
 

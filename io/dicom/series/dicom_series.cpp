@@ -102,7 +102,7 @@ private:
                         sameType ? "(0028,0101) Bits Stored" : "(0028,0100) Bits Allocated or (0028,0103) sign",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
-        m_parts.lossyCompressed = m_parts.lossyCompressed || frames->lossyCompressed();
+        sayLoss(file->dataset(), m_parts);
         keepWhite(*frames);
         for (const std::string& warning : frames->warnings()) note(warning);
         return {};
