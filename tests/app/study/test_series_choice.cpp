@@ -30,6 +30,26 @@ class TestSeriesChoice : public QObject, private WindowFixture {
     void write(const QString& name, std::array<std::int64_t, 3> size) {
         QVERIFY(writeEnhancedUs(m_series.filePath(name).toStdString(), {ramp(size)}, {}));
     }
+    /// Puts all slices of a file at one depth, so that they are no volume.
+    static void flatten(const QString& path) {
+        const QByteArray position(
+            "\x20\x00\x01\x93"
+            "FD\x18\x00",
+            8);
+        change(path, [&](QByteArray& bytes) {
+            for (qsizetype at = 0; (at = bytes.indexOf(position, at)) >= 0; at += 32)
+                bytes.replace(at + 24, 8, QByteArray(8, 0));
+        });
+    }
+    template <typename Edit>
+    static void change(const QString& path, const Edit& edit) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        edit(bytes);
+        file.seek(0);
+        QCOMPARE(file.write(bytes), bytes.size());
+    }
     [[nodiscard]] QDialog* dialog() { return window().findChild<QDialog*>("series"); }
     [[nodiscard]] QListWidget* list() { return dialog()->findChild<QListWidget*>("series.list"); }
     [[nodiscard]] std::int64_t depthOfStudy() { return window().session().volume()->geometry().size[2]; }
@@ -81,19 +101,7 @@ private slots:
         QTemporaryDir folder;
         QVERIFY(writeEnhancedUs(folder.filePath("a.dcm").toStdString(), {ramp({32, 28, 24})}, {}));
         QVERIFY(writeEnhancedUs(folder.filePath("b.dcm").toStdString(), {ramp({32, 28, 20})}, {}));
-        // Slices that all lie at one depth of the volume are no volume.
-        QFile broken(folder.filePath("b.dcm"));
-        QVERIFY(broken.open(QIODevice::ReadWrite));
-        QByteArray bytes = broken.readAll();
-        const QByteArray position(
-            "\x20\x00\x01\x93"
-            "FD\x18\x00",
-            8);
-        for (qsizetype at = 0; (at = bytes.indexOf(position, at)) >= 0; at += 32)
-            bytes.replace(at + 24, 8, QByteArray(8, 0));
-        broken.seek(0);
-        broken.write(bytes);
-        broken.close();
+        flatten(folder.filePath("b.dcm"));
         window().open(folder.path());  // the only volume opens at once
         QTRY_COMPARE(depthOfStudy(), 24);
         auto* again = window().findChild<QAction*>("file.chooseSeries");
@@ -105,6 +113,26 @@ private slots:
         const QString why = dialog()->findChild<QLabel*>("series.why")->text();
         QVERIFY2(why.contains("Image Position") && why.endsWith("Export the volume again."), qPrintable(why));
         QVERIFY2(!why.contains(folder.path()), qPrintable(why));
+    }
+
+    void theOnlyVolumeThatFailsOnReadingSaysWhyAndLeavesTheOthersWithinReach() {
+        QTemporaryDir folder;
+        QVERIFY(writeEnhancedUs(folder.filePath("a.dcm").toStdString(), {ramp({32, 28, 24})}, {}));
+        QVERIFY(writeEnhancedUs(folder.filePath("b.dcm").toStdString(), {ramp({32, 28, 20})}, {}));
+        // What no list of series looks at: how the pixels are to be shown.
+        change(folder.filePath("a.dcm"), [](QByteArray& bytes) { bytes.replace("MONOCHROME2", "MONOCHROMEX"); });
+        flatten(folder.filePath("b.dcm"));
+        window().open(folder.path());
+        QTRY_VERIFY(dialog() && dialog()->isVisible());
+        QTRY_COMPARE(list()->count(), 2);
+        const auto whyOf = [this](int row) {
+            list()->setCurrentRow(row);
+            return dialog()->findChild<QLabel*>("series.why")->text();
+        };
+        QVERIFY2(whyOf(0).contains("MONOCHROMEX"), qPrintable(whyOf(0)));
+        QVERIFY(!dialog()->findChild<QPushButton*>("series.open")->isEnabled());
+        QVERIFY2(whyOf(1).contains("Image Position"), qPrintable(whyOf(1)));
+        QCOMPARE(depthOfStudy(), 58);  // what was open stays
     }
 
     void escapeLeavesWhatWasOpen() {
