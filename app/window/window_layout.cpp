@@ -1,6 +1,7 @@
 #include "app/window/window_layout.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -30,18 +31,34 @@ namespace {
 /// Width of the column of panels at the start, logical pixels: at 1280 the picture keeps more than 70 % of the window.
 constexpr int columnWidth = 340;
 
+/// Scrolls a panel up and down only: it is never narrower than the panel, whose fields grow with what they show, so
+/// that nothing at the panel's right edge is ever out of sight.
+class PanelScrollArea : public QScrollArea {
+public:
+    PanelScrollArea(QWidget* panel, QWidget* parent) : QScrollArea(parent) {
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);  // the controls inside have the keys
+        setWidgetResizable(true);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidget(panel);
+        followWidth();
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) followWidth();
+        return QScrollArea::eventFilter(watched, event);
+    }
+
+private:
+    void followWidth() {
+        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    }
+};
+
 QDockWidget* addDock(QMainWindow& window, const QString& title, const QString& name, QWidget* content) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(name);
-    auto* scroll = new QScrollArea(dock);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);  // the controls inside have the keys
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    // Panels scroll up and down only, so that nothing at their right edge is ever out of sight.
-    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-    dock->setWidget(scroll);
+    dock->setWidget(new PanelScrollArea(content, dock));
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     return dock;
 }

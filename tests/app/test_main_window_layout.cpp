@@ -38,7 +38,11 @@ private slots:
         QFile theme(QStringLiteral(":/dark.qss"));
         QVERIFY(theme.open(QIODevice::ReadOnly));
         qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
-        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+        const auto still = smallPhantom(PhantomScene::shapes, 5);
+        m_file = file("still.mha", {still});
+        VolumeGeometry unknown = still->geometry();
+        unknown.spacingKnown = false;
+        m_unknown = file("unknown.mha", {std::make_shared<const Volume>(unknown, still->voxels())});
     }
     void init() {
         show();
@@ -72,7 +76,9 @@ private slots:
                      qPrintable(titles[i]));
     }
 
+    void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth_data() { whetherSpacingIsKnown(); }
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth() {
+        openAsSaid();
         for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
             const int picture = window().volumeView().width();
             dock->show();
@@ -94,7 +100,9 @@ private slots:
         }
     }
 
+    void noWordOfAPanelIsCut_data() { whetherSpacingIsKnown(); }
     void noWordOfAPanelIsCut() {
+        openAsSaid();
         for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
             dock->show();
             dock->raise();
@@ -239,7 +247,18 @@ private:
         return nullptr;
     }
 
-    QString m_file;
+    static void whetherSpacingIsKnown() {
+        QTest::addColumn<bool>("known");
+        QTest::newRow("spacing known") << true;
+        QTest::newRow("spacing unknown") << false;  // lengths say that they are a guess, which takes more room
+    }
+    void openAsSaid() {
+        QFETCH(bool, known);
+        if (!known) open(m_unknown);
+        QCOMPARE(window().session().volume()->geometry().spacingKnown, known);
+    }
+
+    QString m_file, m_unknown;
 };
 
 int main(int count, char** arguments) {
