@@ -48,7 +48,7 @@ double VoxelSource::shareTaken() const {
 }
 
 Result<void> VoxelSource::refill() {
-    std::memmove(m_input.data(), m_waiting.data(), m_waiting.size());
+    if (!m_waiting.empty()) std::memmove(m_input.data(), m_waiting.data(), m_waiting.size());
     const auto count = static_cast<std::size_t>(
         std::min<std::uint64_t>(m_input.size() - m_waiting.size(), m_extent.length - m_position));
     const auto read = m_file.readAt(m_extent.offset + m_position, {m_input.data() + m_waiting.size(), count});
