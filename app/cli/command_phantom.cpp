@@ -114,6 +114,7 @@ Result<void> check(const PhantomOptions& options, const PhantomConfig& config) {
 
 Result<void> writeOnGrid(const std::string& path, const std::vector<PhantomConfig>& phases) {
     std::vector<std::shared_ptr<const Volume>> volumes;
+    volumes.reserve(phases.size());
     for (const PhantomConfig& phase : phases) volumes.push_back(std::make_shared<const Volume>(*makePhantom(phase)));
     return writePhantom(path, volumes);
 }

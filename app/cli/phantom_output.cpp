@@ -54,6 +54,7 @@ const PhantomFormat* formatOf(const std::string& path) {
 
 std::string phantomEndings() {
     std::vector<std::string_view> endings;
+    endings.reserve(formats.size());
     for (const PhantomFormat& format : formats) endings.push_back(format.ending);
     return listed(endings);
 }

@@ -38,7 +38,7 @@ SeriesChoice::SeriesChoice(QWidget& window)
     connect(&m_pictures, &NewestWinsThread::busyChanged, this, &SeriesChoice::busyChanged);
 }
 
-void SeriesChoice::ask(std::shared_ptr<const SeriesList> list, std::function<void(std::size_t)> chosen) {
+void SeriesChoice::ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen) {
     delete m_dialog;
     QList<SeriesRow> rows;
     for (const SeriesEntry& entry : list->series) rows << rowOf(entry, static_cast<std::size_t>(rows.size()) + 1);

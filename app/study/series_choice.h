@@ -24,7 +24,7 @@ public:
     explicit SeriesChoice(QWidget& window);
 
     /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
-    void ask(std::shared_ptr<const SeriesList> list, std::function<void(std::size_t)> chosen);
+    void ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen);
 
     /// True while small pictures are being read.
     [[nodiscard]] bool busy() const { return m_pictures.busy(); }

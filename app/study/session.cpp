@@ -20,6 +20,7 @@ Result<Study> simulated(const SimulatedScan& scan, const Progress& progress) {
     Study study;
     study.name = "Simulated fetal scan";
     study.phases.push_back(std::make_shared<const Volume>(std::move(*volume)));
+    study.lossyCompression = LossyCompression::no;
     study.facts.push_back({"origin", "simulated by the program, no patient", "built in"});
     return study;
 }

@@ -93,8 +93,8 @@ void EnhancedUsObject::putIdentity() {
     m_root.text(DCM_Modality, "US");
     m_root.text(DCM_SeriesNumber, "1");
     m_root.text(DCM_InstanceNumber, "1");
-    m_root.text(DCM_ContentDate, m_identity.date.c_str());
-    m_root.text(DCM_ContentTime, m_identity.time.c_str());
+    m_root.text(DCM_ContentDate, m_identity.date);
+    m_root.text(DCM_ContentTime, m_identity.time);
 }
 
 void EnhancedUsObject::putEquipment() {
@@ -165,7 +165,7 @@ void EnhancedUsObject::putImage() {
     m_root.word(DCM_BitsStored, bits);
     m_root.word(DCM_HighBit, static_cast<std::uint16_t>(bits - 1));
     m_root.word(DCM_PixelRepresentation, 0);
-    m_root.text(DCM_AcquisitionDateTime, (m_identity.date + m_identity.time).c_str());
+    m_root.text(DCM_AcquisitionDateTime, m_identity.date + m_identity.time);
     m_root.doubles(DCM_AcquisitionDuration,
                    {m_details.phaseSeconds.value_or(0.0) * static_cast<double>(m_phases.size() - 1)});
     m_root.text(DCM_PositionMeasuringDeviceUsed, "RIGID");
@@ -236,8 +236,8 @@ void EnhancedUsObject::putFrames() {
             DicomItemWriter content = groups.newItem(DCM_FrameContentSequence);
             const auto time = static_cast<std::uint32_t>(phase + 1);
             content.longWords(DCM_DimensionIndexValues, {time, static_cast<std::uint32_t>(slice + 1), 1});
-            content.text(DCM_FrameAcquisitionDateTime, (m_identity.date + m_identity.time).c_str());
-            content.text(DCM_FrameReferenceDateTime, (m_identity.date + m_identity.time).c_str());
+            content.text(DCM_FrameAcquisitionDateTime, m_identity.date + m_identity.time);
+            content.text(DCM_FrameReferenceDateTime, m_identity.date + m_identity.time);
             content.doubles(DCM_FrameAcquisitionDuration, {0});
             if (!m_details.phaseSeconds) content.longWords(DCM_TemporalPositionIndex, {time});
             if (m_details.phaseSeconds)

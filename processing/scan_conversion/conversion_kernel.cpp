@@ -103,14 +103,18 @@ void convertRunOf(const ConversionRow<Value>& row, std::int32_t first, std::int3
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     for (std::int32_t from = first; from < end; from += atOnce) {
         const std::int32_t count = std::min(atOnce, end - from);
-        for (std::int32_t i = 0; i < count; i += lanes)
-            hn::Store(interpolated(row, hn::Iota(d, static_cast<float>(from + i))), d, values.data() + i);
+        for (std::int32_t i = 0; i < count; i += lanes) {
+            auto value = interpolated(row, hn::Iota(d, static_cast<float>(from + i)));
+            if constexpr (!std::is_same_v<Value, float>)
+                value = hn::Add(value, hn::Set(d, 0.5F));  // rounds the cast below
+            hn::Store(value, d, values.data() + i);
+        }
         for (std::int32_t i = 0; i < count; ++i) {
             const float value = values[static_cast<std::size_t>(i)];
             if constexpr (std::is_same_v<Value, float>)
                 out[from + i] = value;
             else
-                out[from + i] = static_cast<Value>(static_cast<std::int32_t>(value + 0.5F));
+                out[from + i] = static_cast<Value>(static_cast<std::int32_t>(value));
         }
     }
 }

@@ -1,5 +1,9 @@
 #include "dicom_bytes.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -12,9 +16,8 @@ std::string little(T value) {
 }
 
 bool hasLongLength(const std::string& vr) {
-    for (const char* one : {"OB", "OF", "OV", "OW", "SQ", "UN", "UT"})
-        if (vr == one) return true;
-    return false;
+    static constexpr std::array<std::string_view, 7> those{"OB", "OF", "OV", "OW", "SQ", "UN", "UT"};
+    return std::ranges::find(those, vr) != those.end();
 }
 
 std::string padded(std::string value, char pad) {

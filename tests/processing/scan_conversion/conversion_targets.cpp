@@ -17,14 +17,15 @@ namespace {
 /// nothing follows it (ConversionRow::endsHere).
 std::map<std::string, std::string> convertedBytes() {
     std::map<std::string, std::string> all;
-    for (const auto& [name, polar] : everyPolar()) {
+    for (const NamedPolar& named : everyPolar()) {
+        const PolarGeometry& polar = named.polar;
         const ScanConversion conversion(polar, conversionGridOf(polar, 0.9));
         const auto add = [&](const Voxels& voxels) {
             const auto converted = conversion.convert(voxels);
             std::visit(
                 [&](const auto& values) {
-                    all[name + std::to_string(sizeof values[0])] = {reinterpret_cast<const char*>(values.data()),
-                                                                    values.size() * sizeof values[0]};
+                    all[named.name + std::to_string(sizeof values[0])] = {reinterpret_cast<const char*>(values.data()),
+                                                                          values.size() * sizeof values[0]};
                 },
                 *converted);
         };
