@@ -1,36 +1,25 @@
 // The real program's `phantom` command: what it writes, what it says is true of it, and how it refuses.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
+#include "tests/io/python_script.h"
+
 namespace {
 
 namespace fs = std::filesystem;
+using echolucent::Outcome;
+using echolucent::runTool;
 using nlohmann::json;
 
-struct Outcome {
-    int status = -1;
-    std::string output;  ///< both streams
-};
-
-Outcome run(const std::string& options) {
-    const std::string command = std::string(ECHOLUCENT_CLI) + " " + options + " 2>&1";
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    char buffer[4096];
-    while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe)) outcome.output.append(buffer, count);
-    const int ended = pclose(pipe);
-    outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    return outcome;
-}
+/// What the command ends with; both streams are its output.
+Outcome run(const std::string& options) { return runTool(std::string(ECHOLUCENT_CLI) + " " + options + " 2>&1"); }
 
 std::string contentOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
