@@ -22,6 +22,17 @@ std::string rangeText(double least, double largest) {
     return least > 0 && least < 1e-300 ? "must be above 0" : fmt::format("must be {} or more", textOf(least));
 }
 
+/// Three finite numbers, where a value is a list of them.
+std::optional<Vec3> vectorOf(const json& value) {
+    if (!value.is_array() || value.size() != 3) return std::nullopt;
+    Vec3 vector;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!value[i].is_number() || !std::isfinite(value[i].get<double>())) return std::nullopt;
+        vector[static_cast<int>(i)] = value[i].get<double>();
+    }
+    return vector;
+}
+
 }  // namespace
 
 Result<json> jsonObject(std::string_view text, const std::string& file, const std::string& format,
@@ -129,15 +140,24 @@ std::string JsonFields::text(const char* key) {
 
 Vec3 JsonFields::vector(const char* key) {
     const json* value = find(key);
-    Vec3 vector{0, 0, 0};
-    if (!value) return vector;
-    bool good = value->is_array() && value->size() == 3;
-    for (std::size_t i = 0; good && i < 3; ++i) {
-        good = (*value)[i].is_number() && std::isfinite((*value)[i].get<double>());
-        if (good) vector[static_cast<int>(i)] = (*value)[i].get<double>();
+    if (!value) return {0, 0, 0};
+    const std::optional<Vec3> vector = vectorOf(*value);
+    if (!vector) wrong(key, "must be a list of three numbers");
+    return vector.value_or(Vec3{0, 0, 0});
+}
+
+std::vector<Vec3> JsonFields::vectors(const char* key) {
+    const json* value = find(key);
+    std::vector<Vec3> vectors;
+    if (!value) return vectors;
+    bool good = value->is_array();
+    for (std::size_t i = 0; good && i < value->size(); ++i) {
+        const std::optional<Vec3> vector = vectorOf((*value)[i]);
+        good = vector.has_value();
+        if (good) vectors.push_back(*vector);
     }
-    if (!good) wrong(key, "must be a list of three numbers");
-    return vector;
+    if (!good) wrong(key, "must be a list of lists of three numbers");
+    return vectors;
 }
 
 std::vector<double> JsonFields::numbers(const char* key) {

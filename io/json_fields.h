@@ -53,6 +53,8 @@ public:
     std::string text(const char* key);
     /// Three finite numbers.
     Vec3 vector(const char* key);
+    /// A list of triples of finite numbers.
+    std::vector<Vec3> vectors(const char* key);
     /// Finite numbers, as many as there are.
     std::vector<double> numbers(const char* key);
     /// A list of pairs of finite numbers.

@@ -73,6 +73,7 @@ void DocumentModel::set(Document next) {
     if (after.cuts != before.cuts) emit cutsChanged();
     if (after.boxes != before.boxes) emit boxesChanged();
     if (after.strokes != before.strokes) emit strokesChanged();
+    if (after.measurements != before.measurements) emit measurementsChanged();
     if (after.poses != before.poses) emit posesChanged();
     if (after.planes != before.planes) emit planesChanged();
     if (after.motion != before.motion) emit motionChanged();

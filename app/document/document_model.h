@@ -59,6 +59,7 @@ signals:
     void boxesChanged();
     void planesChanged();
     void strokesChanged();
+    void measurementsChanged();
     void curvesChanged();
     void methodChanged();
     void motionChanged();

@@ -130,11 +130,32 @@ ordered_json viewsJson(const std::vector<View>& views) {
 }
 
 ordered_json motionJson(const Document& document) {
-    return {{"axis", nameOf(document.motion.axis)},
-            {"scenario", nameOf(document.motion.scenario)},
-            {"otf", nameOf(document.motion.otf)},
-            {"ping_pong", document.motion.pingPong},
+    const MotionChoice& motion = document.motion;
+    ordered_json range;
+    if (motion.phaseRange) range = {{"first", motion.phaseRange->first}, {"last", motion.phaseRange->last}};
+    return {{"axis", nameOf(motion.axis)},
+            {"scenario", nameOf(motion.scenario)},
+            {"otf", nameOf(motion.otf)},
+            {"ping_pong", motion.pingPong},
+            {"phases_ping_pong", motion.phasesPingPong},
+            {"phase_range", range},
+            {"otf_phase", motion.otfPhase},
+            {"speed", motion.speed},
             {"angle", document.motionAngle}};
+}
+
+ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
+    ordered_json entries = ordered_json::array();
+    for (const Measurement& measurement : measurements) {
+        ordered_json places = ordered_json::array();
+        for (const Vec3& place : measurement.placesMm) places.push_back(triple(place));
+        entries.push_back({{"id", measurement.id},
+                           {"kind", nameOf(measurement.kind)},
+                           {"ground", nameOf(measurement.ground)},
+                           {"places_mm", places},
+                           {"phase", measurement.phase}});
+    }
+    return entries;
 }
 
 ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
@@ -158,6 +179,7 @@ std::string jsonOf(const Document& document) {
     object["boxes"] = listJson(document.boxes, &boxJson);
     object["planes"] = listJson(document.planes, &planesJson);
     object["strokes"] = listJson(document.strokes, &strokesJson);
+    object["measurements"] = measurementsJson(document.measurements);
     object["phases"] = phasesJson(document.phases);
     object["curves"] = curvesJson(document.curves);
     object["method"] = methodJson(document.method);

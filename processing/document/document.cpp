@@ -139,7 +139,10 @@ Document openedDocument(const Document& before, const StudyReference& study) {
             Planes{.window = kept.window, .level = kept.level, .quiet = kept.quiet, .linesIn3d = kept.linesIn3d};
     }
     for (auto& strokes : opened.strokes) strokes.value.list.clear();
+    opened.measurements.clear();
     for (Shared<int>& phase : opened.phases) phase.value = 0;
+    opened.motion.phaseRange.reset();
+    opened.motion.otfPhase = 0;
     opened.curves.adjustment = CurveAdjustment{};  // a first picture is right without it
     opened.method.direction = ViewDirection{};
     opened.motionAngle = 0.0;
@@ -156,6 +159,11 @@ std::string problemOf(const Document& document) {
     if (!unique(document.planes)) return "planes must have an id of its own each";
     if (!unique(document.strokes)) return "strokes must have an id of its own each";
     if (!unique(document.phases)) return "phases must have an id of its own each";
+    if (!unique(document.measurements)) return "measurements must have an id of its own each";
+    if (const std::string problem = problemOf(document.motion); !problem.empty()) return "motion." + problem;
+    for (std::size_t i = 0; i < document.measurements.size(); ++i)
+        if (const std::string problem = problemOf(document.measurements[i]); !problem.empty())
+            return "measurements[" + std::to_string(i) + "]." + problem;
     for (std::size_t i = 0; i < document.boxes.size(); ++i)
         if (const std::string problem = problemOf(document.boxes[i].value); !problem.empty())
             return "boxes[" + std::to_string(i) + "] " + problem;

@@ -10,11 +10,12 @@
 #include "processing/cut_surface.h"
 #include "processing/document/box.h"
 #include "processing/document/curve_set.h"
+#include "processing/document/measurement.h"
 #include "processing/document/method_choice.h"
 #include "processing/document/planes.h"
 #include "processing/document/pose.h"
 #include "processing/document/study_reference.h"
-#include "processing/motion/motion_mode.h"
+#include "processing/motion/motion_choice.h"
 #include "processing/picture/look.h"
 #include "processing/scalpel/scalpel_stroke.h"
 
@@ -65,15 +66,6 @@ struct View {
     friend bool operator==(const View&, const View&) = default;
 };
 
-/// The choices of the motion mode.
-struct MotionChoice {
-    MotionAxis axis = MotionAxis::y;
-    MotionScenario scenario = MotionScenario::probe;
-    MotionOtf otf = MotionOtf::oneOtf;
-    bool pingPong = true;  ///< whether the motion turns at its ends; else it starts from the first frame again
-    friend bool operator==(const MotionChoice&, const MotionChoice&) = default;
-};
-
 /// The default is what the program shows of a study that was opened and not touched.
 struct Document {
     StudyReference study;
@@ -85,6 +77,7 @@ struct Document {
     std::vector<Shared<Box>> boxes{{}};
     std::vector<Shared<Planes>> planes{{}};
     std::vector<Shared<Strokes>> strokes{{}};
+    std::vector<Measurement> measurements{};  ///< of the volume: every view shows them
     CurveSet curves;
     MethodChoice method;
     MotionChoice motion;
@@ -129,8 +122,9 @@ struct Document {
 /// The document with the phases and the frame of the motion that another one shows.
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 
-/// A document of another study: the look, curves, method parameters and motion choices of `before`, seen along the
-/// assumed beam, whole, uncut, without a box and strokes, from its first phase on.
+/// A document of another study: the look, curves, method parameters and motion choices of `before`, those that
+/// count phases aside, seen along the assumed beam, whole, uncut, without a box, strokes and measurements, from its
+/// first phase on.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); an empty text where

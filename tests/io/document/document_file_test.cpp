@@ -79,7 +79,20 @@ Document unusual() {
     document.method.config.grid.columns = 31;
     document.method.config.detection = VarianceRule{};
     document.method.config.curve = ProductRule{.strength = 20.0 / 3.0};
-    document.motion = {MotionAxis::z, MotionScenario::both, MotionOtf::leastFlicker, false};
+    document.measurements = {{.id = 3,
+                              .kind = MeasurementKind::angle,
+                              .ground = MeasurementGround::surface,
+                              .placesMm = {{0.1, 1.0 / 3.0, -2e-7}, {1e9, 0.30000000000000004, 5}, {7, 8, 9}},
+                              .phase = 4},
+                             {.id = 1, .placesMm = {{1, 2, 3}, {-1.0 / 7.0, 5, 6}}}};
+    document.motion = {.axis = MotionAxis::z,
+                       .scenario = MotionScenario::both,
+                       .otf = MotionOtf::leastFlicker,
+                       .pingPong = false,
+                       .phasesPingPong = true,
+                       .phaseRange = PhaseRange{2, 11},
+                       .otfPhase = 7,
+                       .speed = 1.0 / 3.0};
     document.motionAngle = -17;
     return document;
 }
