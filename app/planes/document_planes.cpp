@@ -4,6 +4,7 @@
 
 #include "app/planes/edge_letters.h"
 #include "processing/document/box_editing.h"
+#include "processing/document/shown_measurement.h"
 #include "processing/volume/sampler.h"
 
 namespace echolucent {
@@ -69,6 +70,7 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
     scene.lengthsKnown = volume.geometry().spacingKnown;
     scene.brightness = lookOf(document, m_view).brightness;
     scene.box = boxScene(volume);
+    scene.measurements = shownMeasurements(document.measurements, phaseOf(document, m_view), volume.geometry());
     scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam, volume.geometry());
     return scene;
 }

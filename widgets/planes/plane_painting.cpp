@@ -1,11 +1,12 @@
 // How a pane of a plane is painted.
 #include <QPainter>
 #include <QPainterPath>
-#include <QPixmapCache>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "widgets/picture_labels/measurement_drawing.h"
+#include "widgets/picture_labels/rimmed_text.h"
 #include "widgets/planes/plane_colours.h"
 #include "widgets/planes/plane_pane.h"
 
@@ -17,39 +18,6 @@ constexpr double gapAtReference = 9.0, referenceRadius = 5.0;
 const QColor words(0xd8, 0xdd, 0xe2), rimShade(0xd8, 0xdd, 0xe2, 40);
 
 QString textOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
-
-/// A text on nothing, with a dark rim of at most `margin` logical pixels, so that it is read over bright tissue too.
-QPixmap rimmedText(const QFont& font, const QString& text, const QColor& colour, double margin, double ratio) {
-    const QFontMetricsF metrics(font);
-    const QSizeF size(metrics.horizontalAdvance(text) + 2 * margin, metrics.height() + 2 * margin);
-    QPixmap pixmap((size * ratio).toSize() + QSize(1, 1));
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    QPainterPath path;
-    path.addText(margin, margin + metrics.ascent(), font, text);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.strokePath(path, QPen(QColor(0, 0, 0, 200), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, colour);
-    return pixmap;
-}
-
-/// Rims take longer to paint than all else in a pane, and most texts stay the same while a hand drags.
-void paintText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour) {
-    constexpr double margin = 3.0;
-    const double ratio = painter.device()->devicePixelRatioF();
-    const QString key = QStringLiteral("planes/%1/%2/%3/%4")
-                            .arg(painter.font().key(), colour.name(QColor::HexArgb))
-                            .arg(ratio)
-                            .arg(text);
-    QPixmap pixmap;
-    if (!QPixmapCache::find(key, &pixmap)) {
-        pixmap = rimmedText(painter.font(), text, colour, margin, ratio);
-        QPixmapCache::insert(key, pixmap);
-    }
-    const QPointF corner = baseline - QPointF(margin, margin + QFontMetricsF(painter.font()).ascent());
-    painter.drawPixmap(corner.toPoint(), pixmap);
-}
 
 const QColor accent(0x4f, 0xb3, 0xbf), boxColour(0xe8, 0xb0, 0x4b);
 
@@ -90,6 +58,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     if (!m_image.isNull()) painter.drawImage(rect(), m_image);
     paintLines(painter);
     paintBox(painter);
+    paintMeasured(painter);
     if (m_pointerAtRim || m_drag == Drag::turn) paintRim(painter);
     paintWords(painter);
     const double width = hasFocus() ? 3.0 : 1.5;
@@ -144,25 +113,31 @@ void PlanePane::paintBox(QPainter& painter) const {
     for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
 }
 
+void PlanePane::paintMeasured(QPainter& painter) const {
+    std::vector<ShownMeasurement> shown = m_scene->measurements;
+    if (m_marking) shown.push_back(*m_marking);
+    if (!shown.empty()) paintMeasurements(painter, placedInPlane(shown, mapping().view, m_scene->unitMm), size());
+}
+
 void PlanePane::paintWords(QPainter& painter) const {
     QFont font = painter.font();
     font.setBold(true);
     font.setPixelSize(18);
     painter.setFont(font);
-    paintText(painter, {10, 23}, textOf(m_plane), colourOf(m_plane));
+    paintRimmedText(painter, {10, 23}, textOf(m_plane), colourOf(m_plane));
     font.setPixelSize(12);
     painter.setFont(font);
     const QFontMetricsF metrics(font);
     const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
     const QString place = (m_scene->lengthsKnown ? tr("%1 mm") : tr("%1 mm (guess)")).arg(mm, 0, 'f', 1);
-    paintText(painter, {10, height() - 10.0}, QString(place).replace(QLatin1Char('-'), QChar(0x2212)), words);
+    paintRimmedText(painter, {10, height() - 10.0}, QString(place).replace(QLatin1Char('-'), QChar(0x2212)), words);
     const std::array<QPointF, 4> places{
         QPointF(8, height() / 2.0),
         QPointF(width() - 8 - metrics.horizontalAdvance(m_scene->letters[1]), height() / 2.0),
         QPointF((width() - metrics.horizontalAdvance(m_scene->letters[2])) / 2, 20),
         QPointF((width() - metrics.horizontalAdvance(m_scene->letters[3])) / 2, height() - 10.0)};
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (!m_scene->letters[i].isEmpty()) paintText(painter, places[i], m_scene->letters[i], words);
+        if (!m_scene->letters[i].isEmpty()) paintRimmedText(painter, places[i], m_scene->letters[i], words);
 }
 
 /// The rim under the pointer shows that it turns the planes.

@@ -65,6 +65,7 @@ void PlanePane::clear() {
     m_drawing.reset();
     m_samples.reset();
     m_image = {};
+    m_marking.reset();
     m_drag = Drag::none;
     update();
 }
@@ -80,6 +81,18 @@ void PlanePane::setSamples(const std::shared_ptr<const PlaneSamples>& samples) {
     m_image = {};
     makeImage();
     update();
+}
+
+void PlanePane::setMarking(const std::optional<ShownMeasurement>& marking) {
+    if (marking == m_marking) return;
+    m_marking = marking;
+    update();
+}
+
+void PlanePane::setToolCursor(std::optional<Qt::CursorShape> cursor) {
+    if (cursor == m_toolCursor) return;
+    m_toolCursor = cursor;
+    if (cursor) setCursor(*cursor);
 }
 
 void PlanePane::makeImage() {
@@ -331,8 +344,8 @@ void PlanePane::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlanePane::showCursor(const QPointF& pixel) {
-    const bool held = gripAt(drawing(), pixel).has_value(), rimmed = !held && atRim(pixel);
-    setCursor(held ? Qt::OpenHandCursor : rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
+    const bool held = gripAt(drawing(), pixel).has_value(), rimmed = !held && !m_toolCursor && atRim(pixel);
+    setCursor(m_toolCursor ? *m_toolCursor : held ? Qt::OpenHandCursor : rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
     if (rimmed == m_pointerAtRim) return;
     m_pointerAtRim = rimmed;
     update();

@@ -7,9 +7,11 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "processing/document/box.h"
 #include "processing/document/planes.h"
+#include "processing/document/shown_measurement.h"
 #include "widgets/planes/box_grips.h"
 #include "widgets/planes/grey_image.h"
 #include "widgets/planes/plane_mapping.h"
@@ -29,7 +31,8 @@ struct PlaneScene {
     bool lengthsKnown = true;  ///< where false, no length is said in mm
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
-    std::array<QString, 4> letters{};  ///< what stands at the edges: left, right, top, bottom
+    std::array<QString, 4> letters{};              ///< what stands at the edges: left, right, top, bottom
+    std::vector<ShownMeasurement> measurements{};  ///< those that lie in the plane are drawn
     friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
 };
 
@@ -58,6 +61,11 @@ public:
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
     /// Ends a drag without change; false where there is none.
     bool cancelDrag();
+
+    /// What is being measured in the pane is drawn too.
+    void setMarking(const std::optional<ShownMeasurement>& marking);
+    /// The cursor while a tool is in the hand, or a mark lies under it, and the rim turns nothing; nothing: the pane's.
+    void setToolCursor(std::optional<Qt::CursorShape> cursor);
 
     /// Where places of the grid are seen now; needs a scene.
     [[nodiscard]] PlaneMapping mapping() const;
@@ -120,6 +128,7 @@ private:
     void makeImage();
     void paintLines(QPainter& painter) const;
     void paintBox(QPainter& painter) const;
+    void paintMeasured(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
     void paintRim(QPainter& painter) const;
 
@@ -141,6 +150,8 @@ private:
     BoxScene m_boxBefore;          ///< when the drag began
     PlaneMapping m_mappingBefore;  ///< when the drag began
     bool m_pointerAtRim = false;
+    std::optional<ShownMeasurement> m_marking;
+    std::optional<Qt::CursorShape> m_toolCursor;
 };
 
 }  // namespace echolucent
