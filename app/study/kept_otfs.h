@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> find(const OtfRequest& request) const;
     void clear();
     [[nodiscard]] std::size_t count() const { return m_kept.size(); }
+    /// That all of them take.
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
 
     /// It holds about 120 OTFs of 15 x 15 tube cores through 256 voxels.
     static constexpr std::size_t byteLimit = std::size_t{64} << 20;

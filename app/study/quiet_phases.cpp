@@ -30,6 +30,7 @@ void QuietPhases::begin(Phases raw) {
     m_quiet.assign(m_raw.size(), {});
     m_order.clear();
     m_wanted = 0;
+    m_another = 0;
     m_failed = false;
 }
 
@@ -38,7 +39,7 @@ void QuietPhases::cancel() {
     m_thread.cancel();
 }
 
-void QuietPhases::want(int phase, SpeckleReduction reduction) {
+void QuietPhases::want(int phase, SpeckleReduction reduction, int another) {
     if (std::exchange(m_reduction, reduction) != reduction) {
         cancel();
         m_quiet.assign(m_raw.size(), {});
@@ -46,6 +47,7 @@ void QuietPhases::want(int phase, SpeckleReduction reduction) {
         m_failed = false;
     }
     m_wanted = phase;
+    m_another = another;
     makeNext();
 }
 
@@ -62,16 +64,23 @@ std::shared_ptr<const IntensityHistogram> QuietPhases::histogramOf(int phase) co
 
 int QuietPhases::madeCount() const { return static_cast<int>(m_order.size()); }
 
+std::size_t QuietPhases::bytes() const {
+    std::size_t bytes = 0;
+    for (const int phase : m_order) bytes += bytesOf(*m_quiet[static_cast<std::size_t>(phase)].voxels);
+    return bytes;
+}
+
 int QuietPhases::keptAtMost() const {
     if (m_raw.empty()) return 0;
     const std::size_t fit = keptBytesLimit / std::max<std::size_t>(1, bytesOf(*m_raw.front()));
-    return static_cast<int>(std::clamp<std::size_t>(fit, 1, m_raw.size()));
+    return static_cast<int>(std::clamp<std::size_t>(fit, m_another == m_wanted ? 1 : 2, m_raw.size()));
 }
 
-/// The phase to make now, -1 where all that may be kept is made. The one that is wanted is made whatever is kept.
+/// The phase to make now, -1 where all that may be kept is made. Those that are wanted are made whatever is kept.
 int QuietPhases::next() const {
     if (m_reduction == SpeckleReduction::off || m_raw.empty() || m_failed) return -1;
     if (!of(m_wanted)) return m_wanted;
+    if (!of(m_another)) return m_another;
     if (madeCount() >= keptAtMost()) return -1;
     for (int ahead = 1; ahead < phaseCount(); ++ahead)
         if (const int phase = (m_wanted + ahead) % phaseCount(); !of(phase)) return phase;
@@ -113,8 +122,9 @@ void QuietPhases::take(int phase, Quiet quiet) {
     m_quiet[static_cast<std::size_t>(phase)] = std::move(quiet);
     if (madeCount() > keptAtMost()) {
         // What is shown stays; where only that and this one are kept, this one goes.
-        const auto spare =
-            std::find_if(m_order.begin(), m_order.end(), [&](int made) { return made != phase && made != m_wanted; });
+        const auto spare = std::find_if(m_order.begin(), m_order.end(), [&](int made) {
+            return made != phase && made != m_wanted && made != m_another;
+        });
         const auto dropped = spare != m_order.end() ? spare : std::find(m_order.begin(), m_order.end(), phase);
         m_quiet[static_cast<std::size_t>(*dropped)] = {};
         m_order.erase(dropped);

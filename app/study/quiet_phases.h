@@ -14,7 +14,7 @@
 
 namespace echolucent {
 
-/// Makes the phase that is wanted first and then those that follow it, as long as they fit into keptBytesLimit. All of
+/// Makes the phases that are wanted first and then those that follow, as long as they fit into keptBytesLimit. All of
 /// it is to be called, and every signal is sent, in the thread this lives in.
 class QuietPhases : public QObject {
     Q_OBJECT
@@ -26,8 +26,10 @@ public:
 
     /// Another study is open: what was made is forgotten, and nothing is made until want().
     void begin(Phases raw);
-    /// Wants a phase (counted from 0) with a reduction. Another reduction forgets what was made.
-    void want(int phase, SpeckleReduction reduction);
+    /// Wants a phase (counted from 0) with a reduction, and another one after it, which may be the same. Another
+    /// reduction forgets what was made.
+    void want(int phase, SpeckleReduction reduction, int another);
+    void want(int phase, SpeckleReduction reduction) { want(phase, reduction, phase); }
     /// Ends what is being made; the next want() begins again.
     void cancel();
 
@@ -38,9 +40,11 @@ public:
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_raw.size()); }
     [[nodiscard]] int madeCount() const;
+    /// Bytes that the quiet voxels take.
+    [[nodiscard]] std::size_t bytes() const;
     [[nodiscard]] SpeckleReduction reduction() const { return m_reduction; }
 
-    /// Bytes of quiet voxels that are kept at most, but for one phase, which always is.
+    /// Bytes of quiet voxels that are kept at most, but for the phases wanted, which always are.
     static constexpr std::size_t keptBytesLimit = std::size_t{2} << 30;
 
     /// What makes voxels quiet; tests put one in its place that ends on command.
@@ -72,6 +76,7 @@ private:
     std::vector<int> m_order;  ///< phases kept, that made first at the front
     SpeckleReduction m_reduction = SpeckleReduction::off;
     int m_wanted = 0;
+    int m_another = 0;      ///< wanted after that one
     bool m_failed = false;  // with this study and this reduction
     int m_making = -1;      ///< -1 where none is
     // Last, so that its thread has ended before anything above is destroyed.

@@ -149,6 +149,7 @@ void Session::load(const StudyReference& reference, Read read) {
             m_quiet.begin(m_study->phases);
             m_cut.begin(m_study->phases);
             m_opening = true;
+            m_otfPhase.reset();
             show(0);
             emit studyOpened();
         };
@@ -163,18 +164,21 @@ void Session::setPhase(int phase) {
 
 void Session::show(int phase) {
     m_phase = phase;
-    m_volume = m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]);
-    m_otf.reset();
-    m_voxelsOfOtf.reset();
-    cancelComputing();
-    m_quiet.want(m_phase, m_reduction);
+    m_volume = volumeOf(phase);
+    // One phase's OTF serves all, but what a search took the place of is asked for again.
+    if (!m_otfPhase || lookingForNearCut()) {
+        m_otf.reset();
+        m_voxelsOfOtf.reset();
+        cancelComputing();
+    }
+    wantQuietVoxels();
     m_cut.want(m_phase, std::vector(m_cut.strokes()));
     emit volumeChanged();
 }
 
 void Session::setReduction(SpeckleReduction reduction) {
     if (std::exchange(m_reduction, reduction) == reduction || !m_volume) return;
-    m_quiet.want(m_phase, m_reduction);
+    wantQuietVoxels();
     if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // they are there already
 }
 
@@ -183,9 +187,27 @@ void Session::cancelQuietening() {
     requestWaitingOtf();
 }
 
-std::shared_ptr<const Volume> Session::newestVoxels() {
-    const std::shared_ptr<const Volume> quiet = m_quiet.of(m_phase);
-    return quiet ? m_cut.of(m_phase, quiet) : m_volume;
+std::shared_ptr<const Volume> Session::volumeOf(int phase) {
+    return m_study ? m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]) : nullptr;
+}
+
+std::shared_ptr<const Volume> Session::newestVoxelsOf(int phase) {
+    const std::shared_ptr<const Volume> quiet = m_quiet.of(phase);
+    return quiet ? m_cut.of(phase, quiet) : volumeOf(phase);
+}
+
+std::shared_ptr<const Volume> Session::newestVoxels() { return newestVoxelsOf(m_phase); }
+
+std::shared_ptr<const Volume> Session::voxelsForOtf() {
+    return m_voxelsOfOtf && phaseOfOtf() == m_phase ? m_voxelsOfOtf : newestVoxels();
+}
+
+bool Session::otfIsOfNewestVoxels() { return m_otf && m_voxelsOfOtf == newestVoxelsOf(phaseOfOtf()); }
+
+void Session::setOtfPhase(std::optional<int> phase) {
+    if (!m_study) return;
+    if (phase) phase = std::clamp(*phase, 0, static_cast<int>(m_study->phases.size()) - 1);
+    if (std::exchange(m_otfPhase, phase) != phase) wantQuietVoxels();
 }
 
 void Session::setStrokes(const std::vector<ScalpelStroke>& strokes) {
@@ -194,24 +216,24 @@ void Session::setStrokes(const std::vector<ScalpelStroke>& strokes) {
 
 /// What was asked of the volume is asked of the one that is cut.
 void Session::takeCut(int phase) {
-    if (phase != m_phase) return;
+    if (phase != m_phase && phase != phaseOfOtf()) return;
     const auto pending = m_asked ? m_asked : m_waiting;
-    const bool searching = lookingForNearCut();
-    m_volume = m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]);
+    const bool searching = lookingForNearCut() && phase == m_phase;
+    m_volume = volumeOf(m_phase);
     if (searching) requestNearCut(m_searchedAlong);
     if (pending) requestOtf(pending->view, pending->config);
     emit volumeCut();
 }
 
 const IntensityHistogram& Session::histogramOfOtf() const {
+    const auto ofOtf = m_quiet.of(phaseOfOtf());
     const auto quiet = m_quiet.histogramOf(m_phase);
-    const auto voxels = m_quiet.of(m_phase);
-    return quiet && m_voxelsOfOtf && &m_voxelsOfOtf->voxels() == &voxels->voxels() ? *quiet : histogram();
+    return quiet && ofOtf && m_voxelsOfOtf && &m_voxelsOfOtf->voxels() == &ofOtf->voxels() ? *quiet : histogram();
 }
 
 void Session::takeQuietVoxels(int phase) {
-    if (phase != m_phase) return;
-    requestWaitingOtf();
+    if (phase != m_phase && phase != phaseOfOtf()) return;
+    if (phase == phaseOfOtf()) requestWaitingOtf();
     emit quietVoxelsMade();
 }
 
@@ -221,9 +243,9 @@ void Session::requestWaitingOtf() {
 }
 
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    const OtfRequest asked{m_volume, newestVoxels(), view, config};
+    const OtfRequest asked{volumeOf(phaseOfOtf()), newestVoxelsOf(phaseOfOtf()), view, config};
     if (!m_volume || m_asked == asked) return;
-    if (m_opening && !m_quiet.of(m_phase) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
+    if (m_opening && !m_quiet.of(phaseOfOtf()) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
         m_waiting = asked;
         return;
     }
@@ -259,7 +281,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
         auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
         return [this, asked, shared] {
             m_kept.keep(asked, shared);
-            if (asked.volume == m_volume) takeOtf(asked, shared);
+            if (m_asked == asked) takeOtf(asked, shared);
         };
     });
 }

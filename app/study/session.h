@@ -60,6 +60,10 @@ public:
     [[nodiscard]] const std::optional<OpeningFinds>& finds() const { return m_finds; }
     /// The voxels that otf() is meant for; null where there is no OTF.
     [[nodiscard]] std::shared_ptr<const Volume> voxelsOfOtf() const { return m_voxelsOfOtf; }
+    /// The voxels of the phase shown that a picture with otf() is to be made of: voxelsOfOtf() where these are of it.
+    [[nodiscard]] std::shared_ptr<const Volume> voxelsForOtf();
+    /// Whether otf() is there and meant for the newest voxels of its phase.
+    [[nodiscard]] bool otfIsOfNewestVoxels();
     /// How much speckle is taken away; the voxels are made quiet in the background, the phase shown first.
     void setReduction(SpeckleReduction reduction);
     /// The voxels stay as they are until another reduction is set or another phase shown.
@@ -71,14 +75,20 @@ public:
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
-    /// Of the voxels that otf() is meant for, whatever is cut of them; of the raw ones where these are, or where there
-    /// is no OTF.
+    /// Of the voxels of the phase shown that are of the kind, quiet or raw, that otf() is meant for, whatever is cut of
+    /// them; of the raw ones where there is no OTF.
     [[nodiscard]] const IntensityHistogram& histogramOfOtf() const;
     [[nodiscard]] int phase() const { return m_phase; }
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
 
-    /// Computes the adaptive OTF of the volume shown for a view; the newest request wins, older ones are cancelled.
+    /// Says of which phase (counted from 0) OTFs are computed from now on, whichever is shown; where there is no value,
+    /// of the phase shown. A phase that the study has not stands for its last one.
+    void setOtfPhase(std::optional<int> phase);
+    /// The phase of which OTFs are computed.
+    [[nodiscard]] int phaseOfOtf() const { return m_otfPhase.value_or(m_phase); }
+
+    /// Computes the adaptive OTF of phaseOfOtf() for a view; the newest request wins, older ones are cancelled.
     /// What is being computed already goes on, and what was computed before is delivered from memory. The tube cores
     /// read the raw voxels; the curve is meant for newestVoxels(). The first OTF of a study of up to quietFirstVoxels
     /// voxels waits for its quiet voxels, so that one picture and not two follow its opening.
@@ -90,8 +100,12 @@ public:
     /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
     /// many.
     static constexpr std::int64_t quietFirstVoxels = 10'000'000;
-    /// The newest result for the volume shown; null where there is none yet.
+    /// True from a request until its OTF is there.
+    [[nodiscard]] bool otfUnderWay() const { return m_asked.has_value() || m_waiting.has_value(); }
+    /// The newest result for phaseOfOtf(); null where there is none yet.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
+    /// OTFs that were computed before.
+    [[nodiscard]] const KeptOtfs& keptOtfs() const { return m_kept; }
 
     /// Looks for the near cut of the volume shown along a view, in the same thread: takes the place of an OTF that is
     /// being computed, and a newer request takes its place.
@@ -123,14 +137,15 @@ signals:
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read with these options; what was open before is unchanged.
     void openFailed(const QString& path, const echolucent::Failure& failure, const echolucent::ReadOptions& options);
-    /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed().
+    /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed(), unless it
+    /// is that of one phase, whichever is shown.
     void volumeChanged();
-    /// The scalpel cut other voxels of the volume shown: volume() and newestVoxels() are others, and otf() is still
-    /// that of the volume before.
+    /// The scalpel cut other voxels of the volume shown, or of that whose OTF is computed: volume() and newestVoxels()
+    /// are others, and otf() is still that of the volume before.
     void volumeCut();
     void computingOtfChanged(bool computing);
     void otfComputed();
-    /// The quiet voxels of the phase shown are there.
+    /// The quiet voxels of the phase shown are there, or of that whose OTF is computed.
     void quietVoxelsMade();
     /// Of all phases; false where all that are kept are made.
     void quieteningChanged(bool quietening);
@@ -150,6 +165,11 @@ private:
     static Read readerOf(const StudyFile& file);
     void load(const StudyReference& reference, Read read);
     void show(int phase);
+    /// Raw voxels of a phase, with what the scalpel cut of them.
+    [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);
+    /// Its quiet voxels where they are made, else its raw ones, with what the scalpel cut of them.
+    [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
+    void wantQuietVoxels() { m_quiet.want(m_phase, m_reduction, phaseOfOtf()); }
     void takeQuietVoxels(int phase);
     void takeCut(int phase);
     void requestWaitingOtf();
@@ -164,9 +184,10 @@ private:
     std::optional<OpeningFinds> m_finds;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
+    std::optional<int> m_otfPhase;  ///< see setOtfPhase()
     std::shared_ptr<const AdaptiveOtf> m_otf;
     std::shared_ptr<const Volume> m_voxelsOfOtf;
-    std::optional<OtfRequest> m_asked;    ///< of the volume shown; none where no OTF is under way
+    std::optional<OtfRequest> m_asked;    ///< none where no OTF is under way
     std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
     bool m_opening = false;               ///< no OTF of the study was computed yet
     bool m_searching = false;             ///< the newest request is one for the near cut

@@ -85,6 +85,20 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!quiet.busy(), patience);
     }
 
+    void thePhaseThatIsWantedBesideItComesSecond() {
+        HeldReduction held;
+        held.release(5);
+        QuietPhases quiet;
+        quiet.setReduce(held.function());
+        QSignalSpy made(&quiet, &QuietPhases::made);
+        quiet.begin(phases(5));
+        quiet.want(1, SpeckleReduction::light, 4);
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 5, patience);
+        for (const auto& [place, phase] : {std::pair(0, 1), std::pair(1, 4), std::pair(2, 2)})
+            QCOMPARE(made[place][0].toInt(), phase);
+        QCOMPARE(quiet.bytes(), std::size_t{5 * 60});
+    }
+
     void withoutReductionTheRawVoxelsAreThereAtOnce() {
         QuietPhases quiet;
         const auto raw = phases(2);

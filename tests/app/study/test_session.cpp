@@ -220,6 +220,49 @@ private slots:
         QCOMPARE(session.otf(), nullptr);
     }
 
+    void theOtfOfOnePhaseStaysWhicheverIsShown() {
+        HeldPipeline held;
+        Session session;
+        session.setPipeline([&](const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
+                                const Progress& progress, const QuietVoxels& shown) {
+            auto otf = held.function()(volume, view, config, progress, shown);
+            otf->message = std::to_string(static_cast<int>(volume.storedValue(0)));
+            return otf;
+        });
+        open(session, m_dark);
+        QSignalSpy computed(&session, &Session::otfComputed);
+        session.setOtfPhase(0);
+        session.requestOtf(turned(1), {});
+        held.waitUntilStarted(1);
+        session.setPhase(1);  // what is under way goes on
+        QVERIFY(session.otfUnderWay());
+        held.release();
+        QTRY_COMPARE(computed.count(), 1);
+        QCOMPARE(session.otf()->message, "10");
+        QVERIFY(session.otfIsOfNewestVoxels());
+        QCOMPARE(session.voxelsOfOtf()->storedValue(0), 10.0);
+        QCOMPARE(session.voxelsForOtf()->storedValue(0), 20.0);  // those of the phase shown
+        QCOMPARE(session.histogramOfOtf().counts[20], std::uint64_t(720));
+        session.setPhase(0);
+        session.setPhase(1);
+        QVERIFY(session.otf() != nullptr && !session.otfUnderWay());
+        // The other phase's is asked for while this one is shown; there is no third.
+        session.setPhase(0);
+        session.setOtfPhase(7);
+        QVERIFY(!session.otfIsOfNewestVoxels());
+        session.requestOtf(turned(1), {});
+        held.release();
+        QTRY_COMPARE(computed.count(), 2);
+        QCOMPARE(session.otf()->message, "20");
+        session.setOtfPhase(std::nullopt);
+        session.requestOtf(turned(1), {});
+        QTRY_COMPARE(computed.count(), 3);
+        QCOMPARE(session.otf()->message, "10");
+        QCOMPARE(held.started(), 2);  // it was kept
+        session.setPhase(1);
+        QCOMPARE(session.otf(), nullptr);
+    }
+
     void whatCannotBeReadLeavesWhatIsOpen() {
         Session session;
         open(session, m_bright);
