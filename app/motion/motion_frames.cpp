@@ -1,6 +1,7 @@
 #include "app/motion/motion_frames.h"
 
 #include <QSignalBlocker>
+#include <utility>
 
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -22,6 +23,8 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.view, &DocumentView::cameraMoved, this, &MotionFrames::endByHand);
     connect(&m_parts.model, &DocumentModel::motionChanged, this, &MotionFrames::takeChoices);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
+    connect(&m_parts.model, &DocumentModel::phasesChanged, this,
+            [this] { m_parts.panel.setPhase(phaseOf(m_parts.model.document(), m_parts.view.view())); });
     // Along another beam the motion is begun anew.
     connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
     // After the OTF has followed what else the same step changed: the view of the frame is asked for last.
@@ -34,39 +37,24 @@ void MotionFrames::connectPanel() {
     connect(panel, &MotionPanel::playRequested, this,
             [this](bool play) { play ? m_parts.player.play() : m_parts.player.pause(); });
     connect(panel, &MotionPanel::angleChanged, &m_parts.player, &MotionPlayer::setAngle);
-    connect(panel, &MotionPanel::axisChanged, this, [this](MotionAxis axis) {
-        editMotion(tr("axis of the motion"), [axis](Document& next) { next.motion.axis = axis; });
-    });
-    connect(panel, &MotionPanel::scenarioChanged, this, [this](MotionScenario scenario) {
-        editMotion(tr("what moves"), [scenario](Document& next) { next.motion.scenario = scenario; });
-    });
-    connect(panel, &MotionPanel::pingPongChanged, this, [this](bool pingPong) {
-        editMotion(tr("order of the motion"), [pingPong](Document& next) { next.motion.pingPong = pingPong; });
-    });
-    connect(panel, &MotionPanel::otfChanged, this, [this](MotionOtf otf) {
-        editMotion(tr("OTF of the motion"), [this, otf](Document& next) {
-            next.motion.otf = otf;
-            // Back to one OTF: the one of the view in which the motion began.
-            if (otf == MotionOtf::oneOtf) next.method.direction = poseOf(next, m_parts.view.view()).direction;
-        });
-    });
+    connect(panel, &MotionPanel::phaseChanged, this,
+            [this](int phase) { m_parts.model.showPhase(m_parts.view.view(), phase); });
+    connect(panel, &MotionPanel::choiceChanged, this, &MotionFrames::takeFromPanel);
 }
 
-void MotionFrames::editMotion(const QString& what, const std::function<void(Document&)>& change) {
+void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what) {
     Document next = m_parts.model.document();
-    change(next);
-    m_parts.model.edit(next, what);
+    const MotionOtf before = std::exchange(next.motion, choice).otf;
+    // Back to one OTF: the one of the view in which the motion began.
+    if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf)
+        next.method.direction = poseOf(next, m_parts.view.view()).direction;
+    m_parts.model.edit(next, what, m_parts.hand.current());
 }
 
 void MotionFrames::takeChoices() {
     const MotionChoice motion = m_parts.model.document().motion;
-    m_parts.panel.setAxis(motion.axis);
-    m_parts.panel.setScenario(motion.scenario);
-    m_parts.panel.setPingPong(motion.pingPong);
-    m_parts.panel.setOtf(motion.otf);
-    m_parts.player.setScenario(motion.scenario);
-    m_parts.player.setPingPong(motion.pingPong);
-    m_parts.player.setAxis(motion.axis);
+    m_parts.panel.setChoice(motion);
+    m_parts.player.setChoice(motion);
     m_parts.coursePanel.setMode(motion.otf);
 }
 
@@ -84,15 +72,33 @@ void MotionFrames::takeAngle() {
     m_parts.player.setAngle(angle);
 }
 
-void MotionFrames::beginAtRest(int phases) {
+void MotionFrames::setStudy(const Study& study) {
+    const int phases = static_cast<int>(study.phases.size());
     m_parts.player.pause();
-    m_parts.player.setPhaseCount(phases);
-    m_parts.panel.setPhaseCount(phases);
+    m_parts.player.setStudy(phases, study.phaseSeconds);
+    m_parts.panel.setStudy(phases, study.phaseSeconds);
+}
+
+void MotionFrames::beginAtRest() {
     m_otf.reset();
     m_courseKey.reset();
     m_frameWaits = false;
     takeAngle();
     takeChoices();
+}
+
+void MotionFrames::stepPhase(int step) {
+    const Study* study = m_parts.session.study();
+    if (study == nullptr) return;
+    m_parts.player.pause();
+    const Document& document = m_parts.model.document();
+    const PhaseRange played = playedPhases(document.motion, static_cast<int>(study->phases.size()));
+    const int phase = phaseOf(document, m_parts.view.view()), count = played.last - played.first + 1;
+    const bool outside = phase < played.first || phase > played.last;
+    const int next = !outside   ? played.first + (phase - played.first + step + count) % count
+                     : step > 0 ? played.first
+                                : played.last;
+    m_parts.model.showPhase(m_parts.view.view(), next);
 }
 
 Viewpoint MotionFrames::frameView() const { return viewpointOf(m_parts.model.document(), m_parts.view.view()); }
@@ -107,21 +113,22 @@ void MotionFrames::showFrame(double angle, int phase) {
     showFrameRate();
     if (!m_parts.session.volume()) return;
     const bool sameVolume = phase == m_parts.session.phase();
-    // Another phase cancels what is being computed, which is then asked for again.
-    const bool overtaken = !sameVolume && m_parts.session.computingOtf();
     m_parts.model.showPhase(m_parts.view.view(), phase);
-    m_frameWaits = true;
     if (mode() == MotionOtf::oneOtf) {
-        // Where there is no OTF the frame comes with the one that is computed, or with the failure to compute it.
-        if (m_otf && !overtaken)
-            showFrameWithItsOtf();
-        else if (!sameVolume || !m_parts.session.computingOtf())
-            m_parts.computing.computeAgain();
+        showWithOneOtf();
     } else {
+        m_frameWaits = true;
         // Under the hand the picture follows at once and its OTF after it; played, a frame is shown as a whole.
         if (!m_parts.player.isPlaying() && sameVolume) m_parts.view.showPose();
         m_parts.computing.computeFor(frameView());
     }
+}
+
+void MotionFrames::showWithOneOtf() {
+    m_frameWaits = true;
+    // Else the frame comes with the OTF that is under way, or with the failure to compute it.
+    if (m_parts.session.otfUnderWay()) return;
+    m_parts.session.otf() ? showFrameWithItsOtf() : m_parts.computing.computeAgain();
 }
 
 /// A frame of a motion with one OTF, which is there already.
@@ -140,7 +147,8 @@ void MotionFrames::showWaitingFrame() {
 void MotionFrames::announceShownFrame() {
     if (m_frameWaits || m_parts.session.computingOtf()) return;
     // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
-    if (m_parts.picture.isVisible() && !m_parts.picture.pictureIsCurrent()) return;
+    const VolumeViewWidget& picture = m_parts.picture;
+    if (picture.isVisible() && !(picture.pictureIsCurrent() && picture.pictureIsOnScreen())) return;
     m_parts.player.frameShown();
 }
 
@@ -171,8 +179,9 @@ void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
 SampledCurve MotionFrames::curveToShow(std::shared_ptr<const AdaptiveOtf> otf) {
     m_otf = std::move(otf);
     keepCourseOf(m_otf->config);
-    // An OTF of another view than the frame's (one OTF for a motion that has gone on) is no frame of the course.
-    const bool ofFrame = m_otf->view == frameView();
+    // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of the
+    // course.
+    const bool ofFrame = m_otf->view == frameView() && m_parts.session.phaseOfOtf() == m_parts.player.phase();
     if (ofFrame) m_parts.course.add(courseFrame(), m_otf->curve);
     if (mode() == MotionOtf::oneOtf) m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
     m_parts.coursePanel.showCourse();
@@ -196,7 +205,12 @@ void MotionFrames::showFrameRate() {
 
 void MotionFrames::tellFrameRate() {
     if (m_parts.player.isPlaying() && m_frameSeconds > 0)
-        m_parts.panel.setFrameRate(1.0 / m_frameSeconds, m_parts.picture.keptFrames());
+        m_parts.panel.setFrameRate(1.0 / m_frameSeconds, {.frames = m_parts.picture.keptFrames(),
+                                                          .quietPhases = m_parts.session.quietPhases().madeCount(),
+                                                          .otfs = static_cast<int>(m_parts.session.keptOtfs().count()),
+                                                          .frameBytes = m_parts.picture.keptFrameBytes(),
+                                                          .quietBytes = m_parts.session.quietPhases().bytes(),
+                                                          .otfBytes = m_parts.session.keptOtfs().bytes()});
 }
 
 }  // namespace echolucent

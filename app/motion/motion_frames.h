@@ -33,11 +33,19 @@ public:
         OtfCourse& course;
         MotionPanel& panel;
         OtfCoursePanel& coursePanel;
+        HandGesture& hand;
     };
     explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
 
-    /// Another study is open, with `phases` phases: the motion is at rest in its first frame.
-    void beginAtRest(int phases);
+    /// Another study is open, whose document is about to begin.
+    void setStudy(const Study& study);
+    /// Its document has begun: the motion is at rest in its first frame.
+    void beginAtRest();
+    /// Steps by a phase (-1 or 1) through those that play, over and over; from another phase, to the nearest end of
+    /// them in that order. What plays is paused.
+    void stepPhase(int step);
+    /// Another phase is shown by hand, with the one OTF of the motion.
+    void showWithOneOtf();
     /// Takes an OTF that was computed just now, and returns the curve that the present frame shows of it.
     [[nodiscard]] SampledCurve curveToShow(std::shared_ptr<const AdaptiveOtf> otf);
     /// Made the adaptive curve that is shown; null before a study's first.
@@ -51,7 +59,7 @@ public:
 
 private:
     void connectPanel();
-    void editMotion(const QString& what, const std::function<void(Document&)>& change);
+    void takeFromPanel(const MotionChoice& choice, const QString& what);
     void takeChoices();
     void takeMode();
     void takeAngle();

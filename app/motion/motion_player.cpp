@@ -2,29 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace echolucent {
 
 MotionPlayer::MotionPlayer(QObject* parent) : QObject(parent) {
+    m_clock.start();
     m_interval.setSingleShot(true);
     m_interval.setTimerType(Qt::PreciseTimer);
-    m_interval.setInterval(33);
     connect(&m_interval, &QTimer::timeout, this, &MotionPlayer::advanceIfReady);
 }
 
-void MotionPlayer::setMinimumFrameInterval(int milliseconds) { m_interval.setInterval(milliseconds); }
+void MotionPlayer::setMinimumFrameInterval(std::optional<int> milliseconds) {
+    m_minimumInterval = milliseconds;
+    if (m_interval.isActive()) waitForInterval();
+}
+
+FramePacing::Time MotionPlayer::interval() const {
+    if (m_minimumInterval) return std::chrono::milliseconds(*m_minimumInterval);
+    return std::chrono::round<FramePacing::Time>(std::chrono::duration<double>(frameSeconds(m_choice, m_phaseSeconds)));
+}
+
+void MotionPlayer::waitForInterval() {
+    m_interval.start(std::chrono::round<std::chrono::milliseconds>(m_pacing.wait(now(), interval())));
+}
 
 bool MotionPlayer::stepNow() {
     if (!m_playing || !m_frameShown) return false;
-    m_interval.start();
-    moveTo(movesProbe(m_scenario) ? nextAngle() : m_angle,
-           movesObject(m_scenario) ? (m_phase + 1) % m_phaseCount : m_phase);
+    m_pacing.begin(now(), interval());
+    waitForInterval();
+    moveTo(nextFrame(m_position, m_choice, m_phases));
     return true;
 }
 
 void MotionPlayer::play() {
     if (m_playing) return;
     m_playing = true;
+    m_pacing.resume(now(), interval());
     emit playingChanged(true);
     advanceIfReady();
 }
@@ -39,37 +53,32 @@ void MotionPlayer::togglePlaying() { m_playing ? pause() : play(); }
 
 void MotionPlayer::setAngle(double degrees) {
     if (!std::isfinite(degrees)) return;
-    const double inRange = std::clamp<double>(degrees, firstMotionAngle, lastMotionAngle);
-    const int angle = static_cast<int>(std::lround(inRange));
-    if (angle != m_angle) moveTo(angle, m_phase);
+    MotionPosition next = m_position;
+    next.angle = static_cast<int>(std::lround(std::clamp<double>(degrees, firstMotionAngle, lastMotionAngle)));
+    if (next != m_position) moveTo(next);
 }
 
-void MotionPlayer::stepBy(int degrees) { setAngle(m_angle + static_cast<double>(degrees)); }
+void MotionPlayer::stepBy(int degrees) { setAngle(m_position.angle + static_cast<double>(degrees)); }
 
-void MotionPlayer::setScenario(MotionScenario scenario) { m_scenario = scenario; }
+void MotionPlayer::setChoice(const MotionChoice& choice) {
+    const MotionChoice before = std::exchange(m_choice, choice);
+    if (m_interval.isActive()) waitForInterval();
+    if (choice.axis != before.axis) setAngle(0);
+}
 
-void MotionPlayer::setPhaseCount(int count) {
-    Q_ASSERT(count >= 1);
-    m_phaseCount = count;
-    m_phase = 0;
+void MotionPlayer::setStudy(int phases, std::optional<double> phaseSeconds) {
+    Q_ASSERT(phases >= 1);
+    m_phases = phases;
+    m_phaseSeconds = phaseSeconds;
+    m_position.phase = 0;
+    m_position.phaseBack = false;
 }
 
 void MotionPlayer::setPhase(int phase) {
-    Q_ASSERT(phase >= 0 && phase < m_phaseCount);
-    if (phase == m_phase) return;
-    m_phase = phase;
+    Q_ASSERT(phase >= 0 && phase < m_phases);
+    if (phase == m_position.phase) return;
+    m_position.phase = phase;
     m_frameShown = false;
-}
-
-void MotionPlayer::setAxis(MotionAxis axis) {
-    if (axis == m_axis) return;
-    m_axis = axis;
-    setAngle(0);
-}
-
-void MotionPlayer::setPingPong(bool pingPong) {
-    m_pingPong = pingPong;
-    if (!pingPong) m_direction = 1;
 }
 
 void MotionPlayer::frameShown() {
@@ -81,20 +90,10 @@ void MotionPlayer::advanceIfReady() {
     if (!m_interval.isActive()) stepNow();
 }
 
-void MotionPlayer::moveTo(int angle, int phase) {
-    m_angle = angle;
-    m_phase = phase;
+void MotionPlayer::moveTo(const MotionPosition& position) {
+    m_position = position;
     m_frameShown = false;
-    emit frameChanged(angle, phase);
-}
-
-int MotionPlayer::nextAngle() {
-    if (m_pingPong) {
-        if (m_angle >= lastMotionAngle) m_direction = -1;
-        if (m_angle <= firstMotionAngle) m_direction = 1;
-        return m_angle + m_direction;
-    }
-    return m_angle >= lastMotionAngle ? firstMotionAngle : m_angle + 1;
+    emit frameChanged(position.angle, position.phase);
 }
 
 }  // namespace echolucent

@@ -1,16 +1,19 @@
 // Plays the motion of the probe, of the object, or of both: which frame comes next, and when.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
-#include "processing/motion/motion_mode.h"
+#include "app/motion/frame_pacing.h"
+#include "processing/motion/motion_choice.h"
 
 namespace echolucent {
 
-/// A moving probe turns from firstMotionAngle to lastMotionAngle in steps of one degree; a moving object goes on by one
-/// phase a frame, over and over. A step is taken only when the frame before has been shown and the minimum frame
-/// interval is over, so playing never outruns the renderer.
+/// Frames follow each other as nextFrame() says, frameSeconds() apart (see FramePacing). A step is taken only when the
+/// frame before has been shown, so playing never outruns the renderer and skips no frame: where frames take longer than
+/// their time, the motion is slower than asked for.
 ///
 ///                 play()                        step: frameChanged(a, p)
 ///   [Paused] ---------------> [Frame shown, interval over] --------> [Waiting for frameShown() and the interval]
@@ -26,13 +29,13 @@ public:
 
     [[nodiscard]] bool isPlaying() const { return m_playing; }
     /// The angle in whole degrees from the view in which the motion began.
-    [[nodiscard]] double angle() const { return m_angle; }
+    [[nodiscard]] double angle() const { return m_position.angle; }
     /// The phase of the 4D study, counted from 0.
-    [[nodiscard]] int phase() const { return m_phase; }
-    [[nodiscard]] MotionScenario scenario() const { return m_scenario; }
-    [[nodiscard]] MotionAxis axis() const { return m_axis; }
-    /// The least time between two steps, ms, 33 at first. At 0, steps follow each other as fast as frames are shown.
-    void setMinimumFrameInterval(int milliseconds);
+    [[nodiscard]] int phase() const { return m_position.phase; }
+    [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
+    /// Steps follow each other this many milliseconds apart instead of frameSeconds(), which comes back where there is
+    /// no value. At 0 they follow each other as fast as frames are shown.
+    void setMinimumFrameInterval(std::optional<int> milliseconds);
 
     /// Takes the next step at once, without waiting for the interval. Returns false and takes none while paused, or
     /// while the present frame has not been shown.
@@ -46,16 +49,14 @@ public slots:
     void setAngle(double degrees);
     /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);
-    void setScenario(echolucent::MotionScenario scenario);
-    /// A study of `count` phases (>= 1) is shown from its first phase; emits nothing.
-    void setPhaseCount(int count);
+    /// What moves, in which order and how fast. Where another axis is chosen while the angle is not 0, the motion
+    /// starts from its view again: emits frameChanged with angle 0.
+    void setChoice(const echolucent::MotionChoice& choice);
+    /// A study of `phases` phases (>= 1), phaseSeconds apart where that is known (above 0), is shown from its first
+    /// phase on; emits nothing.
+    void setStudy(int phases, std::optional<double> phaseSeconds);
     /// Another phase is shown, by hand; emits nothing. Needs a phase of the study.
     void setPhase(int phase);
-    /// Where another axis is chosen while the angle is not 0, the motion starts from its view again: emits frameChanged
-    /// with angle 0.
-    void setAxis(echolucent::MotionAxis axis);
-    /// Whether the motion turns at its ends and shows them once; else it starts from the first angle again.
-    void setPingPong(bool pingPong);
     /// The present frame is on the screen. To be called for every frame, played or scrubbed.
     void frameShown();
 
@@ -65,19 +66,21 @@ signals:
     void playingChanged(bool playing);
 
 private:
+    [[nodiscard]] FramePacing::Time now() const { return FramePacing::Time(m_clock.nsecsElapsed()); }
+    [[nodiscard]] FramePacing::Time interval() const;
+    void waitForInterval();
     void advanceIfReady();
-    void moveTo(int angle, int phase);
-    [[nodiscard]] int nextAngle();
+    void moveTo(const MotionPosition& position);
 
-    QTimer m_interval;  // runs while the minimum frame interval is not over
-    MotionAxis m_axis = MotionAxis::y;
-    MotionScenario m_scenario = MotionScenario::probe;
-    int m_angle = 0;
-    int m_phase = 0;
-    int m_phaseCount = 1;
-    int m_direction = 1;
+    QElapsedTimer m_clock;
+    FramePacing m_pacing;
+    QTimer m_interval;                     // runs while the interval is not over
+    std::optional<int> m_minimumInterval;  // ms
+    MotionChoice m_choice;
+    MotionPosition m_position;
+    int m_phases = 1;
+    std::optional<double> m_phaseSeconds;
     bool m_playing = false;
-    bool m_pingPong = true;
     bool m_frameShown = true;
 };
 

@@ -10,16 +10,27 @@ OtfComputing::OtfComputing(DocumentModel& model, int view, Session& session, QOb
 
 void OtfComputing::begin() {
     m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
+    sayPhase();
     m_ofDocument = otfViewpointOf(m_model.document(), m_view);
     m_asked = m_ofDocument;
     m_config = configOf(m_model.document());
 }
 
+void OtfComputing::sayPhase() {
+    const MotionChoice& motion = m_model.document().motion;
+    m_phase = motion.otf == MotionOtf::oneOtf ? std::optional(motion.otfPhase) : std::nullopt;
+    m_session.setOtfPhase(m_phase);
+}
+
 void OtfComputing::follow() {
     m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
+    const std::optional<int> before = m_phase;
+    sayPhase();
+    // Between one OTF and each frame's own, whoever shows the frames asks.
+    const bool otherPhase = before && m_phase && before != m_phase;
     const Viewpoint ofDocument = otfViewpointOf(m_model.document(), m_view);
     const AdaptiveOtfConfig config = configOf(m_model.document());
-    if (ofDocument == m_ofDocument && config == m_config) return;
+    if (ofDocument == m_ofDocument && config == m_config && !otherPhase) return;
     Viewpoint onlyCut = m_ofDocument;
     onlyCut.nearCutMm = ofDocument.nearCutMm;
     onlyCut.cutSurface = ofDocument.cutSurface;
@@ -47,6 +58,7 @@ void OtfComputing::computeForThisView() {
     const Viewpoint shown = viewpointOf(m_model.document(), m_view);
     Document next = m_model.document();
     next.method.direction = directionOf(shown);
+    next.motion.otfPhase = phaseOf(next, m_view);
     m_model.edit(next, tr("compute for this view"));
     computeFor(shown);
 }

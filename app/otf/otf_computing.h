@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "app/document/document_model.h"
 #include "app/study/session.h"
@@ -9,7 +10,8 @@
 namespace echolucent {
 
 /// Asks the session for the adaptive OTF whenever something it depends on changes in the document: the method, the
-/// curve that is its initial function, the cut, the beam. The tubes begin where the picture begins.
+/// curve that is its initial function, the cut, the beam, and where one OTF serves all frames of a motion the phase
+/// that it is of. The tubes begin where the picture begins.
 class OtfComputing : public QObject {
     Q_OBJECT
 
@@ -25,12 +27,13 @@ public:
     void computeAgain() { computeFor(m_asked); }
     /// Another study is open: the next OTF is that of the document's own direction.
     void begin();
-    /// Makes the direction in which the view looks now that of the OTF, as a step of the document ("compute for this
-    /// view").
+    /// Makes the direction in which the view looks now that of the OTF, and the phase that it shows that of one OTF for
+    /// all, as a step of the document ("compute for this view").
     void computeForThisView();
 
 private:
     void follow();
+    void sayPhase();
 
     DocumentModel& m_model;
     int m_view;
@@ -38,6 +41,7 @@ private:
     Viewpoint m_asked;
     // What the document said when it was followed last.
     Viewpoint m_ofDocument;
+    std::optional<int> m_phase;  ///< of the one OTF; none where each phase has its own
     AdaptiveOtfConfig m_config;
 };
 

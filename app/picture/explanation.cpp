@@ -72,9 +72,11 @@ QString methodSentences(const AdaptiveOtf& otf) {
     return sentences.join(QLatin1Char(' '));
 }
 
-QString motionSentence(MotionOtf motion) {
-    switch (motion) {
-        case MotionOtf::oneOtf: return tr("In a motion this one OTF serves every frame.");
+QString motionSentence(const MotionChoice& motion, std::size_t phases) {
+    switch (motion.otf) {
+        case MotionOtf::oneOtf:
+            return phases < 2 ? tr("In a motion this one OTF serves every frame.")
+                              : tr("In a motion the OTF of phase %1 serves every frame.").arg(motion.otfPhase + 1);
         case MotionOtf::eachView: return tr("In a motion every frame has an OTF of its own, not smoothed over time.");
         case MotionOtf::mean:
             return tr("In a motion every frame gets an OTF of its own, and the mean of the newest five is shown.");
@@ -111,7 +113,7 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     QStringList sentences{curveSentence(facts)};
     if (facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
-                  << motionSentence(facts.document.motion.otf);
+                  << motionSentence(facts.document.motion, facts.study.phases.size());
     if (curveIsOfAnotherView(facts.document, facts.view, facts.otf))
         sentences << tr("The curve was computed for another view than this one: A computes it for this one.");
     if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);

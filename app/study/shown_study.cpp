@@ -1,6 +1,7 @@
 #include "app/study/shown_study.h"
 
 #include <QMainWindow>
+#include <utility>
 
 #include "io/import_report.h"
 #include "processing/box_section.h"
@@ -79,41 +80,50 @@ void ShownStudy::takeVolume() {
     m_study = session.study();
     m_parts.editor.setHistogram(session.histogram());
     m_parts.editor.setWhiteLevel(session.volume()->whiteLevel());
-    if (otherStudy) {
-        const int phases = static_cast<int>(m_study->phases.size());
-        m_parts.player.pause();  // first, as it shows the remark of the study before
-        m_parts.messages.setRemark({});
-        m_parts.view.hold();
-        m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
-        m_parts.controls.setPhaseCount(phases);
-        Document opened = openedDocument(m_parts.model.document(), session.reference());
-        const DataBox& box = session.volume()->dataBox();
-        const auto showWhole = [&](Document& document) {
-            const Viewpoint alongBeam = viewAlongBeam(document.beam);
-            for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
-        };
-        showWhole(opened);
-        if (phases < 2) opened.motion.scenario = MotionScenario::probe;
-        m_parts.model.begin(opened);
-        if (session.finds()) {
-            // One step that can be taken back.
-            Document found = withFinds(opened, *session.finds());
-            showWhole(found);
-            m_parts.model.edit(found, tr("beam and cut found on opening"));
-        }
-        m_opened = m_parts.model.document();
-        m_parts.motion.beginAtRest(phases);
-        m_parts.computing.begin();
-        showNearCutRange();
-    } else if (session.phase() == m_parts.player.phase()) {
+    if (otherStudy)
+        beginDocument();
+    else if (session.phase() == m_parts.player.phase())
         return;  // a frame of the motion, which knows what follows
-    }
-    m_parts.method.clearResult();
-    m_parts.status.clearOtf();
     m_parts.player.setPhase(session.phase());
     const Document& document = m_parts.model.document();
     const bool oneOtf = document.motion.otf == MotionOtf::oneOtf;
+    if (oneOtf && !otherStudy) return m_parts.motion.showWithOneOtf();
+    m_parts.method.clearResult();
+    m_parts.status.clearOtf();
     m_parts.computing.computeFor(oneOtf ? m_parts.computing.viewpoint() : viewpointOf(document, m_parts.view.view()));
+}
+
+void ShownStudy::beginDocument() {
+    Session& session = m_parts.session;
+    const int before = std::exchange(m_phases, static_cast<int>(m_study->phases.size()));
+    m_parts.player.pause();  // first, as it shows the remark of the study before
+    m_parts.messages.setRemark({});
+    m_parts.view.hold();
+    m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
+    m_parts.controls.setPhaseCount(m_phases);
+    m_parts.motion.setStudy(*m_study);
+    Document opened = openedDocument(m_parts.model.document(), session.reference());
+    const DataBox& box = session.volume()->dataBox();
+    const auto showWhole = [&](Document& document) {
+        const Viewpoint alongBeam = viewAlongBeam(document.beam);
+        for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
+    };
+    showWhole(opened);
+    if (m_phases < 2)
+        opened.motion.scenario = MotionScenario::probe;
+    else if (before < 2)  // from one 4D study to the next, what was chosen to move stays
+        opened.motion.scenario = MotionScenario::object;
+    m_parts.model.begin(opened);
+    if (session.finds()) {
+        // One step that can be taken back.
+        Document found = withFinds(opened, *session.finds());
+        showWhole(found);
+        m_parts.model.edit(found, tr("beam and cut found on opening"));
+    }
+    m_opened = m_parts.model.document();
+    m_parts.motion.beginAtRest();
+    m_parts.computing.begin();
+    showNearCutRange();
 }
 
 void ShownStudy::takePhase() {
@@ -131,7 +141,7 @@ void ShownStudy::takeOtf() {
     // A drag of a box or a cut, as a motion, brings one OTF after another.
     m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
-    m_parts.view.showVolume(m_parts.session.voxelsOfOtf(), m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.session.voxelsForOtf(), m_parts.session.volume());
     m_parts.motion.showWaitingFrame();
 }
 
@@ -147,11 +157,15 @@ void ShownStudy::showNumbers() {
 void ShownStudy::takeQuietVoxels() {
     Session& session = m_parts.session;
     if (m_parts.player.isPlaying() || !session.volume()) return;
-    // A search for the near cut asks for the OTF itself once it has ended.
-    if (session.lookingForNearCut() || (session.otf() && session.voxelsOfOtf() == session.newestVoxels())) return;
+    if (session.lookingForNearCut()) return;  // it asks for the OTF itself once it has ended
+    if (session.otfIsOfNewestVoxels()) {
+        // The OTF of another phase stays.
+        if (session.phaseOfOtf() != session.phase()) m_parts.view.showVolume(session.newestVoxels(), session.volume());
+        return;
+    }
     if (session.otf() || session.computingOtf())
         m_parts.computing.computeAgain();
-    else if (m_parts.motion.otf())  // one OTF for all phases
+    else if (m_parts.motion.otf())
         m_parts.view.showVolume(session.newestVoxels(), session.volume());
 }
 

@@ -47,6 +47,7 @@ public:
 private:
     void tellFacts();
     void takeVolume();
+    void beginDocument();
     void takeOtf();
     void showNumbers();
     void takeQuietVoxels();
@@ -61,6 +62,7 @@ private:
     Parts m_parts;
     Document m_opened;
     const Study* m_study = nullptr;                   ///< told apart by address only
+    int m_phases = 1;                                 ///< of that study
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF
 };
 

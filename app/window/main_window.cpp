@@ -80,7 +80,7 @@ void MainWindow::createUnits() {
         *this, m_document, mainView, *m_session, *m_widgets.presets, m_settings, *m_widgets.messages});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
-                                                                  *m_widgets.motion, *m_widgets.course});
+                                                                  *m_widgets.motion, *m_widgets.course, m_hand});
     m_shownStudy = std::make_unique<ShownStudy>(
         ShownStudy::Parts{*this, m_document, *m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
@@ -127,6 +127,7 @@ void MainWindow::connectProgress() {
     connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
     connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
         m_widgets.status->setPointed(intensity, std::nullopt);
         m_widgets.editor->setCursorIntensity(intensity);
@@ -254,6 +255,7 @@ void MainWindow::createActions() {
     commands.computeForThisView = [this] { m_computing->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
+    commands.stepPhase = [this](int step) { m_motion->stepPhase(step); };
     commands.explain = [this] {
         m_widgets.explainDock->show();
         m_widgets.explainDock->raise();

@@ -22,6 +22,8 @@ constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto pingPongKey = "motion/pingPong";
+constexpr auto phasesPingPongKey = "motion/phasesPingPong";
+constexpr auto motionSpeedKey = "motion/speed";
 constexpr auto motionOtfKey = "motion/otf";
 constexpr auto motionAxisKey = "motion/axis";
 constexpr auto activeCurveKey = "otfEditor/activeCurve";
@@ -148,14 +150,20 @@ void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open
 
 MotionChoice Settings::motion() const {
     const MotionChoice standard;
-    return {.axis = choiceOr(m_store.value(motionAxisKey), &motionAxisFromName, standard.axis),
-            .otf = choiceOr(m_store.value(motionOtfKey), &motionOtfFromName, standard.otf),
-            .pingPong = boolOr(m_store.value(pingPongKey), standard.pingPong)};
+    MotionChoice motion{.axis = choiceOr(m_store.value(motionAxisKey), &motionAxisFromName, standard.axis),
+                        .otf = choiceOr(m_store.value(motionOtfKey), &motionOtfFromName, standard.otf),
+                        .pingPong = boolOr(m_store.value(pingPongKey), standard.pingPong),
+                        .phasesPingPong = boolOr(m_store.value(phasesPingPongKey), standard.phasesPingPong),
+                        .speed = m_store.value(motionSpeedKey, standard.speed).toDouble()};
+    if (!problemOf(motion).empty()) motion.speed = standard.speed;
+    return motion;
 }
 void Settings::setMotion(const MotionChoice& motion) {
     m_store.setValue(motionAxisKey, textOf(nameOf(motion.axis)));
     m_store.setValue(motionOtfKey, textOf(nameOf(motion.otf)));
     m_store.setValue(pingPongKey, motion.pingPong);
+    m_store.setValue(phasesPingPongKey, motion.phasesPingPong);
+    m_store.setValue(motionSpeedKey, motion.speed);
 }
 
 CurveKind Settings::activeCurve() const {

@@ -53,7 +53,8 @@ public:
     [[nodiscard]] QString presetsFile() const;
     [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open
     void setPresetsOpen(bool open);
-    /// Axis, OTF and order of the frames; what moves is a matter of the study and stays as by default.
+    /// Axis, OTF, speed and order of the frames; what moves and which phases are a matter of the study and stay as by
+    /// default.
     [[nodiscard]] MotionChoice motion() const;
     void setMotion(const MotionChoice& motion);
     [[nodiscard]] CurveKind activeCurve() const;  ///< [adaptive]

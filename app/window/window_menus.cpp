@@ -72,6 +72,8 @@ void createMotionMenu(QMainWindow& window, QDockWidget& course, const WindowComm
     addAction(motion, tr("&Play or pause"), "motion.playOrPause", commands.playOrPause);
     addAction(motion, tr("One degree back"), "motion.back", [turn = commands.turnMotion] { turn(-1); });
     addAction(motion, tr("One degree on"), "motion.on", [turn = commands.turnMotion] { turn(1); });
+    addAction(motion, tr("One phase back"), "motion.phaseBack", [step = commands.stepPhase] { step(-1); });
+    addAction(motion, tr("One phase on"), "motion.phaseOn", [step = commands.stepPhase] { step(1); });
     motion->addSeparator();
     QAction* map = course.toggleViewAction();
     map->setObjectName("motion.showMap");

@@ -1,6 +1,7 @@
 // The order of the angles in the transducer motion, and that playing never outruns the picture. The tests use no
 // clocks: they call stepNow().
 #include <QtTest>
+#include <chrono>
 
 #include "app/motion/motion_player.h"
 
@@ -39,7 +40,7 @@ private slots:
     void loopsFromTheFirstAngleToTheLast() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setPingPong(false);
+        player.setChoice({.pingPong = false});
         player.setAngle(44);
         player.frameShown();
         QSignalSpy spy(&player, &MotionPlayer::frameChanged);
@@ -51,7 +52,6 @@ private slots:
     void turnsAtTheEndsWithoutRepeatingThem() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setPingPong(true);
         player.setAngle(43);
         player.frameShown();
         QSignalSpy spy(&player, &MotionPlayer::frameChanged);
@@ -63,7 +63,6 @@ private slots:
     void playingFromTheLastAngleTurns() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setPingPong(true);
         player.setAngle(45);
         player.frameShown();
         player.play();
@@ -157,8 +156,8 @@ private slots:
     void theObjectGoesOnOverAndOverWhileTheProbeRests() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setScenario(MotionScenario::object);
-        player.setPhaseCount(3);
+        player.setChoice({.scenario = MotionScenario::object});
+        player.setStudy(3, std::nullopt);
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
         player.play();
         showAndStep(player, 4);
@@ -171,8 +170,8 @@ private slots:
     void bothMoveInOneFrame() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setScenario(MotionScenario::both);
-        player.setPhaseCount(2);
+        player.setChoice({.scenario = MotionScenario::both});
+        player.setStudy(2, std::nullopt);
         player.setAngle(45);
         player.frameShown();
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
@@ -181,10 +180,64 @@ private slots:
         QCOMPARE(frames, (QList<QList<QVariant>>{{44.0, 1}, {43.0, 0}, {42.0, 1}}));
     }
 
+    void thePhasesOfARangeGoBackAndForth() {
+        MotionPlayer player;
+        player.setMinimumFrameInterval(anHour);
+        player.setStudy(9, std::nullopt);
+        player.setChoice({.scenario = MotionScenario::object, .phasesPingPong = true, .phaseRange = PhaseRange{2, 4}});
+        QSignalSpy frames(&player, &MotionPlayer::frameChanged);
+        player.play();
+        showAndStep(player, 6);
+        QList<int> phases;
+        for (const auto& frame : frames) phases << frame.at(1).toInt();
+        QCOMPARE(phases, (QList<int>{2, 3, 4, 3, 2, 3, 4}));
+    }
+
+    void aFrameThatIsLateMakesTheNextWaitShorter() {
+        using namespace std::chrono_literals;
+        constexpr FramePacing::Time interval = 50ms;
+        FramePacing pacing;
+        FramePacing::Time now = 7s;
+        pacing.resume(now, interval);
+        QCOMPARE(pacing.wait(now, interval), 0ns);
+        pacing.begin(now, interval);
+        QCOMPARE(pacing.wait(now, interval), interval);
+        // Whatever each frame takes below an interval, the frames stay where they are due.
+        for (int frame = 1; frame <= 1000; ++frame) {
+            const FramePacing::Time due = 7s + frame * interval;
+            now = due + std::chrono::milliseconds(frame * 13 % 50);
+            QCOMPARE(pacing.wait(now, interval), 0ns);
+            pacing.begin(now, interval);
+            QCOMPARE(pacing.wait(now, interval), due + interval - now);
+        }
+    }
+
+    void whatIsLateByMoreThanAnIntervalIsGivenUp() {
+        using namespace std::chrono_literals;
+        constexpr FramePacing::Time interval = 50ms;
+        FramePacing pacing;
+        pacing.resume(1s, interval);
+        pacing.begin(1s, interval);
+        pacing.begin(3s, interval);
+        QCOMPARE(pacing.wait(3s, interval), 0ns);  // due at once, and no more than one
+        pacing.begin(3s, interval);
+        QCOMPARE(pacing.wait(3s, interval), interval);
+        // A pause is nothing to catch up with.
+        pacing.resume(9s, interval);
+        pacing.begin(9s, interval);
+        QCOMPARE(pacing.wait(9s, interval), interval);
+        // Another speed counts from the frame that is shown.
+        QCOMPARE(pacing.wait(9s, 4 * interval), 4 * interval);
+        QCOMPARE(pacing.wait(9s + 30ms, interval / 2), 0ns);
+        // A step that is taken before its time begins anew.
+        pacing.begin(9s + 10ms, interval);
+        QCOMPARE(pacing.wait(9s + 10ms, interval), interval);
+    }
+
     void aPhaseChosenByHandIsAFrameToWaitFor() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setPhaseCount(5);
+        player.setStudy(5, std::nullopt);
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
         player.setPhase(3);
         QCOMPARE(frames.count(), 0);
@@ -192,7 +245,7 @@ private slots:
         QCOMPARE(frames.count(), 0);
         player.frameShown();
         QCOMPARE(frames, (QList<QList<QVariant>>{{1.0, 3}}));  // the probe moves, not the object
-        player.setPhaseCount(1);
+        player.setStudy(1, std::nullopt);
         QCOMPARE(player.phase(), 0);
     }
 
@@ -200,10 +253,9 @@ private slots:
         MotionPlayer player;
         player.setAngle(20);
         QSignalSpy spy(&player, &MotionPlayer::frameChanged);
-        player.setAxis(MotionAxis::x);
+        player.setChoice({.axis = MotionAxis::x});
         QCOMPARE(anglesIn(spy), (QList<double>{0}));
-        QCOMPARE(player.axis(), MotionAxis::x);
-        player.setAxis(MotionAxis::x);
+        player.setChoice({.axis = MotionAxis::x, .speed = 2});
         QCOMPARE(spy.count(), 1);
     }
 };

@@ -37,7 +37,11 @@ private slots:
                           .colourMap = ColourMap::ice,
                           .projection = Projection::perspective,
                           .interpolation = Interpolation::nearest};
-        const MotionChoice motion{.axis = MotionAxis::x, .otf = MotionOtf::leastFlicker, .pingPong = false};
+        const MotionChoice motion{.axis = MotionAxis::x,
+                                  .otf = MotionOtf::leastFlicker,
+                                  .pingPong = false,
+                                  .phasesPingPong = true,
+                                  .speed = 0.5};
         MethodChoice method;
         method.initial = InitialKind::quartic;
         method.initialScale = 0.75;
@@ -79,9 +83,11 @@ private slots:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(
                 "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nlighting=perhaps\n"
-                "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n");
+                "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n"
+                "[motion]\nspeed=fast\nphasesPingPong=2\n");
         }
         const Settings settings(store());
+        QVERIFY(settings.motion() == MotionChoice{});
         QCOMPARE(settings.look(), lookAtStart());
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
     }

@@ -1,8 +1,13 @@
 #include "widgets/panels/flow_layout.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace echolucent {
+
+namespace {
+bool takesRoom(const QLayoutItem& item) { return item.expandingDirections().testFlag(Qt::Horizontal); }
+}  // namespace
 
 FlowLayout::FlowLayout(int spacing, QWidget* parent) : QLayout(parent) {
     setSpacing(spacing);
@@ -49,7 +54,7 @@ int FlowLayout::arrange(const QRect& rect, bool apply) const {
     const int count = this->count();
     int top = rect.top();
     for (int first = 0; first < count;) {
-        int width = 0, height = 0, end = first;
+        int width = 0, height = 0, end = first, wide = 0;
         for (; end < count; ++end) {
             const QLayoutItem* item = itemAt(end);
             if (item->isEmpty()) continue;
@@ -57,14 +62,17 @@ int FlowLayout::arrange(const QRect& rect, bool apply) const {
             if (width > 0 && wider > rect.width()) break;
             width = wider;
             height = std::max(height, item->sizeHint().height());
+            wide += takesRoom(*item) ? 1 : 0;
         }
-        int left = rect.left();
+        int left = rect.left(), spare = std::max(0, rect.width() - width);
         for (int i = first; apply && i < end; ++i) {
             QLayoutItem* item = itemAt(i);
             if (item->isEmpty()) continue;
-            if (i == m_stretchBefore && i > first) left += std::max(0, rect.width() - width);
-            item->setGeometry({left, top, item->sizeHint().width(), height});
-            left += item->sizeHint().width() + spacing();
+            if (i == m_stretchBefore && i > first) left += std::exchange(spare, 0);
+            const int more = takesRoom(*item) ? spare / wide-- : 0;
+            spare -= more;
+            item->setGeometry({left, top, item->sizeHint().width() + more, height});
+            left += item->sizeHint().width() + more + spacing();
         }
         top += height + (end < count ? spacing() / 2 : 0);
         first = end;

@@ -6,8 +6,9 @@
 
 namespace echolucent {
 
-/// Items keep the width they ask for; a line takes as many as fit, and the widest item is the least width. After
-/// addStretch() the items that follow stand at the right end of their line where they share it with those before.
+/// A line takes as many items as fit with the width they ask for, and the widest item is the least width. Items that
+/// expand share what room is left in their line; the others keep their width. After addStretch() the items that follow
+/// stand at the right end of their line where they share it with those before.
 class FlowLayout : public QLayout {
     Q_OBJECT
 

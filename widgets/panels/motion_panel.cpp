@@ -12,11 +12,14 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStyleOptionSlider>
 #include <cmath>
+#include <utility>
 
 #include "widgets/panels/flow_layout.h"
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/phase_controls.h"
 
 namespace echolucent {
 namespace {
@@ -63,33 +66,37 @@ protected:
     }
 };
 
+/// "¼×", "1×", "0.7×".
+QString speedText(double speed) {
+    if (speed == 0.25) return QStringLiteral("¼×");
+    if (speed == 0.5) return QStringLiteral("½×");
+    return QStringLiteral("%1×").arg(QLocale().toString(speed, 'g', 3));
+}
+
+QString sizeText(std::size_t bytes) {
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
+}
+
 }  // namespace
 
 MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("motion");
     setAccessibleName(tr("Motion"));
     createControls();
+    createSpeed();
     createChoices();
     arrange();
     setPlaying(false);
-    setPhaseCount(1);
+    setStudy(1, std::nullopt);
     showAngle();
-
-    connect(m_play, &QPushButton::clicked, this, [this] { emit playRequested(!m_playing); });
-    connect(m_angle, &QSlider::valueChanged, this, [this](int degrees) {
-        showAngle();
-        emit angleChanged(degrees);
-    });
-    connect(m_axis, &QComboBox::currentIndexChanged, this, [this] { emit axisChanged(axis()); });
-    connect(m_scenario, &QComboBox::currentIndexChanged, this, [this] { emit scenarioChanged(scenario()); });
-    connect(m_modeGroup, &QButtonGroup::idToggled, this, [this](int mode, bool checked) {
-        if (checked) emit otfChanged(static_cast<MotionOtf>(mode));
-    });
-    connect(m_pingPong, &QCheckBox::toggled, this, &MotionPanel::pingPongChanged);
+    connectControls();
+    connectChoices();
 }
 
 void MotionPanel::createControls() {
     m_play = named(new QPushButton, "motion.play", tr("Play"));
+    m_phase = new PhaseSlider;
+    m_phaseOrder = new PhaseOrder;
     m_angle = named<QSlider>(new AngleSlider, "motion.angle", tr("Angle"),
                              tr("Angle from the view in which the motion began (← and →: one degree)"));
     wheelNeedsFocus(m_angle);
@@ -100,15 +107,20 @@ void MotionPanel::createControls() {
     m_axis->addItem(tr("x axis (elevation)"), static_cast<int>(MotionAxis::x));
     m_axis->addItem(tr("y axis (azimuth)"), static_cast<int>(MotionAxis::y));
     m_axis->addItem(tr("z axis (roll)"), static_cast<int>(MotionAxis::z));
-    selectData(m_axis, static_cast<int>(MotionAxis::y));
     wheelNeedsFocus(m_axis);
     m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
-    m_pingPong->setChecked(true);
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
     // Room from the start: what stands beside it must not move, nor the picture above, when playing begins.
-    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(88)));
+    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(
+        tr("%1 frames/s, %2 frames kept, %3").arg(88).arg(88).arg(sizeText(std::size_t{888} << 20))));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void MotionPanel::createSpeed() {
+    m_speed = named(new QComboBox, "motion.speed", tr("Speed"));
+    for (const double speed : {0.25, 0.5, 1.0, 2.0, 4.0}) m_speed->addItem(speedText(speed), speed);
+    wheelNeedsFocus(m_speed);
 }
 
 void MotionPanel::createChoices() {
@@ -125,9 +137,9 @@ void MotionPanel::createChoices() {
         m_modeGroup->addButton(button, static_cast<int>(otf));
         m_modes[static_cast<std::size_t>(otf)] = button;
     };
-    mode(MotionOtf::oneOtf, tr("One OTF"), "static", tr("One OTF for every frame"),
-         tr("Every frame shows the OTF that was computed before the motion: it cannot flicker"));
-    mode(MotionOtf::eachView, tr("Each view"), "eachView", tr("An OTF for each view"),
+    // What the first two say depends on what moves.
+    mode(MotionOtf::oneOtf, {}, "static", {}, {});
+    mode(MotionOtf::eachView, {}, "eachView", {},
          tr("The adaptive OTF is computed anew for each frame, and not smoothed: the picture may flicker"));
     mode(MotionOtf::mean, tr("Mean of 5"), "mean", tr("Mean of the newest five OTFs"),
          tr("An OTF for each frame, and of these the mean of the newest five is shown: calm, but late"));
@@ -137,25 +149,89 @@ void MotionPanel::createChoices() {
     mode(MotionOtf::leastFlicker, tr("Least flicker"), "leastFlicker", tr("Least flicker"),
          tr("Weights on the newest OTFs that flicker least for their delay: the smoothing to take where nothing speaks "
             "for another"));
-    m_modes.front()->setChecked(true);
+    m_otfPhase = named(new QSpinBox, "motion.otfPhase", tr("Phase of the one OTF"),
+                       tr("The phase whose OTF every frame shows (A takes the phase that is shown)"));
+    m_otfPhase->setKeyboardTracking(false);
+    m_otfPhase->setAlignment(Qt::AlignRight);
+    wheelNeedsFocus(m_otfPhase);
+}
+
+void MotionPanel::connectControls() {
+    connect(m_play, &QPushButton::clicked, this, [this] { emit playRequested(!m_playing); });
+    connect(m_phase, &PhaseSlider::phaseChanged, this, &MotionPanel::phaseChanged);
+    connect(m_angle, &QSlider::valueChanged, this, [this](int degrees) {
+        showAngle();
+        emit angleChanged(degrees);
+    });
+}
+
+void MotionPanel::connectChoices() {
+    /// Makes a change of a control a change of the choice.
+    const auto changes = [this](const QString& what, auto change) {
+        return [this, what, change](auto... value) {
+            MotionChoice next = m_choice;
+            change(next, value...);
+            take(next, what);
+        };
+    };
+    connect(m_axis, &QComboBox::currentIndexChanged, this, changes(tr("axis of the motion"), [this](auto& next, int) {
+                next.axis = static_cast<MotionAxis>(m_axis->currentData().toInt());
+            }));
+    connect(m_scenario, &QComboBox::currentIndexChanged, this, changes(tr("what moves"), [this](auto& next, int) {
+                next.scenario = static_cast<MotionScenario>(m_scenario->currentData().toInt());
+            }));
+    connect(m_speed, &QComboBox::currentIndexChanged, this, changes(tr("speed of the motion"), [this](auto& next, int) {
+                next.speed = m_speed->currentData().toDouble();
+            }));
+    connect(m_pingPong, &QCheckBox::toggled, this,
+            changes(tr("order of the motion"), [](auto& next, bool pingPong) { next.pingPong = pingPong; }));
+    connect(m_phaseOrder, &PhaseOrder::pingPongChanged, this,
+            changes(tr("order of the phases"), [](auto& next, bool pingPong) { next.phasesPingPong = pingPong; }));
+    connect(m_phaseOrder, &PhaseOrder::rangeChanged, this,
+            changes(tr("phases that play"), [](auto& next, const auto& range) { next.phaseRange = range; }));
+    connect(m_otfPhase, &QSpinBox::valueChanged, this,
+            changes(tr("phase of the OTF"), [](auto& next, int number) { next.otfPhase = number - 1; }));
+    connect(m_modeGroup, &QButtonGroup::idToggled, this, [this](int mode, bool checked) {
+        if (!checked) return;
+        MotionChoice next = m_choice;
+        next.otf = static_cast<MotionOtf>(mode);
+        if (next.otf == MotionOtf::oneOtf) next.otfPhase = phase();
+        take(next, tr("OTF of the motion"));
+    });
+}
+
+void MotionPanel::take(const MotionChoice& choice, const QString& what) {
+    setChoice(choice);
+    emit choiceChanged(choice, what);
 }
 
 void MotionPanel::arrange() {
-    auto* first = new QHBoxLayout;
-    first->setSpacing(5);
+    m_angleBar = new QWidget;
+    auto* angle = new QHBoxLayout(m_angleBar);
+    angle->setContentsMargins(0, 0, 0, 0);
+    angle->setSpacing(5);
+    angle->addWidget(secondaryLabel(angleText(firstMotionAngle)));
+    angle->addWidget(m_angle, 1);
+    angle->addWidget(secondaryLabel(angleText(lastMotionAngle)));
+    angle->addWidget(m_angleValue);
+
+    auto* first = new FlowLayout(8);
     first->addWidget(m_play);
-    first->addWidget(secondaryLabel(angleText(firstMotionAngle)));
-    first->addWidget(m_angle, 1);
-    first->addWidget(secondaryLabel(angleText(lastMotionAngle)));
-    first->addWidget(m_angleValue);
-    first->addWidget(m_scenario);
+    first->addWidget(m_phase);
+    first->addWidget(m_phaseOrder);
+    first->addWidget(m_angleBar);
     first->addWidget(m_axis);
+    first->addWidget(m_pingPong);
+    first->addWidget(m_speed);
+    first->addWidget(m_scenario);
 
     auto* second = new FlowLayout(10);
-    for (QRadioButton* button : m_modes) second->addWidget(button);
+    for (QRadioButton* button : m_modes) {
+        second->addWidget(button);
+        if (button == m_modes.front()) second->addWidget(m_otfPhase);
+    }
     second->addStretch();
     second->addWidget(m_frameRate);
-    second->addWidget(m_pingPong);
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(first);
@@ -195,45 +271,100 @@ void MotionPanel::setAngle(double degrees) {
 
 void MotionPanel::showAngle() { m_angleValue->setText(angleText(m_angle->value())); }
 
-MotionAxis MotionPanel::axis() const { return static_cast<MotionAxis>(m_axis->currentData().toInt()); }
-void MotionPanel::setAxis(MotionAxis axis) { selectData(m_axis, static_cast<int>(axis)); }
+int MotionPanel::phase() const { return m_phase->phase(); }
+void MotionPanel::setPhase(int phase) { m_phase->setPhase(phase); }
 
-void MotionPanel::setPhaseCount(int count) {
-    if (count < 2) selectData(m_scenario, static_cast<int>(MotionScenario::probe));
-    m_scenario->setEnabled(count > 1);
-    m_scenario->setToolTip(count > 1
+void MotionPanel::setStudy(int phases, std::optional<double> phaseSeconds) {
+    m_phases = phases;
+    m_phaseSeconds = phaseSeconds;
+    m_phase->setStudy(phases, phaseSeconds);
+    m_phaseOrder->setPhases(phases);
+    {
+        const QSignalBlocker blocker(m_otfPhase);
+        m_otfPhase->setRange(1, phases);
+    }
+    m_scenario->setEnabled(phases > 1);
+    m_scenario->setToolTip(phases > 1
                                ? tr("The probe turns around the object, the object moves through the %1 phases of "
                                     "the study, or both")
-                                     .arg(count)
+                                     .arg(phases)
                                : tr("The study holds one moment only, so that the object cannot move. Open a 4D "
                                     "study for that."));
+    MotionChoice choice = m_choice;
+    if (phases < 2) choice.scenario = MotionScenario::probe;
+    setChoice(choice);
 }
 
-MotionScenario MotionPanel::scenario() const { return static_cast<MotionScenario>(m_scenario->currentData().toInt()); }
-
-void MotionPanel::setScenario(MotionScenario scenario) {
-    Q_ASSERT(m_scenario->isEnabled() || scenario == MotionScenario::probe);
-    selectData(m_scenario, static_cast<int>(scenario));
+void MotionPanel::setChoice(const MotionChoice& choice) {
+    Q_ASSERT(m_phases > 1 || choice.scenario == MotionScenario::probe);
+    m_choice = choice;
+    selectData(m_axis, static_cast<int>(choice.axis));
+    selectData(m_scenario, static_cast<int>(choice.scenario));
+    m_phaseOrder->setRange(choice.phaseRange);
+    m_phaseOrder->setPingPong(choice.phasesPingPong);
+    m_phase->setPlayed(playedPhases(choice, m_phases));
+    const QSignalBlocker pingPong(m_pingPong), modes(m_modeGroup), otfPhase(m_otfPhase);
+    m_pingPong->setChecked(choice.pingPong);
+    m_modes[static_cast<std::size_t>(choice.otf)]->setChecked(true);
+    m_otfPhase->setValue(choice.otfPhase + 1);
+    m_otfPhase->setEnabled(choice.otf == MotionOtf::oneOtf);
+    showSpeed();
+    showWhatMoves();
 }
 
-MotionOtf MotionPanel::otf() const { return static_cast<MotionOtf>(m_modeGroup->checkedId()); }
-
-void MotionPanel::setOtf(MotionOtf otf) {
-    const QSignalBlocker blocker(m_modeGroup);
-    m_modes[static_cast<std::size_t>(otf)]->setChecked(true);
+/// A speed of a document that is none of those to choose from stands among them as long as it is set.
+void MotionPanel::showSpeed() {
+    const QSignalBlocker blocker(m_speed);
+    constexpr int usual = 5;
+    while (m_speed->count() > usual) m_speed->removeItem(usual);
+    if (m_speed->findData(m_choice.speed) < 0) m_speed->addItem(speedText(m_choice.speed), m_choice.speed);
+    m_speed->setCurrentIndex(m_speed->findData(m_choice.speed));
+    const QString rate = QLocale().toString(1.0 / frameSeconds(m_choice, m_phaseSeconds), 'g', 3);
+    QString why;
+    if (!movesObject(m_choice.scenario))
+        why = tr("at 1× the probe turns by %1° a second").arg(motionDegreesPerSecond);
+    else if (m_phaseSeconds)
+        why = tr("at 1× as fast as it was scanned");
+    else
+        why = tr("at 1× %1, as the file does not say the time between phases").arg(assumedPhasesPerSecond);
+    m_speed->setToolTip(tr("Speed: %1 frames a second where they can be made in time (%2)").arg(rate, why));
 }
 
-bool MotionPanel::pingPong() const { return m_pingPong->isChecked(); }
-
-void MotionPanel::setPingPong(bool pingPong) {
-    const QSignalBlocker blocker(m_pingPong);
-    m_pingPong->setChecked(pingPong);
+void MotionPanel::showWhatMoves() {
+    const bool probe = movesProbe(m_choice.scenario), object = movesObject(m_choice.scenario), phases = m_phases > 1;
+    m_phase->setVisible(object);
+    m_phaseOrder->setVisible(object);
+    m_angleBar->setVisible(probe);
+    m_axis->setVisible(probe);
+    m_pingPong->setVisible(probe);
+    m_otfPhase->setVisible(phases);
+    QRadioButton& one = *m_modes[static_cast<std::size_t>(MotionOtf::oneOtf)];
+    one.setText(phases ? tr("Of phase") : tr("One OTF"));
+    one.setAccessibleName(phases ? tr("The OTF of one phase for every frame") : tr("One OTF for every frame"));
+    one.setToolTip(phases ? tr("Every frame shows the OTF of one phase, at first of the one that is shown: it cannot "
+                               "flicker")
+                          : tr("Every frame shows the OTF that was computed before the motion: it cannot flicker"));
+    QRadioButton& each = *m_modes[static_cast<std::size_t>(MotionOtf::eachView)];
+    each.setText(!object ? tr("Each view") : probe ? tr("Each frame's") : tr("Each phase's"));
+    each.setAccessibleName(!object ? tr("An OTF for each view")
+                           : probe ? tr("An OTF for each frame")
+                                   : tr("An OTF for each phase"));
 }
 
-void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, int keptFrames) {
+void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept) {
+    m_frameRate->setToolTip({});
     if (!framesPerSecond) return m_frameRate->clear();
     const QString rate = tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0));
-    m_frameRate->setText(keptFrames > 0 ? tr("%1, %2 in memory").arg(rate).arg(keptFrames) : rate);
+    m_frameRate->setText(kept.frames > 0
+                             ? tr("%1, %2 frames kept, %3").arg(rate).arg(kept.frames).arg(sizeText(kept.frameBytes))
+                             : rate);
+    m_frameRate->setToolTip(tr("Kept in memory: %1 pictures (%2), quiet voxels of %3 phases (%4), %5 OTFs (%6)")
+                                .arg(kept.frames)
+                                .arg(sizeText(kept.frameBytes))
+                                .arg(kept.quietPhases)
+                                .arg(sizeText(kept.quietBytes))
+                                .arg(kept.otfs)
+                                .arg(sizeText(kept.otfBytes)));
 }
 
 }  // namespace echolucent

@@ -1,11 +1,12 @@
-// The controls of the motion mode.
+// The bar below the picture: the cine of a 4D study, the swivel of the probe, and which OTF their frames show.
 #pragma once
 
 #include <QWidget>
 #include <array>
+#include <cstddef>
 #include <optional>
 
-#include "processing/motion/motion_mode.h"
+#include "processing/motion/motion_choice.h"
 
 class QButtonGroup;
 class QCheckBox;
@@ -14,11 +15,25 @@ class QLabel;
 class QPushButton;
 class QRadioButton;
 class QSlider;
+class QSpinBox;
 
 namespace echolucent {
 
-/// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.scenario, motion.mode.static,
-/// .eachView, .mean, .movingLeastSquares, .leastFlicker, motion.pingPong, motion.frameRate. No setter emits a signal.
+class PhaseOrder;
+class PhaseSlider;
+
+/// What of a motion is kept in memory, so that it comes from there in its next turn.
+struct KeptMotion {
+    int frames = 0;  ///< pictures
+    int quietPhases = 0;
+    int otfs = 0;
+    std::size_t frameBytes = 0, quietBytes = 0, otfBytes = 0;
+};
+
+/// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.pingPong, motion.speed,
+/// motion.scenario, motion.mode.static, .eachView, .mean, .movingLeastSquares, .leastFlicker, motion.otfPhase,
+/// motion.frameRate, and those of PhaseSlider and PhaseOrder. What plays no part in what moves is hidden. No setter
+/// emits a signal.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
@@ -30,30 +45,28 @@ public:
     /// Whole degrees, firstMotionAngle to lastMotionAngle.
     [[nodiscard]] double angle() const;
     void setAngle(double degrees);
-    [[nodiscard]] MotionAxis axis() const;
-    void setAxis(MotionAxis axis);
-    /// With one phase there is nothing but a moving probe, and the choice is disabled and says why.
-    void setPhaseCount(int count);
-    [[nodiscard]] MotionScenario scenario() const;
+    /// A study of `phases` phases (>= 1), phaseSeconds apart (above 0) where that is known, in its first phase. With
+    /// one phase there is nothing but a moving probe, and the choice is disabled and says why.
+    void setStudy(int phases, std::optional<double> phaseSeconds);
+    /// Counted from 0.
+    [[nodiscard]] int phase() const;
+    void setPhase(int phase);
+    /// As it was set, but for what a person changed since.
+    [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
     /// Needs more than one phase, the moving probe aside.
-    void setScenario(MotionScenario scenario);
-    [[nodiscard]] MotionOtf otf() const;
-    void setOtf(MotionOtf otf);
-    /// Whether the motion goes back and forth; else it starts again from its first frame.
-    [[nodiscard]] bool pingPong() const;
-    void setPingPong(bool pingPong);
-    /// Shows how many frames are shown a second, and how many are kept in memory where there are some; hides the
-    /// read-out where that is not given.
-    void setFrameRate(std::optional<double> framesPerSecond, int keptFrames = 0);
+    void setChoice(const MotionChoice& choice);
+    /// Shows how many frames are shown a second, and what is kept in memory where something is; hides the read-out
+    /// where that is not given.
+    void setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept = {});
 
 signals:
     /// The person pressed play (true) or pause (false).
     void playRequested(bool play);
     void angleChanged(double degrees);
-    void axisChanged(echolucent::MotionAxis axis);
-    void scenarioChanged(echolucent::MotionScenario scenario);
-    void otfChanged(echolucent::MotionOtf otf);
-    void pingPongChanged(bool pingPong);
+    /// Counted from 0.
+    void phaseChanged(int phase);
+    /// `what` names the choice that is another, as a step of the document is named.
+    void choiceChanged(const echolucent::MotionChoice& choice, const QString& what);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,20 +74,34 @@ protected:
 
 private:
     void createControls();
+    void createSpeed();
     void createChoices();
+    void connectControls();
+    void connectChoices();
     void arrange();
     void showAngle();
     void showPlayIcon();
+    void showSpeed();
+    void showWhatMoves();
+    void take(const MotionChoice& choice, const QString& what);
 
+    MotionChoice m_choice;
+    int m_phases = 1;
+    std::optional<double> m_phaseSeconds;
     bool m_playing = false;
     QPushButton* m_play = nullptr;
+    PhaseSlider* m_phase = nullptr;
+    PhaseOrder* m_phaseOrder = nullptr;
+    QWidget* m_angleBar = nullptr;
     QSlider* m_angle = nullptr;
     QLabel* m_angleValue = nullptr;
     QComboBox* m_axis = nullptr;
+    QCheckBox* m_pingPong = nullptr;
+    QComboBox* m_speed = nullptr;
     QComboBox* m_scenario = nullptr;
     std::array<QRadioButton*, allMotionOtfs.size()> m_modes{};  // in the order of allMotionOtfs
     QButtonGroup* m_modeGroup = nullptr;
-    QCheckBox* m_pingPong = nullptr;
+    QSpinBox* m_otfPhase = nullptr;
     QLabel* m_frameRate = nullptr;
 };
 

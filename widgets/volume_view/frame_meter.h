@@ -22,6 +22,8 @@ public:
 
     /// Of the newest picture on the screen: both steps, without the wait between them. 0 before the first.
     [[nodiscard]] double drawingMilliseconds() const { return m_drawing; }
+    /// Whether a picture is drawn that is not on the screen yet.
+    [[nodiscard]] bool waitsForScreen() const { return m_rendered.has_value(); }
     /// Pictures a second of the newest movement, as a running mean; empty before the first.
     [[nodiscard]] std::optional<double> framesPerSecond() const;
 

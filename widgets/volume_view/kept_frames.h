@@ -19,6 +19,8 @@ public:
     [[nodiscard]] std::shared_ptr<const CastPicture> find(const PictureRequest& request) const;
     void clear();
     [[nodiscard]] int count() const { return static_cast<int>(m_frames.size()); }
+    /// That all of them take.
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
 
     static constexpr std::size_t byteLimit = std::size_t{512} << 20;
 

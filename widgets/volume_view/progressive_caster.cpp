@@ -32,6 +32,8 @@ void ProgressiveCaster::setPlaying(bool playing) {
 
 int ProgressiveCaster::keptFrames() const { return m_frames->count(); }
 
+std::size_t ProgressiveCaster::keptFrameBytes() const { return m_frames->bytes(); }
+
 /// A frame that was kept is delivered as one that was cast would be: after the request has returned.
 bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     const auto frame = m_playing ? m_frames->find(request) : nullptr;

@@ -43,6 +43,7 @@ public:
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in high quality.
     [[nodiscard]] int keptFrames() const;
+    [[nodiscard]] std::size_t keptFrameBytes() const;
     /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
     /// go. While a motion plays, what runs ends first, so that its frame is kept.
     void clear();

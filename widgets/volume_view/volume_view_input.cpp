@@ -207,6 +207,7 @@ void VolumeViewWidget::setNearCut(double mm) {
 void VolumeViewWidget::setPlaying(bool playing) { m_parts->caster.setPlaying(playing); }
 
 int VolumeViewWidget::keptFrames() const { return m_parts->caster.keptFrames(); }
+std::size_t VolumeViewWidget::keptFrameBytes() const { return m_parts->caster.keptFrameBytes(); }
 
 void VolumeViewWidget::setCutSurface(const std::optional<CutSurface>& surface) {
     if (surface == m_parts->cutSurface) return;

@@ -103,6 +103,10 @@ bool VolumeViewWidget::pictureIsCurrent() const {
     return samePicture(shown, presentRequest(pixelSize()));
 }
 
+bool VolumeViewWidget::pictureIsOnScreen() const {
+    return !m_parts->window->isExposed() || !m_parts->meter->waitsForScreen();
+}
+
 QString VolumeViewWidget::scaleText() const { return QString::fromStdString(m_parts->scene.scaleBar().text()); }
 
 QImage VolumeViewWidget::screenImage() {

@@ -86,6 +86,7 @@ public:
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in memory.
     [[nodiscard]] int keptFrames() const;
+    [[nodiscard]] std::size_t keptFrameBytes() const;
     /// True while the hand drags; what it has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
     /// Ends a drag without change; false where there is none.
@@ -110,6 +111,8 @@ public:
     [[nodiscard]] bool pictureIsFine() const;
     /// True where the newest picture, of whatever quality, is one of the present volume, curve, look and camera.
     [[nodiscard]] bool pictureIsCurrent() const;
+    /// True where the newest picture has been drawn and the screen shows it, or nobody can see the view.
+    [[nodiscard]] bool pictureIsOnScreen() const;
     /// True from a change until its converged picture is there. Always false while the widget is hidden.
     [[nodiscard]] bool busy() const { return m_busy; }
     /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.

@@ -32,8 +32,8 @@ private slots:
         VolumeGeometry geometry;
         geometry.size = {4, 4, 4};
         const QString path = m_folder.filePath("cube.mha");
-        QVERIFY(writeMetaImage(path.toStdString(),
-                               {std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)))}));
+        const auto phase = std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)));
+        QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_model = std::make_unique<DocumentModel>();
         m_session = std::make_unique<Session>();
         m_session->setPipeline(&echo);
@@ -101,6 +101,24 @@ private slots:
         m_model->steps().undo();
         awaitOtf();
         QVERIFY(m_session->otf()->view == Viewpoint{});
+    }
+
+    void theOneOtfIsOfThePhaseThatTheDocumentNames() {
+        m_session->setPhase(1);
+        m_model->showPhase(view, 1);
+        m_computing->computeForThisView();
+        awaitOtf();
+        QCOMPARE(m_model->document().motion.otfPhase, 1);
+        QCOMPARE(m_session->phaseOfOtf(), 1);
+        QCOMPARE(m_model->steps().count(), 1);
+        m_model->steps().undo();
+        QVERIFY(m_session->otfUnderWay());
+        awaitOtf();
+        QCOMPARE(m_session->phaseOfOtf(), 0);
+        Document next = m_model->document();
+        next.motion.otf = MotionOtf::eachView;
+        m_model->edit(next, "each");
+        QCOMPARE(m_session->phaseOfOtf(), 1);  // the phase that is shown
     }
 
     void aCutKeepsTheDirectionOfAFrame() {

@@ -1,0 +1,75 @@
+// Which phase of a 4D study is shown, and which of them play in which order.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "processing/motion/motion_choice.h"
+
+class QCheckBox;
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QToolButton;
+
+namespace echolucent {
+
+/// The phase shown. Objects: motion.phase, motion.phase.value (read-out: "phase 7 of 20 · 183 ms", without the time
+/// where the file does not say it). A line below the slider marks the phases that play. No setter emits a signal.
+class PhaseSlider : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PhaseSlider(QWidget* parent = nullptr);
+
+    /// A study of `phases` phases (>= 1), phaseSeconds apart (above 0) where that is known, in its first phase.
+    void setStudy(int phases, std::optional<double> phaseSeconds);
+    void setPlayed(const PhaseRange& range);
+    /// Counted from 0.
+    [[nodiscard]] int phase() const;
+    void setPhase(int phase);
+
+signals:
+    void phaseChanged(int phase);
+
+private:
+    class Groove;
+    [[nodiscard]] QString textOf(int phase) const;
+    void showPhase();
+
+    Groove* m_slider = nullptr;
+    QLabel* m_readOut = nullptr;
+    std::optional<double> m_phaseSeconds;
+};
+
+/// Which phases play, and whether back and forth. Objects: motion.firstPhase, motion.lastPhase, motion.allPhases,
+/// motion.phasesPingPong. No setter emits a signal.
+class PhaseOrder : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PhaseOrder(QWidget* parent = nullptr);
+
+    /// Phases of the study, at least 1; all of them play.
+    void setPhases(int phases);
+    /// The phases that play; all where there is no value. Phases that the study has not are left out.
+    void setRange(const std::optional<PhaseRange>& range);
+    void setPingPong(bool pingPong);
+
+signals:
+    /// No value where all phases of the study play.
+    void rangeChanged(const std::optional<echolucent::PhaseRange>& range);
+    void pingPongChanged(bool pingPong);
+
+private:
+    void limitRange();
+    void tellRange();
+
+    QSpinBox* m_first = nullptr;
+    QSpinBox* m_last = nullptr;
+    QToolButton* m_all = nullptr;
+    QCheckBox* m_pingPong = nullptr;
+    int m_phases = 1;
+};
+
+}  // namespace echolucent
