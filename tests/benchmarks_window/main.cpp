@@ -37,7 +37,7 @@ Options parse(const QApplication& application) {
         "Measures the real window: frames a second, updates in the review room, memory, stalls.");
     parser.addHelpOption();
     parser.addOptions(
-        {{"parts", "What is measured.", "NAME,NAME", "room,frames,stalls"},
+        {{"parts", "What is measured; \"cine\" needs --volume of a 4D study.", "NAME,NAME", "room,frames,stalls"},
          {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
          {"seconds", "How long each action is measured.", "S", "4"},
          {"frames", "Measure so many frames instead.", "N", "0"},
@@ -47,7 +47,7 @@ Options parse(const QApplication& application) {
           "(stalls).",
           "N", "0"},
          {"shaded", "Frames with light."},
-         {"volume", "A volume's file in the phantom's place; of 4D, its phases are played too.", "FILE"},
+         {"volume", "A volume's file in the phantom's place; the part \"cine\" plays its phases.", "FILE"},
          {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
          {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
          {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
@@ -78,6 +78,20 @@ QString fetus(int edge, int bits, const QString& folder) {
     return path;
 }
 
+/// The phases of a 4D study, quiet and lit as it is opened, in a window of one size.
+void measureCine(const QString& volume, int edge, const Options& options, Findings& findings,
+                 const std::function<void(Row)>& tell) {
+    WindowUnderTest window(volume, edge, true);
+    if (window.phases() == 1) qFatal("%s holds one phase, and the cine needs several", qPrintable(volume));
+    for (Row row : window.playPhases(options.amount)) {
+        row.curve = "each phase's";
+        row.edge = edge;
+        row.shaded = true;
+        tell(row);
+    }
+    findings.kept << window.kept();
+}
+
 /// All actions in a window of one size; `tell` gets each row as soon as it is there.
 void measure(const Options& options, const QString& volume, int edge, const std::function<void(Row)>& tell) {
     WindowUnderTest window(volume, edge, options.shaded);
@@ -97,13 +111,6 @@ void measure(const Options& options, const QString& volume, int edge, const std:
         finished(window.highQuality(options.amount));
         if (!options.pictures.isEmpty())
             window.takePictures(options.pictures, QString("%1-%2").arg(edge).arg(QString(name).replace(' ', '-')));
-    }
-    if (window.phases() == 1) return;
-    for (Row row : window.playPhases(options.amount)) {
-        row.curve = "each phase's";
-        row.edge = edge;
-        row.shaded = options.shaded;
-        tell(row);
     }
 }
 
@@ -146,7 +153,9 @@ int main(int count, char** arguments) {
         out << tableLine(row) << '\n' << Qt::flush;
     };
     const bool room = options.parts.contains("room"), frames = options.parts.contains("frames");
-    if (room || frames) out << tableHeader() << '\n' << Qt::flush;
+    const bool cine = options.parts.contains("cine");
+    if (cine && options.volume.isEmpty()) qFatal("the part \"cine\" needs --volume FILE of a 4D study");
+    if (room || frames || cine) out << tableHeader() << '\n' << Qt::flush;
     if (room) {
         const QString volume = phantom(roomVoxels, 8);
         forgetPeak();  // what making the phantom took
@@ -156,6 +165,12 @@ int main(int count, char** arguments) {
     if (frames) {
         const QString volume = options.volume.isEmpty() ? phantom(0, 8) : options.volume;
         for (const int edge : options.sizes) measure(options, volume, edge, tell);
+    }
+    if (cine) {
+        for (const int edge : options.sizes) {
+            measureCine(options.volume, edge, options, findings, tell);
+            out << keptLine(findings.kept.last()) << '\n' << Qt::flush;
+        }
     }
     if (options.parts.contains("stalls")) {
         // Two bytes a voxel: twice the memory to read, to make quiet and to let go.

@@ -19,8 +19,8 @@ struct Amount {
 
 /// One line of the table: what was done in a window, and what it took.
 struct Row {
-    /// "orbit", "edit", "light", "high quality", "first turn" or "from memory"; with all four panes "reference", "box"
-    /// or "orbit in quad".
+    /// "orbit", "edit", "light", "high quality", "first turn", "later turns" or "from memory"; with all four panes
+    /// "reference", "box" or "orbit in quad".
     QString action;
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels

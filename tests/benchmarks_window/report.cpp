@@ -15,6 +15,8 @@ namespace {
 
 QString number(double value, int decimals, int width) { return QString("%1").arg(value, width, 'f', decimals); }
 
+double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
 QJsonObject json(const Row& row) {
     return {{"action", row.action},
             {"curve", row.curve},
@@ -33,6 +35,15 @@ QJsonObject json(const Row& row) {
             {"quality_share", row.qualityShare},
             {"processor_share", row.processorShare},
             {"frames", row.frames}};
+}
+
+QJsonObject json(const KeptMotion& kept) {
+    return {{"frames", kept.frames},
+            {"frame_mib", mebibytes(kept.frameBytes)},
+            {"quiet_phases", kept.quietPhases},
+            {"quiet_mib", mebibytes(kept.quietBytes)},
+            {"otfs", kept.otfs},
+            {"otf_mib", mebibytes(kept.otfBytes)}};
 }
 
 QJsonObject json(const Stall& stall) {
@@ -73,6 +84,16 @@ QString memoryLine(const Memory& memory) {
         .arg(memory.peakMiB, 0, 'f', 0);
 }
 
+QString keptLine(const KeptMotion& kept) {
+    return QString("In memory are %1 pictures (%2 MiB), quiet voxels of %3 phases (%4 MiB) and %5 OTFs (%6 MiB).")
+        .arg(kept.frames)
+        .arg(mebibytes(kept.frameBytes), 0, 'f', 1)
+        .arg(kept.quietPhases)
+        .arg(mebibytes(kept.quietBytes), 0, 'f', 1)
+        .arg(kept.otfs)
+        .arg(mebibytes(kept.otfBytes), 0, 'f', 1);
+}
+
 QString stallTable(const QList<Stall>& stalls) {
     QStringList lines{QString("%1 %2 longest ms  of it busy  over %3 ms")
                           .arg("action", -10)
@@ -90,12 +111,16 @@ QString stallTable(const QList<Stall>& stalls) {
 }
 
 bool writeJson(const QString& path, const Findings& findings) {
-    QJsonArray rows, stalls;
+    QJsonArray rows, stalls, kept;
+    for (const KeptMotion& motion : findings.kept) kept.append(json(motion));
     for (const Row& row : findings.rows) rows.append(json(row));
     for (const Stall& stall : findings.stalls) stalls.append(json(stall));
     const QJsonObject memory{{"resident_mib", findings.memory.residentMiB}, {"peak_mib", findings.memory.peakMiB}};
-    const QJsonObject whole{
-        {"processors", QThread::idealThreadCount()}, {"rows", rows}, {"memory", memory}, {"stalls", stalls}};
+    const QJsonObject whole{{"processors", QThread::idealThreadCount()},
+                            {"rows", rows},
+                            {"memory", memory},
+                            {"kept", kept},
+                            {"stalls", stalls}};
     QDir().mkpath(QFileInfo(path).absolutePath());
     QSaveFile file(path);
     return file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(whole).toJson()) > 0 && file.commit();

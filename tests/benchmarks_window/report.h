@@ -6,12 +6,14 @@
 #include "tests/benchmarks_window/heartbeat.h"
 #include "tests/benchmarks_window/measures.h"
 #include "tests/benchmarks_window/memory.h"
+#include "widgets/panels/motion_panel.h"
 
 namespace echolucent::bench {
 
 struct Findings {
     QList<Row> rows;
-    Memory memory;  ///< of a study with everything on
+    Memory memory;           ///< of a study with everything on
+    QList<KeptMotion> kept;  ///< of each cine
     QList<Stall> stalls;
 };
 
@@ -19,10 +21,12 @@ struct Findings {
 [[nodiscard]] QString tableLine(const Row& row);
 /// A sentence.
 [[nodiscard]] QString memoryLine(const Memory& memory);
+/// A sentence.
+[[nodiscard]] QString keptLine(const KeptMotion& kept);
 /// A table with a line for each stall, and a sentence that names the longest.
 [[nodiscard]] QString stallTable(const QList<Stall>& stalls);
 
-/// {"processors": n, "rows": [...], "memory": {...}, "stalls": [...]}; false where it cannot be written.
+/// {"processors": n, "rows": [...], "memory": {...}, "kept": [...], "stalls": [...]}; false where it cannot be written.
 [[nodiscard]] bool writeJson(const QString& path, const Findings& findings);
 
 }  // namespace echolucent::bench

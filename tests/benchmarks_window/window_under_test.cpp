@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 
 #include "app/motion/motion_player.h"
@@ -155,17 +156,25 @@ QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
     const auto turn = [&](const auto& enough) {
         const int before = steps;
         Row row = record(enough);
-        row.framesPerSecond = (steps - before) / (row.frames / row.framesPerSecond);
+        // A phase may have several pictures, of which the screen shows the last at least.
+        if (row.frames > 0) row.framesPerSecond *= std::min(1.0, 1.0 * (steps - before) / row.frames);
         return row;
     };
     Row first = turn([&](const FrameRecord&) { return steps >= phases(); });
     first.action = "first turn";
-    (void)record([&](const FrameRecord&) { return fine >= 2 * phases(); });
+    Row later = turn([&](const FrameRecord&) { return fine >= 2 * phases(); });
+    later.action = "later turns";
     Row kept = turn([&](const FrameRecord& now) { return now.milliseconds() > amount.seconds * 1e3; });
     kept.action = "from memory";
+    m_kept = {.frames = view().keptFrames(),
+              .quietPhases = window().session().quietPhases().madeCount(),
+              .otfs = static_cast<int>(window().session().keptOtfs().count()),
+              .frameBytes = view().keptFrameBytes(),
+              .quietBytes = window().session().quietPhases().bytes(),
+              .otfBytes = window().session().keptOtfs().bytes()};
     player.pause();
     waitUntilConverged();
-    return {first, kept};
+    return {first, later, kept};
 }
 
 Row WindowUnderTest::edit(const OpacityCurve& curve, const Amount& amount) {

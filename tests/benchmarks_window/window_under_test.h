@@ -5,6 +5,7 @@
 
 #include "tests/benchmarks_window/measures.h"
 #include "tests/benchmarks_window/open_window.h"
+#include "widgets/panels/motion_panel.h"
 
 namespace echolucent::bench {
 
@@ -29,8 +30,11 @@ public:
     [[nodiscard]] Row highQuality(const Amount& amount);
     [[nodiscard]] int phases() const;
     /// Plays a 4D study, each phase with its own OTF, as fast as it goes: "first turn" is the first time round, from
-    /// the first phase on; "from memory" is measured once every picture is kept and fine.
+    /// the first phase on; "later turns" are those until every picture is kept and fine; "from memory" is measured from
+    /// then on. Their rate is that of phases on the screen.
     [[nodiscard]] QList<Row> playPhases(const Amount& amount);
+    /// What of the motion was kept in memory when playPhases() ended.
+    [[nodiscard]] const KeptMotion& kept() const { return m_kept; }
     /// Saves what is on the screen in motion and at rest.
     void takePictures(const QString& folder, const QString& name);
 
@@ -46,6 +50,7 @@ private:
     void moveHand(Qt::KeyboardModifiers keys);
 
     QPointF m_hand;
+    KeptMotion m_kept;
 };
 
 }  // namespace echolucent::bench
