@@ -6,6 +6,7 @@
 #include <QRadioButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "io/output/nifti_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_smoothing.h"
+#include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/motion_panel.h"
 
@@ -248,6 +250,31 @@ private slots:
         QVERIFY(shows(phaseCount - 2));
         for (const auto& [phase, curve] : play(phaseCount)) QVERIFY(curve == window().otfEditor().state().adaptive);
         QVERIFY(shows(phaseCount - 2));
+    }
+
+    void aStrokeReachesTheOneOtfOfAPhaseThatIsNotShown() {
+        open(m_moving);
+        const SampledCurve before = window().otfEditor().state().adaptive;
+        for (int i = 0; i < 2; ++i) QTest::keyClick(&window(), Qt::Key_Period);
+        waitUntilIdle();
+        ScalpelStroke stroke{.tool = ScalpelTool::polygon, .camera = window().volumeView().settings().camera};
+        stroke.places = {{-0.1, -0.1}, {0.2, -0.1}, {0.2, 0.2}, {-0.1, 0.2}};
+        Document next = document();
+        strokesOf(next, 1).push_back(stroke);
+        window().document().edit(next, "cut");
+        waitUntilIdle();
+        const Volume& scan = *window().session().study()->phases.front();
+        ScalpelCuts cuts(scan.geometry());
+        const Volume cut = *cuts.cut(scan, std::array{stroke});
+        const auto expected = adaptOpacity(cut, otfViewpointOf(document(), 1), configOf(document()));
+        QVERIFY(expected->curve != before);
+        QVERIFY(window().otfEditor().state().adaptive == expected->curve);
+        QVERIFY(window().volumeView().volume() == window().session().newestVoxels());
+        QVERIFY(window().session().volume() != window().session().study()->phases[2]);  // cut too
+        QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier);
+        waitUntilIdle();
+        QVERIFY(window().otfEditor().state().adaptive == before);
+        QCOMPARE(window().volumeView().volume(), window().session().study()->phases[2]);
     }
 
     void anotherPhaseNeedsNoOtfWhereOneServesAll() {

@@ -114,6 +114,7 @@ private slots:
         look.mixing = 0.25;
         look.brightness = 1.3;
         strokesOf(next, 1).push_back(stroke(0.1, 0.15));
+        next.motion.otfPhase = 1;
         window().document().edit(next, "everything");
         window().document().showPhase(1, 1);
         waitUntilIdle();
