@@ -83,8 +83,9 @@ private slots:
 
     void anAngleHasItsArcAndAnUnfinishedOneItsLines() {
         const QSize size(400, 400);
+        constexpr double half = 0.5 / 400;  // a pixel's middle
         const PlacedMeasurement angle{.kind = MeasurementKind::angle,
-                                      .places = {{0.4, 0.0}, {0.0, 0.0}, {0.0, -0.4}},
+                                      .places = {{0.4, half}, {half, half}, {half, -0.4}},
                                       .arc = {{0.1, 0.0}, {0.0707, -0.0707}, {0.0, -0.1}},
                                       .text = "90.0°"};
         QVERIFY(inColour(painted({angle}, size, 1.0), around({200 + 28, 200 - 28}, 2)) >= 2);
