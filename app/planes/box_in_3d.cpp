@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/planes/measurement_overlay.h"
 #include "processing/document/box_editing.h"
+#include "processing/document/shown_measurement.h"
 #include "widgets/planes/plane_colours.h"
 #include "widgets/volume_view/grip_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -71,14 +73,28 @@ void BoxIn3d::setDrawing(const std::optional<PictureLine>& drawing) {
     show();
 }
 
+void BoxIn3d::setMarking(const Overlay& marking) {
+    if (marking == m_marking) return;
+    m_marking = marking;
+    show();
+}
+
 void BoxIn3d::show() {
     Overlay overlay;
     if (m_session.volume()) {
         if (planesOf(m_model.document(), m_view).linesIn3d) addPlanes(overlay);
         addBox(overlay);
+        addMeasurements(overlay);
     }
     if (m_drawing) overlay.pictureLines.push_back(*m_drawing);
     m_picture.setOverlay(overlay);
+}
+
+void BoxIn3d::addMeasurements(Overlay& overlay) const {
+    const Document& document = m_model.document();
+    append(overlay, overlayOf(shownMeasurements(document.measurements, phaseOf(document, m_view),
+                                                m_session.volume()->geometry())));
+    append(overlay, m_marking);
 }
 
 void BoxIn3d::addPlanes(Overlay& overlay) const {

@@ -1,4 +1,4 @@
-// The render box and the planes in the 3D view: drawn over the picture, and the box dragged there.
+// Box, planes and measurements in the 3D view: drawn over the picture, and the box dragged there.
 #pragma once
 
 #include <QObject>
@@ -24,6 +24,8 @@ public:
 
     /// What the scalpel draws lies over all else.
     void setDrawing(const std::optional<PictureLine>& drawing);
+    /// What is being measured lies over what was measured.
+    void setMarking(const Overlay& marking);
 
 private:
     /// What is held together: no face is the centre, one a face, two an edge, three a corner.
@@ -31,6 +33,7 @@ private:
     void show();
     void addBox(Overlay& overlay);
     void addPlanes(Overlay& overlay) const;
+    void addMeasurements(Overlay& overlay) const;
     void drag(const Vec3& mm);
 
     DocumentModel& m_model;
@@ -39,6 +42,7 @@ private:
     VolumeViewWidget& m_picture;
     std::vector<Grip> m_grips;
     std::optional<PictureLine> m_drawing;
+    Overlay m_marking;
     Grip m_held;                       ///< what is dragged
     std::optional<Document> m_before;  ///< when the drag began
 };

@@ -76,9 +76,19 @@ void VolumeViewWidget::setOverlay(const Overlay& overlay) {
     redrawSoon();
 }
 
+const Overlay& VolumeViewWidget::overlay() const { return m_parts->scene.overlay(); }
+
 LassoPointer& VolumeViewWidget::lasso() { return *m_parts->lasso; }
 
 GripPointer& VolumeViewWidget::grips() { return *m_parts->grips; }
+
+MarkingPointer* VolumeViewWidget::createMarkingPointer(MarkingPointer::Offer offer, QObject* parent) {
+    return new MarkingPointer(*m_parts->window, std::move(offer), parent);
+}
+
+void VolumeViewWidget::setToolCursor(bool on) {
+    if (!m_parts->lasso->tool()) m_parts->window->setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+}
 
 Camera VolumeViewWidget::shownCamera() const { return m_parts->scene.camera(); }
 
@@ -266,11 +276,11 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     }
 }
 
-std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place) const {
+std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place, double step) const {
     const Parts& parts = *m_parts;
     if (!parts.shown) return std::nullopt;
     RayCastSettings settings = parts.shown->settings;
-    settings.step = std::max(settings.step, 1.0);  // a place need not be known as finely as a picture shows it
+    settings.step = step;
     const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, settings};
     const auto sample = samplePointedAt(shown, settings.width / 2.0 + place[0] * settings.height,
                                         settings.height / 2.0 + place[1] * settings.height);

@@ -17,6 +17,7 @@
 #include "processing/picture/renderer_choice.h"
 #include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
+#include "widgets/marking_pointer.h"
 
 namespace echolucent {
 
@@ -126,13 +127,19 @@ public:
     /// Lines over the picture, which are no part of it: saved pictures go without them. They are drawn once the event
     /// loop runs again, with whatever else has changed until then.
     void setOverlay(const Overlay& overlay);
+    [[nodiscard]] const Overlay& overlay() const;
     /// What the scalpel draws over the picture, and what can be held there.
     [[nodiscard]] LassoPointer& lasso();
     [[nodiscard]] GripPointer& grips();
+    /// Who marks places over the picture is offered presses before all others; pixels are those of this widget.
+    [[nodiscard]] MarkingPointer* createMarkingPointer(MarkingPointer::Offer offer, QObject* parent);
+    /// Whether the cursor over the picture is that of a tool; the scalpel has its own.
+    void setToolCursor(bool on);
     /// The camera of the picture that is shown.
     [[nodiscard]] Camera shownCamera() const;
-    /// The place of the grid, mm, that the picture shows there; empty where it shows nothing.
-    [[nodiscard]] std::optional<Vec3> shownAt(const PicturePlace& place) const;
+    /// The place of the grid, mm, that the picture shows there, known along the ray to `step` (units, above 0); empty
+    /// where it shows nothing.
+    [[nodiscard]] std::optional<Vec3> shownAt(const PicturePlace& place, double step = 1.0) const;
     /// What the scale bar says; a sentence where the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
     /// Chooses who renders. The graphics card can be chosen also where OpenGL is software, which is slow (see

@@ -1,7 +1,8 @@
-// What lies over a picture beside its annotations: lines and discs, some in the volume, some in the picture.
+// What lies over a picture beside its annotations: lines, discs and words, some in the volume, some in the picture.
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "processing/picture/picture_place.h"
@@ -19,12 +20,29 @@ struct SpaceLine {
     friend bool operator==(const SpaceLine&, const SpaceLine&) = default;
 };
 
+/// A line through two or more places of the grid, mm, drawn as a SpaceLine.
+struct SpacePath {
+    std::vector<Vec3> places;
+    Colour colour{};
+    double width = 1.5;  ///< pixels of a plain screen
+    friend bool operator==(const SpacePath&, const SpacePath&) = default;
+};
+
 /// A place of the grid that can be held: a disc.
 struct SpaceDisc {
     Vec3 at;
     Colour colour{};
     double radius = 4.0;  ///< pixels of a plain screen
     friend bool operator==(const SpaceDisc&, const SpaceDisc&) = default;
+};
+
+/// Words beside places of the grid, mm, where labelOf() (processing/document/shown_measurement.h) puts them.
+struct SpaceText {
+    std::vector<Vec3> beside;  ///< at least one
+    std::string text;          ///< UTF-8
+    Colour colour{};
+    double gap = 9.0;  ///< between place and words, pixels of a plain screen
+    friend bool operator==(const SpaceText&, const SpaceText&) = default;
 };
 
 /// A line through places of the picture.
@@ -38,8 +56,10 @@ struct PictureLine {
 /// What lies over a picture beside its annotations.
 struct Overlay {
     std::vector<SpaceLine> spaceLines{};
+    std::vector<SpacePath> spacePaths{};
     std::vector<SpaceDisc> discs{};
     std::vector<PictureLine> pictureLines{};
+    std::vector<SpaceText> texts{};
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 

@@ -2,14 +2,32 @@
 
 #include <vtkActor2D.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
+#include <array>
+#include <cmath>
 #include <optional>
+
+#include "processing/document/shown_measurement.h"
+#include "widgets/volume_view/scene/annotation/annotation_style.h"
 
 namespace echolucent {
 
-void OverlayLines::addTo(vtkRenderer* renderer) { renderer->AddActor2D(m_lines.actor()); }
+OverlayLines::OverlayLines() = default;
+OverlayLines::~OverlayLines() = default;
 
-void OverlayLines::setVisible(bool visible) { m_lines.actor()->SetVisibility(visible); }
+void OverlayLines::addTo(vtkRenderer* renderer) {
+    m_renderer = renderer;
+    renderer->AddActor2D(m_lines.actor());
+}
+
+void OverlayLines::setVisible(bool visible) {
+    m_visible = visible;
+    m_lines.actor()->SetVisibility(visible);
+    for (const auto& text : m_texts)
+        if (!visible) text->VisibilityOff();
+}
 
 void OverlayLines::layOut(int viewportWidth, int viewportHeight, double scale, const Camera& camera) {
     m_lines.clear();
@@ -21,12 +39,49 @@ void OverlayLines::layOut(int viewportWidth, int viewportHeight, double scale, c
         const auto from = placeInPicture(camera, line.from), to = placeInPicture(camera, line.to);
         if (from && to) m_lines.addLine(pixelOf(*from), pixelOf(*to), line.width * scale, line.colour);
     }
+    for (const SpacePath& path : m_overlay.spacePaths) {
+        std::vector<Point2> points;
+        for (const Vec3& place : path.places)
+            if (const auto at = placeInPicture(camera, place)) points.push_back(pixelOf(*at));
+        if (points.size() == path.places.size()) m_lines.addPath(points, path.width * scale, path.colour);
+    }
     for (const SpaceDisc& disc : m_overlay.discs)
         if (const auto at = placeInPicture(camera, disc.at))
             m_lines.addDisc(pixelOf(*at), disc.radius * scale, disc.colour);
     for (const PictureLine& line : m_overlay.pictureLines)
         for (std::size_t i = 1; i < line.places.size(); ++i)
             m_lines.addLine(pixelOf(line.places[i - 1]), pixelOf(line.places[i]), line.width * scale, line.colour);
+    layOutTexts(viewportWidth, viewportHeight, scale, camera);
+}
+
+void OverlayLines::layOutTexts(int viewportWidth, int viewportHeight, double scale, const Camera& camera) {
+    while (m_texts.size() < m_overlay.texts.size()) {
+        m_texts.push_back(vtkSmartPointer<vtkTextActor>::New());
+        m_texts.back()->GetTextProperty()->SetVerticalJustificationToCentered();
+        m_renderer->AddActor2D(m_texts.back());
+    }
+    for (std::size_t i = 0; i < m_texts.size(); ++i) {
+        vtkTextActor& actor = *m_texts[i];
+        actor.SetVisibility(false);
+        if (i >= m_overlay.texts.size() || !m_visible) continue;
+        const SpaceText& words = m_overlay.texts[i];
+        PlacedMeasurement placed;
+        for (const Vec3& place : words.beside)
+            if (const auto at = placeInPicture(camera, place)) placed.places.push_back(*at);
+        if (placed.places.size() < words.beside.size()) continue;  // a place lies behind the eye
+        styleAnnotation(actor, words.colour);
+        actor.SetInput(words.text.c_str());
+        std::array<double, 2> size{};
+        actor.GetSize(m_renderer, size.data());
+        const double gap = words.gap * scale, height = viewportHeight;
+        const MeasurementLabel label = labelOf(placed, (size[0] + gap) / height, viewportWidth / height);
+        label.toTheRight ? actor.GetTextProperty()->SetJustificationToLeft()
+                         : actor.GetTextProperty()->SetJustificationToRight();
+        const double x = viewportWidth / 2.0 + label.at[0] * height + (label.toTheRight ? gap : -gap);
+        actor.SetDisplayPosition(static_cast<int>(std::lround(x)),
+                                 static_cast<int>(std::lround(height / 2.0 - label.at[1] * height)));
+        actor.SetVisibility(true);
+    }
 }
 
 }  // namespace echolucent

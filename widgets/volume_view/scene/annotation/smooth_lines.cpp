@@ -43,10 +43,16 @@ void SmoothLines::clear() {
 }
 
 void SmoothLines::addLine(const Point2& from, const Point2& to, double width, const Colour& colour) {
-    const Point2 along = to - from;
-    const Point2 end = along * (rim / std::max(cv::norm(along), 1e-9));
-    addBand(from - end, to + end, width + 2 * rim, black, rimOpacity);
-    addBand(from, to, width, colour, 1.0);
+    addPath({from, to}, width, colour);
+}
+
+void SmoothLines::addPath(const std::vector<Point2>& points, double width, const Colour& colour) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Point2 along = points[i] - points[i - 1];
+        const Point2 end = along * (rim / std::max(cv::norm(along), 1e-9));
+        addBand(points[i - 1] - end, points[i] + end, width + 2 * rim, black, rimOpacity);
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) addBand(points[i - 1], points[i], width, colour, 1.0);
 }
 
 void SmoothLines::addDisc(const Point2& centre, double radius, const Colour& colour) {

@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 
 #include <opencv2/core/matx.hpp>
+#include <vector>
 
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
@@ -28,6 +29,8 @@ public:
     void clear();
     /// A line with a dark rim, so that it shows over bright tissue as well. Widths in pixels.
     void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
+    /// The same through two or more points; no rim lies over a piece of it.
+    void addPath(const std::vector<Point2>& points, double width, const Colour& colour);
     void addDisc(const Point2& centre, double radius, const Colour& colour);
 
 private:

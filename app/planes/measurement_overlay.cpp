@@ -1,0 +1,43 @@
+#include "app/planes/measurement_overlay.h"
+
+#include "widgets/picture_labels/measurement_drawing.h"
+
+namespace echolucent {
+
+namespace {
+
+const Colour colour{static_cast<unsigned char>(measurementColour.red()),
+                    static_cast<unsigned char>(measurementColour.green()),
+                    static_cast<unsigned char>(measurementColour.blue())};
+
+void addLine(Overlay& overlay, const std::vector<Vec3>& places) {
+    if (places.size() > 1) overlay.spacePaths.push_back({places, colour, measurementLineWidth});
+}
+
+}  // namespace
+
+Overlay overlayOf(const std::vector<ShownMeasurement>& shown) {
+    Overlay overlay;
+    for (const ShownMeasurement& each : shown) {
+        addLine(overlay, each.placesMm);
+        addLine(overlay, each.arcMm);
+        for (const Vec3& place : each.placesMm) overlay.discs.push_back({place, colour, measurementMarkRadius});
+        if (!each.text.empty()) overlay.texts.push_back({each.placesMm, each.text, colour, measurementTextGap});
+    }
+    return overlay;
+}
+
+void append(Overlay& overlay, const Overlay& more) {
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(overlay.spaceLines, more.spaceLines);
+    add(overlay.spacePaths, more.spacePaths);
+    add(overlay.discs, more.discs);
+    add(overlay.pictureLines, more.pictureLines);
+    add(overlay.texts, more.texts);
+}
+
+PictureLine rubberLine(const PicturePlace& from, const PicturePlace& to) {
+    return {{from, to}, colour, measurementLineWidth};
+}
+
+}  // namespace echolucent

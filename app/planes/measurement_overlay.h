@@ -1,0 +1,20 @@
+// Measurements over the 3D view.
+#pragma once
+
+#include <vector>
+
+#include "processing/document/shown_measurement.h"
+#include "widgets/volume_view/scene/annotation/overlay.h"
+
+namespace echolucent {
+
+/// Their marks, lines and words, drawn over the volume.
+[[nodiscard]] Overlay overlayOf(const std::vector<ShownMeasurement>& shown);
+
+/// Draws more over what an overlay draws.
+void append(Overlay& overlay, const Overlay& more);
+
+/// The line from a place that was marked to the pointer.
+[[nodiscard]] PictureLine rubberLine(const PicturePlace& from, const PicturePlace& to);
+
+}  // namespace echolucent
