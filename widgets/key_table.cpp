@@ -20,6 +20,7 @@ std::vector<KeyRow> pictureRows() {
         {place, tr("+, −"), tr("zooms in, zooms out")},
         {place, tr("left drag with the scalpel; double click, Enter"), tr("draws a stroke; closes a polygon")},
         {place, tr("left drag of a mark of the render box"), tr("moves a face, an edge, a corner or the whole box")},
+        {place, tr("left click with the tool that measures distances"), tr("marks a place of what the picture shows")},
         {place, tr("double click"), tr("gives the picture the whole room, or gives it back")},
         {place, tr("Escape during a drag"), tr("ends the drag without change")},
         {place, tr("a file or folder dropped"), tr("opens it")},
@@ -33,6 +34,8 @@ std::vector<KeyRow> planeRows() {
         {place, tr("left drag at the rim"), tr("turns the three planes about it")},
         {place, tr("left drag of a mark or line of the box"),
          tr("moves a face, a corner or the whole box; turns it; moves or bows where the picture begins")},
+        {place, tr("left click, left drag with a tool that measures"), tr("marks a place; marks two")},
+        {place, tr("left drag of a mark of a measurement"), tr("moves that place")},
         {place, tr("wheel; with Ctrl"), tr("steps through parallel planes; zooms about the cursor")},
         {place, tr("middle drag, Shift + left drag"), tr("moves the plane's picture")},
         {place, tr("right drag"), tr("sets window (to the right) and level (down)")},
@@ -101,6 +104,10 @@ std::vector<KeyRow> windowRows() {
          "S, Shift+S",
          tr("takes the scalpel or puts it away; shows all again that it has cut"),
          {{"room.scalpel", "S"}, {"room.takeAllStrokesBack", "Shift+S"}}},
+        {place,
+         "M, Shift+M",
+         tr("takes the tool that measures distances or angles, or puts it away"),
+         {{"room.measureDistance", "M"}, {"room.measureAngle", "Shift+M"}}},
         {place, "F", tr("shows the picture alone on the full screen, and leaves it"), {{"view.fullScreen", "F"}}},
         {place,
          "N",
@@ -124,7 +131,8 @@ std::vector<KeyRow> windowRows() {
          {{"file.savePicture", "P"}, {"edit.copyPicture", "Ctrl+C"}}},
         {place, "F1", tr("explains what the picture shows"), {{"help.explain", "F1"}}},
         {place, "Escape",
-         tr("ends a drag, then a stroke of the scalpel, a pane that has the whole room, the full screen")},
+         tr("ends a drag, then a stroke of the scalpel or places that were marked, the tool in the hand, a pane that "
+            "has the whole room, the full screen")},
     };
 }
 

@@ -4,8 +4,8 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QImage>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <algorithm>
 #include <utility>
@@ -15,9 +15,11 @@
 #include "io/curve_file.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
+#include "processing/document/shown_measurement.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -111,12 +113,24 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 }
 
 void CurveAndPictureFiles::copyPicture() {
-    if (m_parts.session.volume()) QApplication::clipboard()->setImage(m_parts.picture.convergedImage());
+    if (m_parts.session.volume()) QApplication::clipboard()->setImage(pictureToKeep());
+}
+
+QImage CurveAndPictureFiles::pictureToKeep() {
+    QImage image = m_parts.picture.convergedImage();
+    const std::shared_ptr<const Volume> volume = m_parts.session.volume();
+    if (image.isNull() || !volume) return image;
+    const Document& document = m_parts.model.document();
+    const auto shown = shownMeasurements(document.measurements, phaseOf(document, m_parts.view), volume->geometry());
+    QPainter painter(&image);
+    paintMeasurements(painter, placedInPicture(shown, m_parts.picture.shownCamera()), image.size(),
+                      m_parts.picture.devicePixelRatioF());
+    return image;
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!report(mayOverwrite(path))) return false;
-    const QImage image = m_parts.picture.convergedImage().convertToFormat(QImage::Format_RGB888);
+    const QImage image = pictureToKeep().convertToFormat(QImage::Format_RGB888);
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()) * 3);
     for (int y = 0; y < image.height(); ++y)

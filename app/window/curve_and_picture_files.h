@@ -1,8 +1,10 @@
 // Curves and pictures that go to files and back.
 #pragma once
 
+#include <QImage>
 #include <QObject>
 
+#include "app/document/document_model.h"
 #include "app/study/session.h"
 #include "app/window/settings.h"
 #include "processing/document/curve_set.h"
@@ -22,6 +24,8 @@ class CurveAndPictureFiles : public QObject {
 public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
+        DocumentModel& model;
+        int view;
         Session& session;
         OtfEditor& editor;
         VolumeViewWidget& picture;
@@ -37,7 +41,7 @@ public:
     void openCurveOfPerson(const QString& path);
     /// Saves the curve that is shown as nodes, and says which it is and how many nodes it has.
     bool saveCurve(const QString& path);
-    /// Saves what the 3D view shows, without any name of a patient or file in it.
+    /// Saves what the 3D view shows, measurements of its phase included, without any name of a patient or file in it.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
     /// Puts the same picture into the clipboard.
@@ -46,6 +50,8 @@ public:
     bool mayLoseManualCurve();
 
 private:
+    /// What the 3D view shows, converged, with the measurements of its phase.
+    [[nodiscard]] QImage pictureToKeep();
     void chooseAndOpenCurve();
     bool chooseAndSaveCurve(CurveKind kind);
     bool saveCurve(const QString& path, CurveKind kind);

@@ -88,11 +88,12 @@ void MainWindow::createUnits() {
     m_nearCutFinder = std::make_unique<NearCutFinder>(
         NearCutFinder::Parts{m_document, mainView, *m_session, *m_computing, *m_widgets.messages});
     m_opening = std::make_unique<StudyOpening>(*this, *m_session, m_settings, *m_widgets.messages);
-    m_files = std::make_unique<CurveAndPictureFiles>(CurveAndPictureFiles::Parts{
-        *this, *m_session, *m_widgets.editor, *m_widgets.picture, m_settings, *m_widgets.messages});
+    m_files = std::make_unique<CurveAndPictureFiles>(
+        CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_session, *m_widgets.editor, *m_widgets.picture,
+                                    m_settings, *m_widgets.messages});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
                                                             m_widgets.planes, *m_widgets.picture, *m_widgets.room,
-                                                            m_settings});
+                                                            *m_widgets.measurements, *m_widgets.messages, m_settings});
 }
 
 void MainWindow::connectProgress() {

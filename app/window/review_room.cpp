@@ -18,11 +18,20 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
       m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes),
       m_controls(parts.model, parts.view, parts.hand, parts.session, parts.picture, parts.panel),
       m_boxIn3d(parts.model, parts.view, parts.session, parts.picture),
-      m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}) {
+      m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}),
+      m_measuring({parts.model, parts.view, parts.session, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
+      m_measurements({parts.model, parts.view, parts.session, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
     connect(&m_scalpel, &ScalpelHand::nothingToCut, this, &ReviewRoom::nothingToCut);
+    // One tool is in the hand at a time.
+    connect(&m_scalpel, &ScalpelHand::toolChanged, this, [this] {
+        if (m_scalpel.tool() && m_measuring.tool()) m_measuring.setTool(std::nullopt);
+    });
+    connect(&m_measuring, &MeasuringHand::toolChanged, this, [this] {
+        if (m_measuring.tool() && m_scalpel.tool()) m_scalpel.setTool(std::nullopt);
+    });
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
                 [&panes = m_parts.panes, i] { panes.toggleMaximised(i); });
@@ -31,9 +40,13 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
 }
 
 void ReviewRoom::addTo(EscapeOrder& escapes) {
-    escapes.add(EscapeStep::drag, [this] { return m_planes.cancelDrag(); });
+    escapes.add(EscapeStep::drag, [this] { return m_measuring.cancelDrag() || m_planes.cancelDrag(); });
     escapes.add(EscapeStep::lasso, [this] {
-        if (m_parts.picture.lasso().cancelDrawing()) return true;
+        if (m_parts.picture.lasso().cancelDrawing() || m_measuring.dropMarked()) return true;
+        if (m_measuring.tool()) {
+            m_measuring.setTool(std::nullopt);
+            return true;
+        }
         if (!m_scalpel.tool()) return false;
         m_scalpel.setTool(std::nullopt);
         return true;
@@ -55,6 +68,8 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     addBox(*menu);
     menu->addSeparator();
     addScalpel(*menu);
+    menu->addSeparator();
+    addMeasuring(*menu);
     // The keys work also while the menu bar is hidden.
     for (QAction* action : menu->findChildren<QAction*>())
         if (!action->shortcut().isEmpty()) window.addAction(action);
@@ -136,6 +151,26 @@ void ReviewRoom::addScalpel(QMenu& menu) {
     back->setObjectName(QStringLiteral("room.takeAllStrokesBack"));
     back->setShortcut(keyOf(back->objectName()));
     connect(back, &QAction::triggered, &m_scalpel, &ScalpelHand::takeAllBack);
+}
+
+void ReviewRoom::addMeasuring(QMenu& menu) {
+    const auto addTool = [&](const QString& text, const QString& name, MeasurementKind kind) {
+        QAction* action = menu.addAction(text);
+        action->setObjectName(name);
+        action->setShortcut(keyOf(name));
+        action->setCheckable(true);
+        const auto show = [this, action, kind] { action->setChecked(m_measuring.tool() == kind); };
+        connect(action, &QAction::triggered, this, [this, show, kind] {
+            m_measuring.toggle(kind);
+            show();
+        });
+        connect(&m_measuring, &MeasuringHand::toolChanged, action, show);
+    };
+    addTool(tr("&Measure distance"), QStringLiteral("room.measureDistance"), MeasurementKind::distance);
+    addTool(tr("Measure &angle"), QStringLiteral("room.measureAngle"), MeasurementKind::angle);
+    QAction* remove = menu.addAction(tr("Remove all m&easurements"));
+    remove->setObjectName(QStringLiteral("room.removeAllMeasurements"));
+    connect(remove, &QAction::triggered, &m_measurements, &MeasurementControls::removeAll);
 }
 
 void ReviewRoom::editPlanes(const QString& what, const std::function<void(Planes& planes)>& change) {

@@ -6,6 +6,8 @@
 
 #include "app/planes/box_in_3d.h"
 #include "app/planes/document_planes.h"
+#include "app/planes/measurement_controls.h"
+#include "app/planes/measuring_hand.h"
 #include "app/planes/room_controls.h"
 #include "app/planes/scalpel_hand.h"
 #include "app/window/escape_order.h"
@@ -34,6 +36,8 @@ public:
         std::array<PlanePane*, 3> planes;
         VolumeViewWidget& picture;
         RoomPanel& panel;
+        MeasurementsPanel& measurements;
+        MessageBar& messages;
         Settings& settings;
     };
     explicit ReviewRoom(const Parts& parts, QObject* parent = nullptr);
@@ -42,7 +46,7 @@ public:
     [[nodiscard]] bool busy() const { return m_planes.busy(); }
     /// Adds the menu of the room, with its keys, before the menu of the OTF.
     void createMenu(QMainWindow& window);
-    /// What Escape ends in the room: drags in planes, the scalpel, a pane that has the whole room.
+    /// What Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
     void addTo(EscapeOrder& escapes);
     void restore();
     void keep();
@@ -59,6 +63,7 @@ private:
     void addPlanes(QMenu& menu);
     void addBox(QMenu& menu);
     void addScalpel(QMenu& menu);
+    void addMeasuring(QMenu& menu);
     void editPlanes(const QString& what, const std::function<void(Planes& planes)>& change);
 
     Parts m_parts;
@@ -66,6 +71,8 @@ private:
     RoomControls m_controls;
     BoxIn3d m_boxIn3d;
     ScalpelHand m_scalpel;
+    MeasuringHand m_measuring;
+    MeasurementControls m_measurements;
 };
 
 }  // namespace echolucent

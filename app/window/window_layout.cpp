@@ -12,6 +12,7 @@
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
 #include "widgets/panels/explain_panel.h"
+#include "widgets/panels/measurements_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
@@ -75,13 +76,24 @@ QWidget* pictureContent(const WindowLayout& layout) {
     return content;
 }
 
+/// The measurements stand above what is set once, so that their list is in sight while one measures.
+QWidget* planesContent(const WindowLayout& layout) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(layout.measurements);
+    column->addWidget(layout.room, 1);
+    return content;
+}
+
 /// One column of panels, tabbed by what a person is doing; nothing beside the 3D view grows when one is opened.
 void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     QDockWidget* picture = addDock(window, title("Picture"), "dock.view", pictureContent(layout));
     QDockWidget* curve = addDock(window, title("Curve"), "dock.otfEditor", layout.editor);
-    QDockWidget* room = addDock(window, title("Planes"), "dock.room", layout.room);
+    QDockWidget* room = addDock(window, title("Planes"), "dock.room", planesContent(layout));
     QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
     QDockWidget* study = addDock(window, title("Study"), "dock.study", layout.facts);
     layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
@@ -118,6 +130,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.presets = new PresetsPanel(&window);
     layout.sliders = new CurveSliders(&window);
     layout.room = new RoomPanel(&window);
+    layout.measurements = new MeasurementsPanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);

@@ -11,6 +11,7 @@ namespace echolucent {
 class CurveOwner;
 class CurveSliders;
 class ExplainPanel;
+class MeasurementsPanel;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
@@ -38,6 +39,7 @@ struct WindowLayout {
     PresetsPanel* presets = nullptr;
     CurveSliders* sliders = nullptr;
     RoomPanel* room = nullptr;
+    MeasurementsPanel* measurements = nullptr;
     MotionPanel* motion = nullptr;
     OtfCoursePanel* course = nullptr;
     QDockWidget* courseDock = nullptr;

@@ -1,0 +1,78 @@
+#include "app/planes/measurement_controls.h"
+
+#include <algorithm>
+
+#include "processing/document/planes_holding.h"
+#include "processing/document/shown_measurement.h"
+
+namespace echolucent {
+
+namespace {
+
+QString kindName(MeasurementKind kind) {
+    return kind == MeasurementKind::distance ? MeasurementControls::tr("distance") : MeasurementControls::tr("angle");
+}
+
+QString rowText(const Measurement& measurement, const VolumeGeometry& geometry, bool phases) {
+    const Result<std::string> value = measurementText(measurement, geometry);
+    const QString text = value ? QString::fromStdString(*value)
+                               : MeasurementControls::tr("%1 without a value").arg(kindName(measurement.kind));
+    QStringList words{MeasurementControls::tr("%1. %2").arg(measurement.id).arg(text)};
+    words << (measurement.ground == MeasurementGround::plane ? MeasurementControls::tr("in a plane")
+                                                             : MeasurementControls::tr("on a surface"));
+    if (phases) words << MeasurementControls::tr("phase %1").arg(measurement.phase + 1);
+    return words.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+MeasurementControls::MeasurementControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    MeasurementsPanel* panel = &m_parts.panel;
+    connect(panel, &MeasurementsPanel::toolChosen, &m_parts.hand, &MeasuringHand::setTool);
+    connect(&m_parts.hand, &MeasuringHand::toolChanged, panel, [this] { m_parts.panel.setTool(m_parts.hand.tool()); });
+    connect(panel, &MeasurementsPanel::chosen, this, &MeasurementControls::show);
+    connect(panel, &MeasurementsPanel::removed, this, &MeasurementControls::remove);
+    connect(panel, &MeasurementsPanel::allRemoved, this, &MeasurementControls::removeAll);
+    connect(&m_parts.model, &DocumentModel::measurementsChanged, this, &MeasurementControls::list);
+    connect(&m_parts.session, &Session::studyOpened, this, &MeasurementControls::list);
+    list();
+}
+
+void MeasurementControls::list() {
+    std::vector<MeasurementRow> rows;
+    if (const std::shared_ptr<const Volume> volume = m_parts.session.volume())
+        for (const Measurement& each : m_parts.model.document().measurements)
+            rows.push_back({each.id, rowText(each, volume->geometry(), m_parts.session.study()->phases.size() > 1)});
+    m_parts.panel.setRows(rows);
+}
+
+void MeasurementControls::show(int id) {
+    const std::vector<Measurement>& all = m_parts.model.document().measurements;
+    const auto found = std::ranges::find(all, id, &Measurement::id);
+    if (found == all.end() || !m_parts.session.volume()) return;
+    const Measurement measurement = *found;
+    if (phaseOf(m_parts.model.document(), m_parts.view) != measurement.phase)
+        m_parts.model.showPhase(m_parts.view, measurement.phase);
+    if (measurement.ground != MeasurementGround::plane) return;
+    Document next = m_parts.model.document();
+    Planes& planes = planesOf(next, m_parts.view);
+    planes = planesHolding(planes, measurement.placesMm, next.beam.axis, m_parts.session.volume()->dataBox());
+    m_parts.model.edit(next, tr("planes to %1 %2").arg(kindName(measurement.kind)).arg(id));
+}
+
+void MeasurementControls::remove(int id) {
+    Document next = m_parts.model.document();
+    const auto found = std::ranges::find(next.measurements, id, &Measurement::id);
+    if (found == next.measurements.end()) return;
+    const QString what = tr("remove %1 %2").arg(kindName(found->kind)).arg(id);
+    next.measurements.erase(found);
+    m_parts.model.edit(next, what);
+}
+
+void MeasurementControls::removeAll() {
+    Document next = m_parts.model.document();
+    next.measurements.clear();
+    m_parts.model.edit(next, tr("remove all measurements"));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,39 @@
+// The list of measurements, with the document behind it.
+#pragma once
+
+#include <QObject>
+
+#include "app/document/document_model.h"
+#include "app/planes/measuring_hand.h"
+#include "app/study/session.h"
+#include "widgets/panels/measurements_panel.h"
+
+namespace echolucent {
+
+/// Lists the measurements of all phases, shows one where it was measured, and removes them.
+class MeasurementControls : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        int view;
+        Session& session;
+        MeasuringHand& hand;
+        MeasurementsPanel& panel;
+    };
+    /// All of them must outlive this.
+    explicit MeasurementControls(const Parts& parts, QObject* parent = nullptr);
+
+    /// Shows the phase of a measurement; of one in a plane, a plane that holds all its places.
+    void show(int id);
+    void remove(int id);
+    void removeAll();
+
+private:
+    void list();
+
+    Parts m_parts;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,96 @@
+// The measuring tools in the hand: places marked in planes and on surfaces become measurements of the document.
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/document/document_model.h"
+#include "app/planes/box_in_3d.h"
+#include "app/study/session.h"
+#include "processing/document/shown_measurement.h"
+#include "widgets/marking_pointer.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/planes/plane_pane.h"
+
+namespace echolucent {
+
+class VolumeViewWidget;
+
+/// While a tool is in the hand, left clicks mark places: in one plane, or for a distance on what the 3D view shows. A
+/// press that is dragged in a plane marks two. Places of one measurement belong to one pane and one phase: whoever goes
+/// on elsewhere begins anew. With or without a tool, marks of what was measured in planes can be dragged there. Every
+/// finished measurement and every drag is one step.
+class MeasuringHand : public QObject {
+    Q_OBJECT
+
+public:
+    using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
+
+    struct Parts {
+        DocumentModel& model;
+        int view;
+        Session& session;
+        Panes planes;
+        VolumeViewWidget& picture;
+        BoxIn3d& overlay;
+        MessageBar& messages;
+    };
+    /// All of them must outlive this.
+    explicit MeasuringHand(const Parts& parts, QObject* parent = nullptr);
+
+    /// Nothing puts the tool away. Where nothing can be measured the tool is refused with the reason.
+    void setTool(std::optional<MeasurementKind> tool);
+    [[nodiscard]] std::optional<MeasurementKind> tool() const { return m_tool; }
+    /// Takes a tool, or puts it away where it is in the hand.
+    void toggle(MeasurementKind tool);
+    /// Drops the places marked so far; false where there are none.
+    bool dropMarked();
+    /// Ends the drag of a mark without change; false where there is none.
+    bool cancelDrag();
+
+signals:
+    /// Also where a tool was refused.
+    void toolChanged();
+
+private:
+    /// A mark of a finished measurement.
+    struct Mark {
+        int id;
+        std::size_t place;  ///< in its list
+    };
+    void watchPlane(PlanePane& pane);
+    void watchPicture();
+    [[nodiscard]] MarkingPointer::Take offerInPlane(const PlanePane& pane, const QPointF& pixel);
+    void pressInPlane(PlanePane& pane, const QPointF& pixel);
+    void dragInPlane(PlanePane& pane, const QPointF& pixel);
+    void releaseInPlane(PlanePane& pane, const QPointF& pixel);
+    void hoverInPlane(PlanePane& pane, const QPointF& pixel);
+    void markInPlane(PlanePane& pane, const QPointF& pixel);
+    void markOnSurface(const QPointF& pixel);
+    void mark(QObject* pane, const Vec3& gridMm);
+    void finish();
+    [[nodiscard]] std::optional<Mark> markAt(const PlanePane& pane, const QPointF& pixel) const;
+    void moveMark(PlanePane& pane, const QPointF& pixel);
+    void dropWhereItEnded();
+    void showMarking();
+    void tell(const QString& sentence);
+    [[nodiscard]] PicturePlace placeIn3d(const QPointF& pixel) const;
+    [[nodiscard]] Measurement marked() const;
+    [[nodiscard]] const VolumeGeometry& geometry() const;
+
+    Parts m_parts;
+    std::optional<MeasurementKind> m_tool;
+    QObject* m_pane = nullptr;  ///< in which places were marked: a plane's pane, or the picture
+    std::vector<Vec3> m_places;
+    int m_phase = 0;                   ///< in which they were marked
+    std::optional<QPointF> m_pointer;  ///< in m_pane, logical pixels
+    QPointF m_pressedAt;
+    std::optional<Mark> m_held;        ///< under a press; dragged once the hand has left its place
+    std::optional<Document> m_before;  ///< when the drag of a mark began
+    QString m_told;                    ///< the newest sentence over the picture
+};
+
+}  // namespace echolucent

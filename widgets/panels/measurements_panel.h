@@ -1,0 +1,55 @@
+// The tools that measure, and the list of what was measured.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "processing/document/measurement.h"
+
+class QAbstractButton;
+class QListWidget;
+class QPushButton;
+
+namespace echolucent {
+
+/// One line of the list.
+struct MeasurementRow {
+    int id = 1;    ///< of the measurement
+    QString text;  ///< "1. 12.3 mm, plane"
+    friend bool operator==(const MeasurementRow&, const MeasurementRow&) = default;
+};
+
+/// Objects: measurements (this), measurements.distance, .angle, .list, .remove, .removeAll. List and buttons are there
+/// while there is something in the list. No setter emits a signal.
+class MeasurementsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MeasurementsPanel(QWidget* parent = nullptr);
+
+    void setRows(const std::vector<MeasurementRow>& rows);
+    /// The tool in the hand.
+    void setTool(std::optional<MeasurementKind> tool);
+
+signals:
+    /// Nothing: it is put away.
+    void toolChosen(std::optional<echolucent::MeasurementKind> tool);
+    /// A row was clicked, or Enter pressed on it.
+    void chosen(int id);
+    void removed(int id);
+    void allRemoved();
+
+private:
+    QWidget* createList();
+    [[nodiscard]] int selectedId() const;
+
+    std::vector<MeasurementRow> m_rows;
+    std::array<QAbstractButton*, 2> m_tools{};
+    QWidget* m_listed = nullptr;  ///< list and buttons
+    QListWidget* m_list = nullptr;
+};
+
+}  // namespace echolucent
