@@ -130,6 +130,9 @@ Result<void> sweep(const SweepOptions& options) {
     if (!motion) return tl::unexpected<Failure>(motion.error());
     const auto settings = settingsFrom(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
+    if (!options.movie.empty())
+        if (auto possible = MovieFile::check(options.movie, settings->width, settings->height); !possible)
+            return possible;
     if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
@@ -182,7 +185,8 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     command.add_option("--csv", options.csv, "The OTFs as shown, one frame a row; - is standard output")
         ->type_name("FILE");
     command.add_option("--json", options.json, "Frames and flicker figures; - is standard output")->type_name("FILE");
-    command.add_option("--movie", options.movie, "The rendered frames, Motion JPEG in AVI")->type_name("FILE.avi");
+    command.add_option("--movie", options.movie, "The rendered frames; the name ends in .avi, .mp4 or .mkv")
+        ->type_name("FILE.mp4");
     command.add_flag("--picture-flicker", options.pictureFlicker,
                      "Also the flicker of the pictures, into the JSON: renders each frame up to six times");
     command.add_option("--size", options.size, "Pixels of the movie and of --picture-flicker")
@@ -205,7 +209,7 @@ void addSweepCommand(CLI::App& program, Action& action) {
     options->view.addTo(command);
     options->method.addTo(command);
     command.footer(
-        "Example: echolucent-cli sweep heart.nrrd --beam-axis +y --near 110 --object moving --movie heart.avi");
+        "Example: echolucent-cli sweep heart.nrrd --beam-axis +y --near 110 --object moving --movie heart.mp4");
     command.callback([options, &action] { action = [options] { return sweep(*options); }; });
 }
 

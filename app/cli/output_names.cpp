@@ -7,6 +7,7 @@
 
 #include "app/cli/option_text.h"
 #include "io/headers/header_text.h"
+#include "io/output/movie_file.h"
 
 namespace echolucent::cli {
 
@@ -44,9 +45,12 @@ Result<void> checkPictureName(const std::string& path, const std::string& option
 }
 
 Result<void> checkMovieName(const std::string& path, const std::string& option) {
-    const std::string ending = endingOf(path);
-    if (!isPictureOrMovie(ending) || ending == ".avi") return {};
-    return refused(path, option, "movies are written as Motion JPEG in AVI", "Give it a name that ends in .avi.");
+    if (path.empty()) return {};
+    const auto container = movieContainerOf(path);
+    if (container) return {};
+    Failure failure = container.error();
+    failure.element = option;
+    return tl::unexpected<Failure>(failure);
 }
 
 Result<void> checkMetaImageName(const std::string& path, const std::string& option) {

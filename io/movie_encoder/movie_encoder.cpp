@@ -5,30 +5,40 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <vector>
 
 namespace {
-
-/// The quality of JPEG at which speckle shows no blocks.
-constexpr double quality = 95;
 
 struct Encoder {
     cv::VideoWriter writer;
     cv::Size size;
 };
 
+/// The four-letter codes to try, the best first.
+std::vector<int> codesOf(EcholucentMovieCodec codec) {
+    using cv::VideoWriter;
+    switch (codec) {
+        case echolucentMotionJpeg: return {VideoWriter::fourcc('M', 'J', 'P', 'G')};
+        case echolucentH264: return {VideoWriter::fourcc('a', 'v', 'c', '1'), VideoWriter::fourcc('m', 'p', '4', 'v')};
+        case echolucentLossless: return {VideoWriter::fourcc('F', 'F', 'V', '1')};
+    }
+    return {};
+}
+
 }  // namespace
 
 // No exception may leave a C function.
-void* echolucentOpenMovie(const char* path, int width, int height, double framesPerSecond) {
+void* echolucentOpenMovie(const char* path, EcholucentMovieCodec codec, int width, int height, double framesPerSecond) {
     try {
         // What goes wrong is said in one sentence by the caller.
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         auto encoder = std::make_unique<Encoder>();
         encoder->size = cv::Size(width, height);
-        const int code = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-        if (!encoder->writer.open(path, cv::CAP_OPENCV_MJPEG, code, framesPerSecond, encoder->size)) return nullptr;
-        encoder->writer.set(cv::VIDEOWRITER_PROP_QUALITY, quality);
-        return encoder.release();
+        for (const int code : codesOf(codec)) {
+            if (!encoder->writer.open(path, cv::CAP_FFMPEG, code, framesPerSecond, encoder->size)) continue;
+            return encoder.release();
+        }
+        return nullptr;
     } catch (...) {
         return nullptr;
     }
@@ -56,12 +66,13 @@ void echolucentCloseMovie(void* encoder) {
     }
 }
 
-int echolucentCountPictures(const char* path) {
+int echolucentCountPictures(const char* path, int (*cancelled)(const void*), const void* context) {
     try {
-        cv::VideoCapture movie(path, cv::CAP_OPENCV_MJPEG);
+        cv::VideoCapture movie(path, cv::CAP_FFMPEG);
         if (!movie.isOpened()) return -1;
         int count = 0;
-        while (movie.grab()) ++count;
+        for (; movie.grab(); ++count)
+            if (cancelled(context) != 0) return -1;
         return count;
     } catch (...) {
         return -1;

@@ -3,12 +3,14 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
-#include "io/input_file.h"
 #include "io/movie_encoder/movie_encoder.h"
-#include "io/output/atomic_file.h"
+#include "io/output/unfinished_file.h"
 
 namespace echolucent {
 
@@ -16,8 +18,9 @@ namespace {
 
 constexpr int largestEdge = 16384;
 constexpr double highestFrameRate = 1000;
-/// The most bytes a movie may have, because AVI counts in 32 bits.
-constexpr std::size_t largestMovie = 2'000'000'000;
+/// The most bytes an AVI may have, because it counts in 32 bits.
+constexpr std::uintmax_t largestAvi = 2'000'000'000;
+constexpr std::string_view aviEnding = ".avi";
 
 /// The module's functions; null where it is not there. The module is never unloaded, because OpenCV's threads may
 /// outlive the movie.
@@ -70,34 +73,53 @@ Result<void> checkFolder(const std::string& path) {
     return {};
 }
 
-/// An empty file of its own, whose name ends as OpenCV expects of an AVI.
-std::string temporaryMovie() {
-    constexpr std::string_view ending = ".avi";
-    std::error_code error;
-    auto folder = std::filesystem::temp_directory_path(error);
-    if (error) folder = ".";
-    std::string name = (folder / "echolucent-XXXXXX").string() + std::string(ending);
-    const int descriptor = mkstemps(name.data(), static_cast<int>(ending.size()));
-    if (descriptor < 0) return {};
-    ::close(descriptor);
-    return name;
+EcholucentMovieCodec codecOf(const MovieContainer& container) {
+    if (container.ending == aviEnding) return echolucentMotionJpeg;
+    return container.ending == ".mp4" ? echolucentH264 : echolucentLossless;
+}
+
+std::string lowerCaseEnding(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending;
+}
+
+/// ".avi, .mp4 or .mkv".
+std::string allEndings() {
+    std::string list;
+    for (const MovieContainer& container : movieContainers) {
+        if (!list.empty()) list += &container == &movieContainers.back() ? " or " : ", ";
+        list += container.ending;
+    }
+    return list;
 }
 
 }  // namespace
 
+Result<MovieContainer> movieContainerOf(const std::string& path) {
+    const std::string ending = path == "-" ? std::string(aviEnding) : lowerCaseEnding(path);
+    const auto found = std::ranges::find(movieContainers, ending, &MovieContainer::ending);
+    if (found != movieContainers.end()) return *found;
+    return fail(FailureKind::wrongUsage, path, "",
+                ending.empty() ? "does not say by its ending what kind of movie it is to be"
+                               : "ends in " + ending + ", which is no kind of movie that can be written",
+                "Give it a name that ends in " + allEndings() + ".");
+}
+
 struct MovieFile::Parts {
-    std::string path, temporary;
+    std::string path;
+    MovieContainer container;
+    std::optional<UnfinishedFile> file{};
     std::size_t pictureBytes = 0;
     void* movie = nullptr;
     int pictures = 0;
 
-    Parts() = default;
+    Parts(std::string where, const MovieContainer& what) : path(std::move(where)), container(what) {}
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
     ~Parts() {
         if (movie) encoder().close(movie);
-        std::error_code ignored;
-        if (!temporary.empty()) std::filesystem::remove(temporary, ignored);
     }
 };
 
@@ -106,24 +128,37 @@ MovieFile::MovieFile(MovieFile&&) noexcept = default;
 MovieFile& MovieFile::operator=(MovieFile&&) noexcept = default;
 MovieFile::~MovieFile() = default;
 
+Result<void> MovieFile::check(const std::string& path, int width, int height) {
+    const auto container = movieContainerOf(path);
+    if (!container) return tl::unexpected<Failure>(container.error());
+    if (container->evenSizes && (width % 2 != 0 || height % 2 != 0))
+        return fail(FailureKind::wrongUsage, path, "",
+                    "would have " + std::to_string(width) + " x " + std::to_string(height) + " pixels, but those of " +
+                        std::string(container->words) + " are counted in twos",
+                    "Take an even width and height.");
+    return checkFolder(path);
+}
+
 Result<MovieFile> MovieFile::begin(const std::string& path, int width, int height, double framesPerSecond) {
     if (width < 1 || height < 1 || width > largestEdge || height > largestEdge)
         throw std::invalid_argument("MovieFile: the size must be 1 to 16384 pixels");
     if (!(framesPerSecond > 0.0 && framesPerSecond <= highestFrameRate))
         throw std::invalid_argument("MovieFile: the frame rate must be above 0, at most 1000");
-    if (auto possible = checkFolder(path); !possible) return tl::unexpected<Failure>(possible.error());
+    if (auto possible = check(path, width, height); !possible) return tl::unexpected<Failure>(possible.error());
     if (!encoder().complete())
         return cannotWrite(
             path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
                       " is neither beside the program nor in its library folder, or is not the one of this version");
-    auto parts = std::make_unique<Parts>();
-    parts->path = path;
+    auto parts = std::make_unique<Parts>(path, *movieContainerOf(path));
     parts->pictureBytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
-    parts->temporary = temporaryMovie();
-    if (!parts->temporary.empty())
-        parts->movie = encoder().open(parts->temporary.c_str(), width, height, framesPerSecond);
+    auto file = UnfinishedFile::beside(path, parts->container.ending);
+    if (!file) return tl::unexpected<Failure>(file.error());
+    parts->file = std::move(*file);
+    parts->movie =
+        encoder().open(parts->file->name().c_str(), codecOf(parts->container), width, height, framesPerSecond);
     if (!parts->movie)
-        return cannotWrite(path, "could not be made a movie: the temporary folder cannot be written into");
+        return cannotWrite(path, "could not be made a movie: this machine has no encoder of " +
+                                     std::string(parts->container.words) + " for this size and rate");
     return MovieFile(std::move(parts));
 }
 
@@ -136,17 +171,24 @@ Result<void> MovieFile::add(std::span<const std::uint8_t> rgb) {
     return {};
 }
 
-Result<void> MovieFile::finish() {
+Result<void> MovieFile::finish(const Progress& progress) {
     if (!m_parts || !m_parts->movie) throw std::invalid_argument("MovieFile::finish: the movie is finished already");
     encoder().close(m_parts->movie);
     m_parts->movie = nullptr;
     if (m_parts->pictures == 0) return cannotWrite(m_parts->path, "could not be made a movie: it has no pictures");
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(m_parts->file->name(), error);
+    if (m_parts->container.ending == aviEnding && !error && bytes > largestAvi)
+        return cannotWrite(m_parts->path, "could not be made a movie: it is longer than 2 GB, which AVI cannot hold");
     // OpenCV does not say where a write failed.
-    if (encoder().count(m_parts->temporary.c_str()) != m_parts->pictures)
-        return cannotWrite(m_parts->path, "could not be made a movie: the temporary folder may be full");
-    const auto bytes = readWholeFile(m_parts->temporary, largestMovie);
-    if (!bytes) return cannotWrite(m_parts->path, "could not be made a movie: it is longer than 2 GB");
-    return writeFileAtomically(m_parts->path, *bytes);
+    const auto wasCancelled = [](const void* asked) {
+        return static_cast<const Progress*>(asked)->cancelled() ? 1 : 0;
+    };
+    const int whole = encoder().count(m_parts->file->name().c_str(), wasCancelled, &progress);
+    if (progress.cancelled()) return fail(FailureKind::cancelled, m_parts->path, "", "was cancelled");
+    if (whole != m_parts->pictures)
+        return cannotWrite(m_parts->path, "could not be made a movie: the disk may be full");
+    return m_parts->file->putInPlace();
 }
 
 }  // namespace echolucent

@@ -40,6 +40,7 @@ public:
             writeDicom(m_folder / ("series/s" + std::to_string(slice) + ".dcm"), image);
         }
         std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "link.png");
+        std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "m.avi");
         std::filesystem::create_hard_link(m_folder / "v.raw", m_folder / "hard.png");
         std::filesystem::create_directory(m_folder / "study");
         for (const char* name : {"otf.html", "render.csv", "motion.csv"})
@@ -105,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                                    "curve.json"},
                     OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/v.raw", "v.raw", "v.raw"},
                     OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --json F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --movie F/v.raw", "v.raw", "v.raw"},
+                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --movie F/m.avi", "m.avi", "v.raw"},
                     OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --initial manual:F/curve.json --csv F/curve.json",
                                    "curve.json", "curve.json"},
                     OverwritingRow{"bench otf F/v.mhd --runs 1 --json F/v.raw", "v.raw", "v.raw"},
