@@ -103,7 +103,7 @@ Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeO
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, options.path, "phases",
                     fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study->phases.size()));
-    return *viewPicture(*document, *view, *study->phases[static_cast<std::size_t>(phase)], size[0], size[1]);
+    return *viewPicture(*document, *view, study->phases, size[0], size[1]);
 }
 
 }  // namespace echolucent::cli

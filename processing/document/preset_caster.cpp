@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/document/view_picture.h"
+#include "processing/document/view_caster.h"
 
 namespace echolucent {
 

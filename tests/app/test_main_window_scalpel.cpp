@@ -119,7 +119,8 @@ private slots:
         window().document().showPhase(1, 1);
         waitUntilIdle();
         const Picture ofWindow = cast();
-        const auto alone = viewPicture(window().document().document(), 1, scan(1), ofWindow.width, ofWindow.height);
+        const auto alone =
+            viewPicture(window().document().document(), 1, session().study()->phases, ofWindow.width, ofWindow.height);
         QVERIFY(alone->cast == window().volumeView().settings());
         QCOMPARE(difference(alone->picture, ofWindow), 0.0);
         QVERIFY(alone->picture.rgba == ofWindow.rgba);

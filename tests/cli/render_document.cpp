@@ -1,8 +1,10 @@
 // render --document: the converged picture of a view, as processing makes it.
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "io/document/document_file.h"
 #include "io/study.h"
+#include "processing/document/view_frames.h"
 #include "processing/document/view_picture.h"
 #include "program.h"
 
@@ -34,7 +36,7 @@ cv::Mat pictureOf(const std::string& options, const Folder& folder) {
 /// The number of bytes that differ from the view's picture over black.
 int apart(const cv::Mat& picture, const Document& document, int view) {
     const auto study = readStudy(shapesFile());
-    const auto expected = viewPicture(document, view, *study->phases.front(), 70, 52);
+    const auto expected = viewPicture(document, view, study->phases, 70, 52);
     const std::vector<std::uint8_t> rgb = overBackground(expected->picture, {0, 0, 0});
     if (picture.cols != 70 || picture.rows != 52) return -1;
     int differing = 0;
@@ -73,6 +75,29 @@ TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
     const std::string given = "--document \"" + folder / "elsewhere.json" + "\"";
     EXPECT_EQ(apart(pictureOf("\"" + shapesFile() + "\" " + given, folder), document, 1), 0);
     EXPECT_EQ(runProgram("render " + given + " -o \"" + folder / "p.png" + "\"").status, 3);
+}
+
+TEST(RenderDocument, IsEachFrameOfTheDocumentsMotion) {
+    const Folder folder;
+    const std::string file = phantomFile("moving.mha", "--size 56 --phases 3 --seed 4");
+    Document document;
+    document.study = StudyFile{.path = file, .options = {}, .checksum = {}};
+    document.poses.front().value.direction = {.azimuth = 20, .elevation = -8};
+    document.motion.otfPhase = 1;
+    const auto study = readStudy(file);
+    ASSERT_TRUE(study);
+    for (const MotionScenario scenario : {MotionScenario::object, MotionScenario::both})
+        for (const MotionOtf otf : {MotionOtf::oneOtf, MotionOtf::eachView}) {
+            document.motion.scenario = scenario;
+            document.motion.otf = otf;
+            ViewFrames frames(document, 1, {.scans = study->phases});
+            ASSERT_TRUE(writeDocument(folder / "frame.json", frames.documentOf(2)));
+            const cv::Mat rendered = pictureOf("--document \"" + folder / "frame.json" + "\"", folder);
+            std::vector<std::uint8_t> rgb = overBackground(frames.picture(2, 70, 52)->picture, {0, 0, 0});
+            cv::Mat frame(52, 70, CV_8UC3, rgb.data()), channels;
+            cv::cvtColor(frame, channels, cv::COLOR_RGB2BGR);
+            EXPECT_EQ(cv::norm(rendered, channels, cv::NORM_INF), 0.0) << nameOf(scenario) << ' ' << nameOf(otf);
+        }
 }
 
 TEST(RenderDocument, SaysWhatItCannotDo) {

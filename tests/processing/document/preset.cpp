@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <set>
 
@@ -127,7 +128,7 @@ TEST(PresetCaster, MakesTheViewsPictureSmall) {
         Document next = withPreset(document, 1, preset);
         lookOf(next, 1).reduction = SpeckleReduction::off;  // so that both are made of the same voxels
         const auto small = caster.cast(next, 1, {volume, volume}, 24, 20);
-        const auto whole = viewPicture(next, 1, *volume, 48, 40);
+        const auto whole = viewPicture(next, 1, std::array{volume}, 48, 40);
         ASSERT_TRUE(small && whole);
         ASSERT_EQ(small->width, 24);
         ASSERT_EQ(small->height, 20);

@@ -1,0 +1,100 @@
+#include "processing/document/view_caster.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/picture/converged.h"
+#include "processing/picture/view_limits.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
+
+namespace echolucent {
+
+namespace {
+
+const VolumeGeometry& gridOf(const StudyPhases& phases) {
+    if (phases.scans.empty()) throw std::invalid_argument("ViewCaster: a study has at least one phase");
+    return phases.scans.front()->geometry();
+}
+
+}  // namespace
+
+RayCastSettings castSettingsOf(const Document& document, int view, const VolumeGeometry& geometry, const DataBox& box,
+                               int width, int height) {
+    const Look& look = lookOf(document, view);
+    const Pose pose = shownPose(document, view);
+    const Cut& cut = cutOf(document, view);
+    RayCastSettings settings = rayCastSettings(look);
+    settings.width = width;
+    settings.height = height;
+    settings.camera = cameraFor(cameraPoseOf(pose, document.beam.axis, cut.nearCutMm, box, look.projection,
+                                             static_cast<double>(width) / height));
+    Viewpoint limits = viewpointOf(document.beam.axis, pose.direction, cut.nearCutMm);
+    limits.cutSurface = cut.surface;
+    limits.box = viewpointOf(document, view).box;
+    return limitedTo(limits, geometry, std::move(settings));
+}
+
+bool needsAdaptiveOtf(const Document& document, int view) {
+    return viewOf(document, view).curve == CurveKind::adaptive && lookOf(document, view).mode == RenderMode::direct;
+}
+
+int otfPhaseOf(const Document& document, int view, int phases) {
+    if (phases < 2 || document.motion.otf != MotionOtf::oneOtf) return phaseOf(document, view);
+    return std::min(document.motion.otfPhase, phases - 1);
+}
+
+ViewCaster::ViewCaster(StudyPhases phases) : m_phases(std::move(phases)), m_cuts(gridOf(m_phases)) {}
+
+const ViewCaster::Voxels* ViewCaster::voxels(const Document& document, int view, int phase, const Progress& progress) {
+    const SpeckleReduction reduction = lookOf(document, view).reduction;
+    const std::vector<ScalpelStroke>& strokes = strokesOf(document, view);
+    if (m_voxels && m_voxels->phase == phase && m_voxels->reduction == reduction && m_voxels->strokes == strokes)
+        return &*m_voxels;
+    const auto place = static_cast<std::size_t>(phase);
+    const Volume& scan = *m_phases.scans.at(place);
+    const auto raw = m_cuts.cut(scan, strokes, progress);
+    if (!raw) return nullptr;
+    Voxels made{.phase = phase, .strokes = strokes, .reduction = reduction};
+    made.raw = std::make_shared<const Volume>(*raw);
+    if (reduction == SpeckleReduction::off) {
+        made.shown = made.raw;
+    } else if (reduction == m_phases.reduction && place < m_phases.quiet.size() && m_phases.quiet[place]) {
+        made.shown = std::make_shared<const Volume>(m_phases.quiet[place]->withCut(raw->cut()));
+    } else {
+        const auto quiet = quietVolume(*raw, reduction, progress);
+        if (!quiet) return nullptr;
+        made.shown = std::make_shared<const Volume>(quiet->withDataBox(scan.dataBox()));
+    }
+    m_voxels = std::move(made);
+    return &*m_voxels;
+}
+
+std::optional<ViewOtf> ViewCaster::otf(const Document& document, int view, const Progress& progress) {
+    const Progress silent{{}, progress.cancel};
+    const Voxels* of = voxels(document, view, otfPhaseOf(document, view, phaseCount()), silent);
+    if (!of) return std::nullopt;
+    const QuietVoxels shown =
+        of->reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{of->shown.get(), of->reduction};
+    auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, view), configOf(document), silent, shown);
+    if (!otf) return std::nullopt;
+    return ViewOtf{std::move(otf->curve), std::move(otf->message)};
+}
+
+std::optional<ViewPicture> ViewCaster::picture(const Document& document, int view, int width, int height,
+                                               const ViewOtf& otf, const Progress& progress) {
+    const Voxels* of = voxels(document, view, phaseOf(document, view), Progress{{}, progress.cancel});
+    if (!of) return std::nullopt;
+    const RayCastSettings settings =
+        converged(castSettingsOf(document, view, of->shown->geometry(), of->shown->dataBox(), width, height));
+    const OpacityCurve curve = curveOf(document, view, otf.curve);
+    // From the samples of a view that is cast again pictures follow to half a level only.
+    if (!m_rays || m_rays->volume() != of->shown || m_cast == settings) m_rays.emplace(of->shown);
+    m_cast = settings;
+    auto picture = m_rays->cast(curve, settings, progress);
+    if (!picture) return std::nullopt;
+    return ViewPicture{std::move(*picture), settings, curve, of->shown, otf.message};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,88 @@
+// Casts pictures of the views of documents, one after the other, through the phases of one study.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/document/document.h"
+#include "processing/opacity_curve.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/progress.h"
+#include "processing/ray_caster.h"
+#include "processing/scalpel/scalpel_cuts.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// How a view is cast at its look's own step. The camera is that of the shown pose, fitted to a data box; the limits
+/// are the view's cut and box.
+[[nodiscard]] RayCastSettings castSettingsOf(const Document& document, int view, const VolumeGeometry& geometry,
+                                             const DataBox& box, int width, int height);
+
+/// What a view shows.
+struct ViewPicture {
+    Picture picture;
+    RayCastSettings cast;                  ///< what it was cast with
+    OpacityCurve curve;                    ///< that it is rendered with
+    std::shared_ptr<const Volume> voxels;  ///< quiet where speckle is reduced, and cut by the strokes
+    std::string message;                   ///< what the adaptive OTF has to say; else empty
+};
+
+/// The phases of a study.
+struct StudyPhases {
+    std::vector<std::shared_ptr<const Volume>> scans;  ///< as they were read, at least one, all on one grid
+    /// Their quiet voxels, of which nothing is cut, where somebody has them: by phase, null or shorter than `scans`
+    /// where they are not made.
+    std::vector<std::shared_ptr<const Volume>> quiet{};
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of `quiet`; a view of another one makes its own
+};
+
+/// The curve that a view is shown with where it is adaptive.
+struct ViewOtf {
+    SampledCurve curve{};
+    std::string message{};  ///< what the adaptive OTF has to say
+};
+
+/// Whether the adaptive OTF plays a part in a view's picture: in direct mode, where the view is rendered with it.
+[[nodiscard]] bool needsAdaptiveOtf(const Document& document, int view);
+
+/// The phase whose adaptive OTF a view shows: where one OTF is chosen for all frames of a study of several phases,
+/// MotionChoice::otfPhase, or the last phase where there are not so many; else the phase that the view shows.
+[[nodiscard]] int otfPhaseOf(const Document& document, int view, int phases);
+
+/// Keeps what pictures have in common: what the scalpel cut, the voxels of the newest phase, and their ray caster.
+/// Every picture is the same, to the bit, as if it were the only one. Only one thread at a time may use it.
+class ViewCaster {
+public:
+    explicit ViewCaster(StudyPhases phases);
+
+    [[nodiscard]] int phaseCount() const { return static_cast<int>(m_phases.scans.size()); }
+    /// The adaptive OTF of a view, computed from raw voxels of the phase otfPhaseOf() along otfViewpointOf(), for the
+    /// voxels that are shown of that phase. The result is empty only where progress.cancel was raised.
+    [[nodiscard]] std::optional<ViewOtf> otf(const Document& document, int view, const Progress& progress = {});
+    /// The converged picture of the phase that a view shows; `otf` is its adaptive curve, where that plays a part. The
+    /// result is empty only where progress.cancel was raised. Throws std::out_of_range where there is no such phase.
+    [[nodiscard]] std::optional<ViewPicture> picture(const Document& document, int view, int width, int height,
+                                                     const ViewOtf& otf, const Progress& progress = {});
+
+private:
+    /// Voxels of a phase with what the scalpel cut of them.
+    struct Voxels {
+        int phase = 0;
+        std::vector<ScalpelStroke> strokes{};
+        SpeckleReduction reduction = SpeckleReduction::off;
+        std::shared_ptr<const Volume> raw{}, shown{};
+    };
+    [[nodiscard]] const Voxels* voxels(const Document& document, int view, int phase, const Progress& progress);
+
+    StudyPhases m_phases;
+    ScalpelCuts m_cuts;
+    std::optional<Voxels> m_voxels;  ///< asked for last
+    std::optional<RayCaster> m_rays;
+    RayCastSettings m_cast;  ///< what m_rays cast with last
+};
+
+}  // namespace echolucent

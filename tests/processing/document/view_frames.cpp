@@ -1,0 +1,161 @@
+// The frames of a motion: each is the picture of the document that shows it, to the bit.
+#include "processing/document/view_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "processing/document/view_picture.h"
+#include "processing/motion/otf_sweep.h"
+#include "processing/phantom/phantom.h"
+#include "processing/scalpel/scalpel_stroke.h"
+
+namespace echolucent {
+namespace {
+
+constexpr int width = 40, height = 36;
+
+StudyPhases phasesOf(int count) {
+    StudyPhases phases;
+    for (int i = 0; i < count; ++i) {
+        PhantomConfig config = defaultPhantom(PhantomScene::fetus);
+        config.size = {40, 38, 36};
+        config.spacing = Vec3(2, 2, 2);
+        config.seed = static_cast<std::uint64_t>(3 + i);
+        config.phase = 0.25 * i;
+        phases.scans.push_back(std::make_shared<const Volume>(*makePhantom(config)));
+    }
+    return phases;
+}
+
+/// A view with a cut, a stroke and light that is seen from aside.
+Document documentOf(MotionScenario scenario, MotionOtf otf) {
+    Document document;
+    poseOf(document, 1).direction = {.azimuth = 12, .elevation = -7};
+    cutOf(document, 1).nearCutMm = 5;
+    lookOf(document, 1).reduction = SpeckleReduction::light;
+    lookOf(document, 1).step = 4;
+    ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
+    stroke.camera = {{40, 38, 36}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
+    strokesOf(document, 1).push_back(stroke);
+    document.motion.scenario = scenario;
+    document.motion.otf = otf;
+    return document;
+}
+
+std::vector<float> pixels(const std::optional<ViewPicture>& picture) {
+    return picture ? picture->picture.rgba : std::vector<float>{};
+}
+
+TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
+    const StudyPhases phases = phasesOf(4);
+    for (const MotionScenario scenario : {MotionScenario::probe, MotionScenario::object, MotionScenario::both})
+        for (const MotionOtf otf : {MotionOtf::eachView, MotionOtf::oneOtf}) {
+            Document document = documentOf(scenario, otf);
+            document.motion.phasesPingPong = true;
+            document.motion.otfPhase = 2;
+            ViewFrames frames(document, 1, phases);
+            ASSERT_EQ(frames.count(), scenario == MotionScenario::object ? 6 : 180);
+            for (const int frame : {0, 1, 5}) {
+                Document alone = document;
+                alone.motionAngle = frames.position(frame).angle;
+                phaseOf(alone, 1) = frames.position(frame).phase;
+                if (otf == MotionOtf::eachView) alone.method.direction = shownPose(alone, 1).direction;
+                EXPECT_EQ(frames.documentOf(frame), alone);
+                const auto expected = viewPicture(alone, 1, phases.scans, width, height);
+                const auto made = frames.picture(frame, width, height);
+                EXPECT_TRUE(pixels(made) == pixels(expected)) << nameOf(scenario) << ' ' << nameOf(otf) << ' ' << frame;
+                EXPECT_TRUE(made->cast == expected->cast && made->curve == expected->curve);
+            }
+            EXPECT_THROW((void)frames.position(frames.count()), std::out_of_range);
+        }
+}
+
+TEST(ViewFrames, PhasesComeBackWithTheSameBits) {
+    const StudyPhases phases = phasesOf(3);
+    Document document = documentOf(MotionScenario::object, MotionOtf::eachView);
+    document.motion.phasesPingPong = true;
+    ViewFrames frames(document, 1, phases);
+    ASSERT_EQ(frames.count(), 4);
+    const auto second = pixels(frames.picture(1, width, height));
+    EXPECT_TRUE(pixels(frames.picture(1, width, height)) == second) << "asked for twice";
+    EXPECT_TRUE(pixels(frames.picture(2, width, height)) != second);
+    EXPECT_TRUE(pixels(frames.picture(3, width, height)) == second) << "the way back";
+}
+
+TEST(ViewFrames, OneOtfIsThatOfItsPhase) {
+    const StudyPhases phases = phasesOf(3);
+    Document document = documentOf(MotionScenario::object, MotionOtf::oneOtf);
+    const auto curveOfPhase = [&](int phase) {
+        document.motion.otfPhase = phase;
+        ViewFrames frames(document, 1, phases);
+        return frames.picture(1, width, height)->curve;
+    };
+    Document each = document;
+    each.motion.otf = MotionOtf::eachView;
+    each.method.direction = poseOf(each, 1).direction;
+    phaseOf(each, 1) = 2;
+    document.method.direction = each.method.direction;
+    const OpacityCurve last = viewPicture(each, 1, phases.scans, width, height)->curve;
+    EXPECT_TRUE(curveOfPhase(2) == last);
+    EXPECT_TRUE(curveOfPhase(9) == last) << "a phase beyond the last one is the last one";
+    EXPECT_FALSE(curveOfPhase(0) == last);
+    // A study of one phase has one OTF, whatever phase is chosen.
+    EXPECT_EQ(otfPhaseOf(document, 1, 1), 0);
+}
+
+TEST(ViewFrames, SmoothedOtfsFollowTheTurnRoundAndRound) {
+    const StudyPhases phases = phasesOf(3);
+    Document document = documentOf(MotionScenario::object, MotionOtf::mean);
+    ViewFrames frames(document, 1, phases);
+    // Three turns one after the other: the last is what is shown, whose history is full.
+    OtfHistory history(OtfSmoothing::mean);
+    std::vector<SampledCurve> shown;
+    for (int frame = 0; frame < 3 * frames.count(); ++frame) {
+        Document alone = frames.documentOf(frame % frames.count());
+        alone.motion.otf = MotionOtf::eachView;
+        const OpacityCurve own = viewPicture(alone, 1, phases.scans, 2, 2)->curve;
+        shown.push_back(history.add(frame, std::get<SampledCurve>(own)));
+    }
+    for (int frame = 0; frame < frames.count(); ++frame) {
+        const auto made = frames.picture(frame, width, height);
+        const auto& curve = std::get<SampledCurve>(made->curve);
+        const auto& expected = shown[static_cast<std::size_t>(2 * frames.count() + frame)];
+        for (std::size_t i = 0; i < curve.opacities.size(); ++i)
+            EXPECT_NEAR(curve.opacities[i], expected.opacities[i], 1e-14);
+        EXPECT_FALSE(made->curve == OpacityCurve(frames.picture((frame + 1) % 3, 2, 2)->curve));
+    }
+}
+
+TEST(ViewFrames, QuietVoxelsAtHandChangeNoBit) {
+    StudyPhases phases = phasesOf(2);
+    const Document document = documentOf(MotionScenario::object, MotionOtf::eachView);
+    ViewFrames plain(document, 1, phases);
+    for (const auto& scan : phases.scans)
+        phases.quiet.push_back(
+            std::make_shared<const Volume>(quietVolume(*scan, SpeckleReduction::light)->withDataBox(scan->dataBox())));
+    phases.reduction = SpeckleReduction::light;
+    ViewFrames withQuiet(document, 1, phases);
+    EXPECT_TRUE(pixels(plain.picture(1, width, height)) == pixels(withQuiet.picture(1, width, height)));
+    EXPECT_TRUE(withQuiet.picture(1, width, height)->voxels->isSameScanAs(*phases.quiet[1]));
+    // Those of another reduction are not taken.
+    phases.reduction = SpeckleReduction::strong;
+    ViewFrames ofAnother(document, 1, phases);
+    EXPECT_TRUE(pixels(plain.picture(0, width, height)) == pixels(ofAnother.picture(0, width, height)));
+}
+
+TEST(ViewFrames, IsCancelled) {
+    ViewFrames frames(documentOf(MotionScenario::object, MotionOtf::eachView), 1, phasesOf(2));
+    std::atomic<bool> cancel = true;
+    EXPECT_FALSE(frames.picture(0, width, height, {{}, &cancel}));
+    cancel = false;
+    EXPECT_TRUE(frames.picture(0, width, height, {{}, &cancel}));
+}
+
+TEST(ViewFrames, AStudyWithoutPhasesIsABrokenContract) {
+    EXPECT_THROW(ViewFrames(Document{}, 1, StudyPhases{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echolucent
