@@ -29,7 +29,4 @@ private:
     std::array<vtkNew<vtkTextActor>, 3> m_letters;
 };
 
-/// Where an axis (a unit vector in grid mm) points in the picture: x right, y up, z towards the viewer.
-[[nodiscard]] Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis);
-
 }  // namespace echolucent

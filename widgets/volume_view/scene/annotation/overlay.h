@@ -1,16 +1,13 @@
 // What lies over a picture beside its annotations: lines, discs and words, some in the volume, some in the picture.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "processing/picture/annotation_layout.h"
 #include "processing/picture/picture_place.h"
 
 namespace echolucent {
-
-/// Red, green, blue, each 0..255.
-using Colour = std::array<unsigned char, 3>;
 
 /// A line between two places of the grid, mm. It is drawn over the volume, also where it lies behind it.
 struct SpaceLine {

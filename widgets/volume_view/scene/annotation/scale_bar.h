@@ -12,14 +12,6 @@ class vtkTextActor;
 
 namespace echolucent {
 
-/// A length of 1, 2 or 5 times a power of ten, the longest that is not above a limit (> 0), in mm, and its text:
-/// "10 mm", "0.5 mm".
-struct RoundLength {
-    double mm = 1.0;
-    std::string text;
-};
-[[nodiscard]] RoundLength roundLengthUpTo(double mm);
-
 /// It stands in the lower right corner of the picture. Where the volume's spacing is unknown no length is claimed: it
 /// says so instead.
 class ScaleBar {

@@ -60,6 +60,14 @@ void SmoothLines::addDisc(const Point2& centre, double radius, const Colour& col
     addFeatheredDisc(centre, radius, colour, 1.0);
 }
 
+void SmoothLines::addShapes(const AnnotationLayout& layout) {
+    for (const auto& shape : layout.shapes) {
+        if (const auto* line = std::get_if<AnnotationLine>(&shape))
+            addLine(line->from, line->to, line->width, line->colour);
+        if (const auto* disc = std::get_if<AnnotationDisc>(&shape)) addDisc(disc->centre, disc->radius, disc->colour);
+    }
+}
+
 long long SmoothLines::addPoint(const Point2& point, const Colour& colour, double opacity) {
     m_colours->InsertNextTuple4(colour[0], colour[1], colour[2], std::lround(255 * opacity));
     return m_points->InsertNextPoint(point[0], point[1], 0.0);

@@ -3,9 +3,9 @@
 
 #include <vtkNew.h>
 
-#include <opencv2/core/matx.hpp>
 #include <vector>
 
+#include "processing/picture/annotation_layout.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 class vtkActor2D;
@@ -16,8 +16,6 @@ class vtkPolyDataMapper2D;
 class vtkUnsignedCharArray;
 
 namespace echolucent {
-
-using Point2 = cv::Vec2d;
 
 /// Shapes in viewport pixels (x right, y up, from the lower left corner), drawn in the order they were added.
 class SmoothLines {
@@ -32,6 +30,8 @@ public:
     /// The same through two or more points; no rim lies over a piece of it.
     void addPath(const std::vector<Point2>& points, double width, const Colour& colour);
     void addDisc(const Point2& centre, double radius, const Colour& colour);
+    /// The shapes of a layout, without its texts.
+    void addShapes(const AnnotationLayout& layout);
 
 private:
     void addBand(const Point2& from, const Point2& to, double width, const Colour& colour, double opacity);

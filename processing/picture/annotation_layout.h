@@ -1,0 +1,78 @@
+// Where the scale bar and the orientation marker stand in a picture, and what they say: alike on the screen and in
+// movies.
+#pragma once
+
+#include <array>
+#include <opencv2/core/matx.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "processing/viewpoint.h"
+
+namespace echolucent {
+
+/// Red, green, blue, each 0..255.
+using Colour = std::array<unsigned char, 3>;
+/// Pixels: x right, y up, from the picture's lower left corner.
+using Point2 = cv::Vec2d;
+
+inline constexpr double annotationMargin = 18.0;  ///< from the picture's edges, pixels of a plain screen
+inline constexpr int annotationFontSize = 14;     ///< pixels of a plain screen (72 dpi)
+inline constexpr Colour annotationColour{0xd8, 0xdd, 0xe2};
+
+/// A straight line.
+struct AnnotationLine {
+    Point2 from, to;
+    double width = 1.0;  ///< pixels
+    Colour colour{};
+};
+
+/// A filled disc.
+struct AnnotationDisc {
+    Point2 centre;
+    double radius = 1.0;  ///< pixels
+    Colour colour{};
+};
+
+/// Which place of a text lies where it stands: a share of its width from the left and of its height from below.
+struct TextAnchor {
+    double right = 0.0, up = 0.0;
+};
+
+/// Words of one or more lines.
+struct AnnotationText {
+    std::string words;
+    Point2 at;
+    TextAnchor anchor{};
+    Colour colour{};
+};
+
+/// Shapes in the order in which they are drawn, and texts over them.
+struct AnnotationLayout {
+    std::vector<std::variant<AnnotationLine, AnnotationDisc>> shapes{};
+    std::vector<AnnotationText> texts{};
+};
+
+/// A length of 1, 2 or 5 times a power of ten, the longest that is not above a limit (> 0), in mm, and its text:
+/// "10 mm", "0.5 mm".
+struct RoundLength {
+    double mm = 1.0;
+    std::string text;
+};
+[[nodiscard]] RoundLength roundLengthUpTo(double mm);
+
+/// A bar of a round number of millimetres in the lower right corner of a picture of width x height pixels that shows
+/// `heightMm` from top to bottom, or, where the volume's spacing is unknown, a sentence that says so, and no shape.
+/// `scale` is the number of pixels per pixel of a plain screen.
+[[nodiscard]] AnnotationLayout scaleBarLayout(int width, int height, double scale, double heightMm, bool spacingKnown);
+
+/// Where an axis (a unit vector in grid mm) points in the picture: x right, y up, z towards the viewer.
+[[nodiscard]] Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis);
+
+/// Three arms along the grid's axes x, y and z from a common foot, lettered in this order, in the lower left corner;
+/// the arm nearest the viewer is drawn last. An axis along the line of sight is a disc, brighter where it comes towards
+/// the viewer.
+[[nodiscard]] AnnotationLayout orientationLayout(double scale, const ViewFrame& frame);
+
+}  // namespace echolucent
