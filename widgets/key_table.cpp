@@ -126,9 +126,9 @@ std::vector<KeyRow> windowRows() {
          tr("pause in the phase before or after, of a 4D study"),
          {{"motion.phaseBack", ","}, {"motion.phaseOn", "."}}},
         {place,
-         "P, Ctrl+C",
-         tr("save the picture, copy it to the clipboard"),
-         {{"file.savePicture", "P"}, {"edit.copyPicture", "Ctrl+C"}}},
+         "P, Shift+P, Ctrl+C",
+         tr("save the picture, save a movie of the motion, copy the picture to the clipboard"),
+         {{"file.savePicture", "P"}, {"file.saveMovie", "Shift+P"}, {"edit.copyPicture", "Ctrl+C"}}},
         {place, "F1", tr("explains what the picture shows"), {{"help.explain", "F1"}}},
         {place, "Escape",
          tr("ends a drag, then a stroke of the scalpel or places that were marked, the tool in the hand, a pane that "

@@ -46,6 +46,8 @@ public:
     void chooseAndSavePicture();
     /// Puts the same picture into the clipboard.
     void copyPicture();
+    /// Of a file to be saved: the study's file and what the file will hold, without an ending.
+    [[nodiscard]] QString proposedName(const QString& what) const;
     /// Asks where an edited manual curve would be lost. Returns false where it must not be.
     bool mayLoseManualCurve();
 
@@ -55,8 +57,6 @@ private:
     void chooseAndOpenCurve();
     bool chooseAndSaveCurve(CurveKind kind);
     bool saveCurve(const QString& path, CurveKind kind);
-    /// Of a file to be saved: the study's file and what the file will hold.
-    [[nodiscard]] QString proposedName(const QString& what) const;
     /// Fails where `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);

@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QTimer>
 
+#include "app/motion/movie_files.h"
 #include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/curve_controls.h"
@@ -91,6 +92,10 @@ void MainWindow::createUnits() {
     m_files = std::make_unique<CurveAndPictureFiles>(
         CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_session, *m_widgets.editor, *m_widgets.picture,
                                     m_settings, *m_widgets.messages});
+    m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
+        *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages,
+        [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
+        [this](const QString& what) { return m_files->proposedName(what); }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
                                                             m_widgets.planes, *m_widgets.picture, *m_widgets.room,
                                                             *m_widgets.measurements, *m_widgets.messages, m_settings});
@@ -111,8 +116,13 @@ void MainWindow::connectProgress() {
     });
     connect(m_session.get(), &Session::quieteningFailed, this,
             [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
+    connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
+    connect(m_movies.get(), &MovieFiles::progressed, this, [this](double share) {
+        if (movieIsShown()) m_widgets.status->setProgress(share);
+    });
     connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
         if (m_session->loading()) return m_session->cancelLoading();
+        if (movieIsShown()) return m_movies->cancel();
         m_session->cancelQuietening();
         m_session->cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
@@ -156,8 +166,16 @@ void MainWindow::showProgress() {
         status.beginProgress(tr("looking for the near cut"));
     else if (m_session->quietPhases().busy())
         status.beginProgress(tr("reducing speckle"));
+    else if (movieIsShown())
+        status.beginProgress(m_movies->activity());
     else
         status.endProgress();
+}
+
+/// What else runs is over sooner, and is shown before it.
+bool MainWindow::movieIsShown() const {
+    return m_movies->busy() && !m_session->loading() && !m_session->lookingForNearCut() &&
+           !m_session->quietPhases().busy();
 }
 
 void MainWindow::connectUnits() {
@@ -243,6 +261,8 @@ void MainWindow::createActions() {
     commands.openSimulatedScan = [this] { openSimulatedScan(); };
     commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
+    commands.saveMovie = [this] { m_movies->ask(FrameOutput::movie); };
+    commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
@@ -313,7 +333,8 @@ bool MainWindow::idle() const { return atRest() && !m_presets->pictures().busy()
 
 bool MainWindow::atRest() const {
     return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
-           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_motionPlayer.isPlaying();
+           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_movies->busy() &&
+           !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {
@@ -345,6 +366,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_motionPlayer.pause();
+    m_movies->cancel();
     m_fullScreen->leave();  // what it hides is to be there again at the next start
     keepSettings();
     event->accept();

@@ -22,6 +22,7 @@ class CurveAndPictureFiles;
 class CurveControls;
 class FullScreen;
 class MethodControls;
+class MovieFiles;
 class NearCutFinder;
 class PictureControls;
 class PresetControls;
@@ -55,6 +56,7 @@ public:
     [[nodiscard]] Session& session() { return *m_session; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
+    [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
     /// The OTFs of the motion so far.
@@ -90,6 +92,7 @@ private:
     void keepSettings();
     void updateIdle();
     void showProgress();
+    [[nodiscard]] bool movieIsShown() const;
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
     /// As idle(), but for the small pictures of presets, which wait for the rest.
     [[nodiscard]] bool atRest() const;
@@ -119,6 +122,7 @@ private:
     std::unique_ptr<NearCutFinder> m_nearCutFinder;
     std::unique_ptr<StudyOpening> m_opening;
     std::unique_ptr<CurveAndPictureFiles> m_files;
+    std::unique_ptr<MovieFiles> m_movies;
     std::unique_ptr<ReviewRoom> m_room;
     bool m_idle = true;
     bool m_shown = false;

@@ -38,6 +38,8 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     file->addSeparator();
     file->addActions({editor.openCurveAction(), editor.saveCurveAction()});
     addAction(file, tr("Save &picture…"), "file.savePicture", commands.savePicture);
+    addAction(file, tr("Save &movie…"), "file.saveMovie", commands.saveMovie);
+    addAction(file, tr("Save pic&ture series…"), "file.savePictureSeries", commands.savePictureSeries);
     file->addSeparator();
     addAction(file, tr("&Quit"), "file.quit", [&window] { window.close(); });
 }

@@ -10,6 +10,7 @@
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/large_study.h"
+#include "tests/benchmarks_window/movie_under_way.h"
 #include "tests/benchmarks_window/report.h"
 #include "tests/benchmarks_window/room_under_test.h"
 #include "tests/benchmarks_window/window_under_test.h"
@@ -29,7 +30,8 @@ struct Options {
     QString json, pictures;
 };
 
-constexpr int roomVoxels = 256, largeVoxels = 512;  // along each edge
+constexpr int roomVoxels = 256, largeVoxels = 512, movieVoxels = 128;  // along each edge
+constexpr int moviePhases = 8;
 
 Options parse(const QApplication& application) {
     QCommandLineParser parser;
@@ -37,7 +39,7 @@ Options parse(const QApplication& application) {
         "Measures the real window: frames a second, updates in the review room, memory, stalls.");
     parser.addHelpOption();
     parser.addOptions(
-        {{"parts", "What is measured; \"cine\" needs --volume of a 4D study.", "NAME,NAME", "room,frames,stalls"},
+        {{"parts", "What is measured; \"cine\" needs --volume of a 4D study.", "NAME,NAME", "room,frames,stalls,movie"},
          {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
          {"seconds", "How long each action is measured.", "S", "4"},
          {"frames", "Measure so many frames instead.", "N", "0"},
@@ -47,7 +49,9 @@ Options parse(const QApplication& application) {
           "(stalls).",
           "N", "0"},
          {"shaded", "Frames with light."},
-         {"volume", "A volume's file in the phantom's place; the part \"cine\" plays its phases.", "FILE"},
+         {"volume",
+          "A volume's file in the phantom's place; the part \"cine\" plays its phases, and the movie shows them.",
+          "FILE"},
          {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
          {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
          {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
@@ -67,12 +71,16 @@ Options parse(const QApplication& application) {
 }
 
 /// Writes the fetus to a file; with an edge of 0 voxels as large as the paper's scan.
-QString fetus(int edge, int bits, const QString& folder) {
+QString fetus(int edge, int bits, const QString& folder, int phaseCount = 1) {
     PhantomConfig config = defaultPhantom(PhantomScene::fetus);
     if (edge > 0) config.size = {edge, edge, edge};
     config.bits = bits;
-    const QString path = QString("%1/fetus-%2.mha").arg(folder).arg(edge);
-    const std::vector phases{std::make_shared<const Volume>(*makePhantom(config))};
+    const QString path = QString("%1/fetus-%2-%3.mha").arg(folder).arg(edge).arg(phaseCount);
+    std::vector<std::shared_ptr<const Volume>> phases;
+    for (int phase = 0; phase < phaseCount; ++phase) {
+        config.phase = static_cast<double>(phase) / phaseCount;
+        phases.push_back(std::make_shared<const Volume>(*makePhantom(config)));
+    }
     if (!writeMetaImage(path.toStdString(), phases, MetaImageVoxels::plain))
         qFatal("cannot write %s", qPrintable(path));
     return path;
@@ -133,6 +141,24 @@ Memory measureRoom(const Options& options, const QString& volume, const std::fun
     return memory;
 }
 
+/// A movie into each container, while a heartbeat listens.
+QList<Stall> measureMovies(const Options& options, const QString& volume, QTextStream& out) {
+    MovieUnderWay window(volume);
+    window.rest();
+    for (const char* ending : {".avi", ".mp4", ".mkv"}) {
+        const int edge = options.sizes.first();
+        const MovieCost cost = window.write(QString::fromLatin1(ending), {edge, edge});
+        out << QString("A movie %1 of %2 frames of %3 x %3 took %4 s.")
+                   .arg(cost.ending)
+                   .arg(cost.frames)
+                   .arg(edge)
+                   .arg(cost.seconds, 0, 'f', 1)
+            << '\n'
+            << Qt::flush;
+    }
+    return window.stalls();
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -177,6 +203,14 @@ int main(int count, char** arguments) {
         const QString volume = options.large.isEmpty() ? phantom(largeVoxels, 16) : options.large;
         findings.stalls = LargeStudy().stalls(volume);
         out << stallTable(findings.stalls) << '\n' << Qt::flush;
+    }
+    if (options.parts.contains("movie")) {
+        const QString volume = options.volume.isEmpty()
+                                   ? fetus(options.edge > 0 ? options.edge : movieVoxels, 8, folder.path(), moviePhases)
+                                   : options.volume;
+        const QList<Stall> stalls = measureMovies(options, volume, out);
+        out << stallTable(stalls) << '\n' << Qt::flush;
+        findings.stalls << stalls;
     }
     if (!writeJson(options.json, findings)) qFatal("cannot write %s", qPrintable(options.json));
     return 0;

@@ -1,0 +1,167 @@
+#include "app/motion/frame_files.h"
+
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/picture/picture_caption.h"
+#include "io/output/movie_file.h"
+#include "io/output/overwriting.h"
+#include "io/output/picture_file.h"
+#include "io/output/unfinished_file.h"
+#include "processing/document/shown_measurement.h"
+#include "processing/picture/picture.h"
+#include "widgets/picture_labels/measurement_drawing.h"
+#include "widgets/picture_labels/picture_labels.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr auto pictureEnding = "png";
+constexpr double plainHeight = 720.0;  ///< labels of higher pictures grow with them
+
+tl::unexpected<Failure> cancelled(const FrameOrder& order) {
+    return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
+}
+
+PictureLabels labelsOf(const FrameOrder& order, const ViewFrames& frames, int frame, const ViewPicture& picture) {
+    const Document shown = frames.documentOf(frame);
+    const bool known = picture.voxels->geometry().spacingKnown;
+    const MotionChoice& motion = order.document.motion;
+    const bool ofAnotherView = needsAdaptiveOtf(shown, order.view) && !movesProbe(motion.scenario) &&
+                               shown.method.direction != poseOf(shown, order.view).direction;
+    return {.caption = pictureCaption({.document = shown,
+                                       .view = order.view,
+                                       .speckle = ShownSpeckle::reduced,
+                                       .curveOfAnotherView = ofAnotherView,
+                                       .lengthsKnown = known}),
+            .frame = frameWords(frames.position(frame), motion.scenario, static_cast<int>(order.phases.scans.size()),
+                                order.phaseSeconds),
+            .camera = picture.cast.camera,
+            .spacingKnown = known};
+}
+
+/// A frame as 8-bit red, green, blue; empty where it was cancelled.
+std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, ViewFrames& frames, int frame,
+                                                  const Progress& progress) {
+    const QSize size = order.choice.size;
+    const auto picture = frames.picture(frame, size.width(), size.height(), progress);
+    if (!picture) return std::nullopt;
+    std::vector<std::uint8_t> rgb = overBackground(picture->picture, Vec3(0, 0, 0));
+    if (!order.choice.labels) return rgb;
+    QImage image(rgb.data(), size.width(), size.height(), qsizetype{3} * size.width(), QImage::Format_RGB888);
+    QPainter painter(&image);
+    const double scale = std::max(1.0, size.height() / plainHeight);
+    const auto measured =
+        shownMeasurements(order.document.measurements, frames.position(frame).phase, picture->voxels->geometry());
+    paintMeasurements(painter, placedInPicture(measured, picture->cast.camera), size, scale);
+    paintLabels(painter, size, labelsOf(order, frames, frame, *picture), scale);
+    painter.end();
+    return rgb;
+}
+
+/// Pictures that are written beside their places, and take them all at once.
+class PictureSeries {
+public:
+    Result<void> add(const std::string& path, const QSize& size, const std::vector<std::uint8_t>& rgb) {
+        auto file = UnfinishedFile::beside(path);
+        if (!file) return tl::unexpected<Failure>(file.error());
+        const std::string bytes = pngBytes(size.width(), size.height(), rgb);
+        std::ofstream stream(file->name(), std::ios::binary);
+        if (!stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
+            return fail(FailureKind::unwritable, path, "", "could not be written", "The disk may be full.");
+        m_files.push_back(std::move(*file));
+        std::error_code unknown;
+        m_isNew.push_back(!std::filesystem::exists(path, unknown));
+        m_paths.push_back(path);
+        return {};
+    }
+    /// Where one cannot take its place, those before it that are new are removed again.
+    Result<void> finish() {
+        for (std::size_t i = 0; i < m_files.size(); ++i) {
+            auto put = m_files[i].putInPlace();
+            if (put) continue;
+            std::error_code ignored;
+            for (std::size_t before = 0; before < i; ++before)
+                if (m_isNew[before]) std::filesystem::remove(m_paths[before], ignored);
+            return put;
+        }
+        return {};
+    }
+
+private:
+    std::vector<UnfinishedFile> m_files;
+    std::vector<std::string> m_paths;
+    std::vector<bool> m_isNew;
+};
+
+/// Hands each frame to `take`, in turn.
+template <typename Take>
+Result<void> eachFrame(const FrameOrder& order, ViewFrames& frames, const Progress& progress, const Take& take) {
+    for (int frame = 0; frame < frames.count(); ++frame) {
+        const Progress ofFrame{
+            [&](double share) { progress.at((frame + share) / static_cast<double>(frames.count())); }, progress.cancel};
+        const auto rgb = pixelsOf(order, frames, frame, ofFrame);
+        if (!rgb || progress.cancelled()) return cancelled(order);
+        if (auto taken = take(frame, *rgb); !taken) return taken;
+        ofFrame.at(1.0);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, int frames) {
+    if (output == FrameOutput::movie) return {choice.path.toStdString()};
+    const QFileInfo name(choice.path);
+    const QString stem = name.path() + '/' + name.completeBaseName();
+    const int digits = std::max(4, static_cast<int>(QString::number(frames).size()));
+    std::vector<std::string> files;
+    for (int frame = 1; frame <= frames; ++frame)
+        files.push_back(
+            QStringLiteral("%1-%2.%3").arg(stem).arg(frame, digits, 10, QChar(u'0')).arg(pictureEnding).toStdString());
+    return files;
+}
+
+Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
+                             const std::vector<std::string>& study) {
+    const std::string path = choice.path.toStdString();
+    if (output == FrameOutput::movie) {
+        if (auto possible = MovieFile::check(path, choice.size.width(), choice.size.height()); !possible)
+            return possible;
+    } else {
+        const QFileInfo name(choice.path);
+        if (name.suffix().compare(pictureEnding, Qt::CaseInsensitive) != 0 || name.completeBaseName().isEmpty())
+            return fail(FailureKind::wrongUsage, path, "", "is no name of pictures, which are written as PNG",
+                        "Give it a name that ends in .png.");
+        if (!QFileInfo(name.path()).isDir() || !QFileInfo(name.path()).isWritable())
+            return fail(FailureKind::unwritable, path, "",
+                        "could not be written: its folder is not there or read-only");
+    }
+    return refuseToOverwrite(study, filesOf(output, choice, frames));
+}
+
+Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
+    ViewFrames frames(order.document, order.view, order.phases);
+    const QSize size = order.choice.size;
+    if (order.output == FrameOutput::series) {
+        const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());
+        PictureSeries series;
+        const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
+            return series.add(paths[static_cast<std::size_t>(frame)], size, rgb);
+        });
+        return taken ? series.finish() : taken;
+    }
+    auto movie =
+        MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
+    if (!movie) return tl::unexpected<Failure>(movie.error());
+    const auto taken =
+        eachFrame(order, frames, progress, [&](int, const std::vector<std::uint8_t>& rgb) { return movie->add(rgb); });
+    return taken ? movie->finish(progress) : taken;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,40 @@
+// Writes the frames of a motion into files: a movie, or a series of pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/document/view_frames.h"
+#include "processing/progress.h"
+#include "processing/result.h"
+#include "widgets/panels/movie_dialog.h"
+
+namespace echolucent {
+
+/// All that a movie or a series is made of, as it was when it was asked for: what changes meanwhile does not matter.
+struct FrameOrder {
+    Document document{};
+    int view = 1;
+    StudyPhases phases{};
+    std::optional<double> phaseSeconds{};  ///< as in Study
+    FrameOutput output = FrameOutput::movie;
+    MovieChoice choice{};
+};
+
+/// The files that a choice writes for so many frames: the movie, or NAME-0001.png and those that follow it.
+[[nodiscard]] std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, int frames);
+
+/// Fails where the choice cannot be written: MovieFile::check(), a series whose name does not end in .png or whose
+/// folder is not there, or a file of `study`.
+[[nodiscard]] Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
+                                           const std::vector<std::string>& study);
+
+/// Writes every frame of one turn (ViewFrames), over black, with labels and measurements where the choice wants them.
+/// Files appear once the last frame is made, and none of them before: where it fails, or is cancelled
+/// (Failure::cancelled, within a frame), what was there before is as it was. Without labels a picture of a series is
+/// that of `render --document`, to the bit. Needs no GUI thread; the movie's encoder is loaded by the thread that calls
+/// it.
+[[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
+
+}  // namespace echolucent

@@ -1,0 +1,77 @@
+// Movies and series of pictures of the motion: asks how, writes them in a thread of its own, and tells what became of
+// them.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "app/document/document_model.h"
+#include "app/motion/frame_files.h"
+#include "app/study/session.h"
+#include "app/window/settings.h"
+#include "widgets/newest_wins_thread.h"
+#include "widgets/panels/movie_dialog.h"
+
+class QWidget;
+
+namespace echolucent {
+
+class MessageBar;
+enum class MessageKind;
+
+/// Writes one movie or series at a time, of the document and the phases as they were when it was begun; the window
+/// stays usable. Ended by cancel(), or with this, it leaves no file.
+class MovieFiles : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QWidget& window;  ///< parent of the dialog
+        DocumentModel& model;
+        int view;  ///< of the document
+        Session& session;
+        Settings& settings;
+        MessageBar& messages;
+        std::function<QSize()> viewPixels;                         ///< of the 3D view, device pixels
+        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
+    };
+    /// All outlive this, which belongs to the window.
+    explicit MovieFiles(Parts parts);
+    ~MovieFiles() override;
+
+    /// Opens the dialog (movieDialog). Where nothing is open nothing happens; while one is being written, it says so.
+    void ask(FrameOutput output);
+    /// Begins to write. What was chosen is checked once more.
+    void begin(FrameOutput output, const MovieChoice& choice);
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+    /// Ends what is being written, within a frame.
+    void cancel();
+    /// "writing the movie".
+    [[nodiscard]] QString activity() const;
+
+signals:
+    void busyChanged(bool busy);
+    void progressed(double share);
+    /// What was begun has ended: the sentence that says so, and whether it was written.
+    void ended(bool written, const QString& sentence);
+
+private:
+    [[nodiscard]] FrameOrder orderOf(FrameOutput output, const MovieChoice& choice) const;
+    [[nodiscard]] MovieChoice proposal(FrameOutput output) const;
+    [[nodiscard]] int frameCount() const;
+    [[nodiscard]] MovieHindrance hindrance(FrameOutput output, const MovieChoice& choice) const;
+    [[nodiscard]] QString whatPlays() const;
+    [[nodiscard]] QString choosePath(FrameOutput output, const QString& present) const;
+    void tell(bool written, MessageKind ofTrouble, const QString& sentence);
+
+    Parts m_parts;
+    FrameOutput m_output = FrameOutput::movie;    ///< of what is being written
+    std::shared_ptr<std::atomic<bool>> m_cancel;  ///< of the same; null before the first
+    MovieChoice m_last;                           ///< what was chosen last: size and labels are proposed again
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent

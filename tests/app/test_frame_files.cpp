@@ -1,0 +1,100 @@
+// The frames of a real 4D study as files, without a window: bits of pictures, errors of codecs.
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "app/motion/frame_files.h"
+#include "io/study.h"
+#include "processing/document/view_picture.h"
+
+using namespace echolucent;
+
+class TestFrameFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void filesAreNumberedFromOne() {
+        const MovieChoice choice{.path = "/x/heart.b.png"};
+        QCOMPARE(filesOf(FrameOutput::series, choice, 2),
+                 (std::vector<std::string>{"/x/heart.b-0001.png", "/x/heart.b-0002.png"}));
+        QCOMPARE(filesOf(FrameOutput::series, choice, 12345).front(), std::string("/x/heart.b-00001.png"));
+        QCOMPARE(filesOf(FrameOutput::movie, choice, 5), std::vector<std::string>{"/x/heart.b.png"});
+    }
+
+    /// The loop of the fetal heart, each phase with its own OTF, quiet and lit. With the variable MOVIE_EDGE the
+    /// pictures have that many pixels an edge instead of 96: MOVIE_EDGE=512 prints the figures of docs/cli-sweep.md.
+    void theLoopOfARealHeartIsRenderedWithinTheCodecsErrors() {
+        const QString heart =
+            QStringLiteral(ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/fetal_heart_4d_128x128x128x20.nrrd");
+        if (!QFile::exists(heart)) QSKIP("the shared volumes are not here");
+        const auto study = readStudy(heart.toStdString());
+        QVERIFY(study);
+        FrameOrder order;
+        order.document.motion.scenario = MotionScenario::object;
+        order.document.motion.otf = MotionOtf::eachView;
+        order.document.beam.axis = BeamAxis::plusY;
+        cutOf(order.document, 1).nearCutMm = 110;
+        order.phases.scans = study->phases;
+        const int edge = qEnvironmentVariableIsSet("MOVIE_EDGE") ? qEnvironmentVariableIntValue("MOVIE_EDGE") : 96;
+        order.choice = {.size = {edge, edge}, .framesPerSecond = 20, .labels = false};
+        order.choice.path = m_out.filePath("heart.png");
+        order.output = FrameOutput::series;
+        QVERIFY(writeFrames(order));
+        const auto paths = filesOf(order.output, order.choice, 20);
+        Document thirteenth = order.document;
+        phaseOf(thirteenth, 1) = 13;
+        const auto alone = viewPicture(thirteenth, 1, study->phases, edge, edge);
+        QCOMPARE(bytesOf(QImage(QString::fromStdString(paths[13]))), overBackground(alone->picture, {0, 0, 0}));
+        order.output = FrameOutput::movie;
+        for (const auto& [ending, bound] : {std::pair(".avi", 8.0), {".mp4", 10.0}, {".mkv", 0.0}}) {
+            order.choice.path = m_out.filePath(QStringLiteral("heart") + ending);
+            QElapsedTimer clock;
+            clock.start();
+            QVERIFY(writeFrames(order));
+            const double seconds = static_cast<double>(clock.elapsed()) * 1e-3;
+            cv::VideoCapture movie(order.choice.path.toStdString(), cv::CAP_FFMPEG);
+            QVERIFY(std::abs(movie.get(cv::CAP_PROP_FPS) - 20) < 1e-3);
+            cv::Mat frame, apart;
+            double squares = 0, largest = 0;
+            std::size_t count = 0;
+            for (; movie.read(frame); ++count) {
+                QVERIFY(count < paths.size() && frame.size() == cv::Size(edge, edge));
+                std::vector<std::uint8_t> rgb = bytesOf(QImage(QString::fromStdString(paths[count])));
+                cv::Mat expected(edge, edge, CV_8UC3, rgb.data());
+                cv::cvtColor(expected, expected, cv::COLOR_RGB2BGR);
+                cv::absdiff(frame, expected, apart);
+                double most = 0;
+                cv::minMaxLoc(apart.reshape(1), nullptr, &most);
+                largest = std::max(largest, most);
+                squares += cv::norm(apart, cv::NORM_L2SQR) / (3.0 * edge * edge);
+            }
+            QCOMPARE(count, paths.size());
+            const double rmse = std::sqrt(squares / static_cast<double>(count));
+            qInfo("%s of 20 frames of %d x %d: RMSE %.2f, largest error %.0f levels, %lld bytes a frame, %.1f s",
+                  ending, edge, edge, rmse, largest, static_cast<long long>(QFileInfo(order.choice.path).size() / 20),
+                  seconds);
+            QVERIFY(rmse <= bound);
+        }
+    }
+
+private:
+    static std::vector<std::uint8_t> bytesOf(const QImage& image) {
+        const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
+        std::vector<std::uint8_t> bytes;
+        for (int y = 0; y < rgb.height(); ++y)
+            bytes.insert(bytes.end(), rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype{3} * rgb.width());
+        return bytes;
+    }
+
+    QTemporaryDir m_out;
+};
+
+QTEST_MAIN(TestFrameFiles)
+#include "test_frame_files.moc"

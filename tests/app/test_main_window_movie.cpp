@@ -1,0 +1,400 @@
+// Movies and series of pictures from the window, with real events: what is written, what is refused, and what is left.
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimer>
+#include <QToolButton>
+#include <QUndoStack>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "app/motion/movie_files.h"
+#include "processing/document/view_picture.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/picture_labels/measurement_drawing.h"
+
+using namespace echolucent;
+
+class TestMainWindowMovie : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QFile theme(QStringLiteral(":/dark.qss"));
+        QVERIFY(theme.open(QIODevice::ReadOnly));
+        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        for (int i = 0; i < phaseCount; ++i)
+            m_phases.push_back(smallPhantom(PhantomScene::fetus, static_cast<std::uint64_t>(7 + i), 0.25 * i));
+        m_moving = file("moving.mha", m_phases);
+        m_still = file("still.mha", {m_phases.front()});
+    }
+    void init() {
+        m_out = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_out->isValid());
+        show();
+        window().resize(1280, 720);
+        useLook(Look{});
+    }
+    void cleanup() { close(); }
+
+    void aMovieOfThePhasesIsWrittenByTheDialog_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<double>("rmse");  // levels
+        QTest::newRow("avi") << ".avi" << 8.0;
+        QTest::newRow("mp4") << ".mp4" << 10.0;
+        QTest::newRow("mkv") << ".mkv" << 0.0;
+    }
+    void aMovieOfThePhasesIsWrittenByTheDialog() {
+        QFETCH(QString, ending);
+        QFETCH(double, rmse);
+        open(m_moving);
+        playThePhases();
+        const QString path = m_out->filePath("heart" + ending);
+        QTest::keyClick(&window(), Qt::Key_P, Qt::ShiftModifier);
+        QDialog* dialog = theDialog();
+        QCOMPARE(in<QLabel>(dialog, "plays")->text(), QString("phases 1 to 4"));
+        // As it plays where the time between phases is not known.
+        QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), assumedPhasesPerSecond);
+        type(in<QSpinBox>(dialog, "width"), "129");
+        type(in<QSpinBox>(dialog, "height"), "96");
+        QCOMPARE(in<QSpinBox>(dialog, "width")->value(), 128);
+        type(in<QDoubleSpinBox>(dialog, "rate"), "12.5");
+        click(in<QCheckBox>(dialog, "labels"));
+        QVERIFY(!in<QCheckBox>(dialog, "labels")->isChecked());
+        write(in<QLineEdit>(dialog, "path"), path);
+        QCOMPARE(in<QLabel>(dialog, "sentence")->text(), QString("4 frames, 0.3 s"));
+        QVERIFY(save(dialog));
+        QCOMPARE(message()->text(), QString("heart%1 was saved.").arg(ending));
+        QCOMPARE(message()->kind(), MessageKind::info);
+        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"heart" + ending});
+
+        cv::VideoCapture movie(path.toStdString(), cv::CAP_FFMPEG);
+        QVERIFY(movie.isOpened());
+        QVERIFY(std::abs(movie.get(cv::CAP_PROP_FPS) - 12.5) < 1e-3);
+        cv::Mat frame;
+        int count = 0;
+        for (; movie.read(frame); ++count) {
+            QCOMPARE(frame.cols, 128);
+            QCOMPARE(frame.rows, 96);
+            std::vector<std::uint8_t> rgb = alone(count, QSize(128, 96));
+            cv::Mat expected(96, 128, CV_8UC3, rgb.data());
+            cv::cvtColor(expected, expected, cv::COLOR_RGB2BGR);
+            const double apart = std::sqrt(cv::norm(frame, expected, cv::NORM_L2SQR) / (128 * 96 * 3.0));
+            QVERIFY2(apart <= rmse, qPrintable(QString("frame %1: RMSE %2").arg(count).arg(apart)));
+        }
+        QCOMPARE(count, phaseCount);
+    }
+
+    void aSeriesIsThePicturesToTheBit() {
+        open(m_moving);
+        playThePhases();
+        child<QAction>("file.savePictureSeries")->trigger();
+        QDialog* dialog = theDialog();
+        QVERIFY(!in<QDoubleSpinBox>(dialog, "rate")->isVisible());
+        type(in<QSpinBox>(dialog, "width"), "51");  // pictures may have odd sizes
+        type(in<QSpinBox>(dialog, "height"), "37");
+        click(in<QCheckBox>(dialog, "labels"));
+        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.png"));
+        QVERIFY(save(dialog));
+        QCOMPARE(message()->text(), QString("heart-0001.png to heart-0004.png were saved."));
+        const QStringList files = QDir(m_out->path()).entryList(QDir::Files);
+        QCOMPARE(files, (QStringList{"heart-0001.png", "heart-0002.png", "heart-0003.png", "heart-0004.png"}));
+        for (int frame = 0; frame < phaseCount; ++frame) {
+            const QImage written(m_out->filePath(files[frame]));
+            QCOMPARE(written.size(), QSize(51, 37));
+            QCOMPARE(bytesOf(written), alone(frame, QSize(51, 37)));
+        }
+    }
+
+    void labelsStandInTheCornersAndNowhereElse() {
+        open(m_moving);
+        playThePhases();
+        const QSize size(320, 240);
+        window().movieFiles().begin(FrameOutput::series, {.path = m_out->filePath("with.png"), .size = size});
+        QVERIFY(ended());
+        window().movieFiles().begin(FrameOutput::series,
+                                    {.path = m_out->filePath("without.png"), .size = size, .labels = false});
+        QVERIFY(ended());
+        const QImage first(m_out->filePath("with-0001.png")), plain(m_out->filePath("without-0001.png")),
+            second(m_out->filePath("with-0002.png")), secondPlain(m_out->filePath("without-0002.png"));
+        const auto differing = [](const QImage& a, const QImage& b, const QRect& where) {
+            int pixels = 0;
+            for (int y = where.top(); y <= where.bottom(); ++y)
+                for (int x = where.left(); x <= where.right(); ++x) pixels += a.pixel(x, y) != b.pixel(x, y);
+            return pixels;
+        };
+        const QRect caption(0, 0, 150, 60), frame(170, 0, 150, 40), marker(0, 130, 130, 110), bar(230, 190, 90, 50);
+        for (const QRect& corner : {caption, frame, marker, bar}) QVERIFY(differing(first, plain, corner) > 20);
+        QCOMPARE(differing(first, plain, QRect(140, 70, 60, 100)), 0);
+        // The words of the frame follow it: what is written there differs from picture to picture.
+        int words = 0;
+        for (int y = frame.top(); y <= frame.bottom(); ++y)
+            for (int x = frame.left(); x <= frame.right(); ++x)
+                words += (first.pixel(x, y) != plain.pixel(x, y)) != (second.pixel(x, y) != secondPlain.pixel(x, y));
+        QVERIFY(words > 5);
+    }
+
+    void measurementsAreDrawnInTheFramesOfTheirPhase() {
+        open(m_moving);
+        playThePhases();
+        Document next = window().document().document();
+        const DataBox& box = m_phases.front()->dataBox();
+        const Vec3 centre = (box.lowMm + box.highMm) * 0.5;
+        next.measurements.push_back({.placesMm = {centre - Vec3(15, 0, 0), centre + Vec3(15, 0, 0)}, .phase = 1});
+        window().document().edit(next, "measure");
+        const auto coloured = [&](const QString& name) {
+            const QImage image(m_out->filePath(name));
+            int pixels = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) pixels += image.pixelColor(x, y) == measurementColour;
+            return pixels;
+        };
+        window().movieFiles().begin(FrameOutput::series, {.path = m_out->filePath("with.png"), .size = {160, 120}});
+        QVERIFY(ended());
+        window().movieFiles().begin(FrameOutput::series,
+                                    {.path = m_out->filePath("without.png"), .size = {160, 120}, .labels = false});
+        QVERIFY(ended());
+        QVERIFY(coloured("with-0002.png") > 20);
+        QCOMPARE(coloured("with-0001.png"), 0);
+        QCOMPARE(coloured("without-0002.png"), 0);
+    }
+
+    void theSwivelOfAProbeIsWrittenWithItsAngles() {
+        open(m_still);
+        child<QAction>("file.saveMovie")->trigger();
+        QDialog* dialog = theDialog();
+        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° about y"),
+                 qPrintable(in<QLabel>(dialog, "plays")->text()));
+        QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), motionDegreesPerSecond);
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
+        QVERIFY(window().idle());
+    }
+
+    void theDialogRefusesWhatCannotBeWritten() {
+        open(m_moving);
+        playThePhases();
+        child<QAction>("file.saveMovie")->trigger();
+        QDialog* dialog = theDialog();
+        auto* path = in<QLineEdit>(dialog, "path");
+        auto* save = in<QPushButton>(dialog, "save");
+        const auto says = [&](const QString& file, const QString& word) {
+            write(path, file);
+            return !save->isEnabled() && in<QLabel>(dialog, "sentence")->text().contains(word);
+        };
+        QVERIFY(says(m_out->filePath("heart.webm"), ".avi, .mp4 or .mkv"));
+        QVERIFY(says(m_out->filePath("heart"), "does not say by its ending"));
+        QVERIFY(says(m_out->filePath("none/heart.mp4"), "folder is not there"));
+        QVERIFY(says("", "Give the file a name"));
+        // A link to the study is the study.
+        QVERIFY(QFile::link(m_moving, m_out->filePath("link.mp4")));
+        QVERIFY(says(m_out->filePath("link.mp4"), "would overwrite"));
+        QVERIFY(!in<QCheckBox>(dialog, "replace")->isVisible());
+        QVERIFY(QFile::remove(m_out->filePath("link.mp4")));
+        // What is there is replaced only where that is ticked.
+        QFile old(m_out->filePath("old.mp4"));
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        QVERIFY(says(old.fileName(), "old.mp4 is there already"));
+        click(in<QCheckBox>(dialog, "replace"));
+        QVERIFY(save->isEnabled());
+        write(path, m_out->filePath("old.mp4"));
+        QVERIFY2(!save->isEnabled(), "the tick was meant for another name");
+        write(path, m_out->filePath("heart.MP4"));
+        QVERIFY(save->isEnabled());
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
+        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"old.mp4"});
+    }
+
+    void aSeriesReplacesOnlyWhereThatIsWanted() {
+        open(m_moving);
+        playThePhases();
+        QFile old(m_out->filePath("heart-0002.png"));
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        child<QAction>("file.savePictureSeries")->trigger();
+        QDialog* dialog = theDialog();
+        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.jpg"));
+        QVERIFY(in<QLabel>(dialog, "sentence")->text().contains("ends in .png"));
+        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.png"));
+        QCOMPARE(in<QLabel>(dialog, "sentence")->text(),
+                 QString("Of heart-0001.png to heart-0004.png, one is there already."));
+        QVERIFY(!in<QPushButton>(dialog, "save")->isEnabled());
+        type(in<QSpinBox>(dialog, "width"), "32");
+        type(in<QSpinBox>(dialog, "height"), "32");
+        click(in<QCheckBox>(dialog, "replace"));
+        QVERIFY(save(dialog));
+        QCOMPARE(QImage(old.fileName()).size(), QSize(32, 32));
+    }
+
+    void cancelLeavesNoFile_data() {
+        QTest::addColumn<bool>("series");
+        QTest::newRow("movie") << false;
+        QTest::newRow("series") << true;
+    }
+    void cancelLeavesNoFile() {
+        QFETCH(bool, series);
+        open(m_still);  // 180 frames
+        child<RunStatus>("status")->setProgressDelay(0);
+        QFile old(m_out->filePath("heart-0001.png"));
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        const QString name = series ? "heart.png" : "heart.mp4";
+        QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
+        window().movieFiles().begin(series ? FrameOutput::series : FrameOutput::movie,
+                                    {.path = m_out->filePath(name), .size = {256, 256}, .replace = true});
+        QVERIFY(!window().idle());
+        QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 2, 30000);
+        QVERIFY(
+            child<QLabel>("status.activity")->text().contains(series ? "writing the pictures" : "writing the movie"));
+        QTRY_VERIFY(child<QToolButton>("status.cancel")->isVisible());
+        QVERIFY(child<QProgressBar>("status.progress")->value() < child<QProgressBar>("status.progress")->maximum());
+        // The window is in use meanwhile: the edit is no part of the movie, and nothing waits for it.
+        QTest::keyClick(&window(), Qt::Key_3);
+        QVERIFY(window().document().steps().canUndo());
+        QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
+        WindowFixture::click("status.cancel");
+        QVERIFY(told.count() == 1 || told.wait(30000));
+        QCOMPARE(told.first().first().toBool(), false);
+        QVERIFY2(message()->text().contains("was cancelled; no file is left"), qPrintable(message()->text()));
+        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"heart-0001.png"});
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), QByteArray("old"));
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 30000);
+    }
+
+    void closingTheWindowLeavesNoFile() {
+        open(m_still);
+        QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
+        window().movieFiles().begin(FrameOutput::movie, {.path = m_out->filePath("heart.mp4"), .size = {256, 256}});
+        QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 0, 30000);
+        close();
+        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList());
+    }
+
+    void whatIsWrittenIsWhatWasShownWhenItWasBegun() {
+        open(m_moving);
+        playThePhases();
+        const Document asked = window().document().document();
+        window().movieFiles().begin(FrameOutput::series,
+                                    {.path = m_out->filePath("heart.png"), .size = {48, 48}, .labels = false});
+        QTest::keyClick(&window(), Qt::Key_5);  // another curve
+        window().open(m_still);                 // and another study
+        QVERIFY(ended());
+        const auto picture = viewPicture(frameOf(asked, 3), 1, m_phases, 48, 48);
+        QCOMPARE(bytesOf(QImage(m_out->filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
+        waitUntilIdle();
+    }
+
+    void theEventLoopGoesOnWhileAMovieIsWritten() {
+        open(m_moving);
+        playThePhases();
+        qint64 longest = 0;
+        QElapsedTimer since;
+        QTimer beat;
+        connect(&beat, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
+        window().movieFiles().begin(FrameOutput::movie, {.path = m_out->filePath("heart.mp4"), .size = {256, 256}});
+        since.start();
+        beat.start(1);
+        QVERIFY(ended());
+        beat.stop();
+        qInfo("The longest stall while a movie was written: %lld ms", static_cast<long long>(longest));
+        QVERIFY2(longest < 1000, "the bound of 50 ms is for quiet machines (echolucent-bench-window)");
+    }
+
+private:
+    static constexpr int phaseCount = 4;
+
+    void playThePhases() {
+        Document next = window().document().document();
+        next.motion.scenario = MotionScenario::object;
+        next.motion.otf = MotionOtf::eachView;
+        window().document().edit(next, "what moves");
+        waitUntilIdle();
+    }
+    QDialog* theDialog() {
+        auto* dialog = window().findChild<QDialog*>("movieDialog");
+        if (dialog == nullptr || !QTest::qWaitForWindowExposed(dialog)) qFatal("no dialog");
+        // A virtual display has no window manager that would make it the active window, in which fields have a focus.
+        QApplication::setActiveWindow(dialog);
+        return dialog;
+    }
+    template <typename Widget>
+    static Widget* in(QDialog* dialog, const char* name) {
+        auto* found = dialog->findChild<Widget*>(QStringLiteral("movieDialog.") + name);
+        if (found == nullptr) qFatal("no %s", name);
+        return found;
+    }
+    template <typename SpinBox>
+    static void type(SpinBox* box, const QString& value) {
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, value);
+        QTest::keyClick(box, Qt::Key_Tab);
+    }
+    static void write(QLineEdit* field, const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClick(field, Qt::Key_Delete);
+        QTest::keyClicks(field, text);
+    }
+    static void click(QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2)); }
+    /// Clicks Save and waits until all is written.
+    bool save(QDialog* dialog) {
+        QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
+        QTest::mouseClick(in<QPushButton>(dialog, "save"), Qt::LeftButton);
+        return (told.count() > 0 || told.wait(60000)) && told.first().first().toBool();
+    }
+    bool ended() {
+        QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
+        return told.wait(60000) && told.first().first().toBool();
+    }
+    MessageBar* message() { return child<MessageBar>("message"); }
+    /// The document that shows a phase, its OTF computed along the view.
+    static Document frameOf(Document document, int phase) {
+        phaseOf(document, 1) = phase;
+        document.method.direction = poseOf(document, 1).direction;
+        return document;
+    }
+    /// The picture of a phase by itself.
+    std::vector<std::uint8_t> alone(int phase, const QSize& size) {
+        const auto picture = viewPicture(frameOf(window().document().document(), phase), 1,
+                                         window().session().study()->phases, size.width(), size.height());
+        return overBackground(picture->picture, {0, 0, 0});
+    }
+    static std::vector<std::uint8_t> bytesOf(const QImage& image) {
+        const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
+        std::vector<std::uint8_t> bytes;
+        for (int y = 0; y < rgb.height(); ++y)
+            bytes.insert(bytes.end(), rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype{3} * rgb.width());
+        return bytes;
+    }
+
+    std::vector<std::shared_ptr<const Volume>> m_phases;
+    QString m_moving, m_still;
+    std::unique_ptr<QTemporaryDir> m_out;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    TestMainWindowMovie test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_movie.moc"
