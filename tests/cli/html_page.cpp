@@ -1,5 +1,5 @@
 // The report page and its plots: well-formed, escaped, readable, and true to what was given.
-#include "app/measuring/pages/html_page.h"
+#include "app/pages/html_page.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/measuring/pages/html_text.h"
-#include "app/measuring/pages/plot_axis.h"
-#include "app/measuring/pages/series_style.h"
 #include "app/measuring/study.h"
+#include "app/pages/html_text.h"
+#include "app/pages/plot_axis.h"
+#include "app/pages/series_style.h"
 #include "processing/adaptive/method_parameters.h"
 
 namespace echolucent::cli {
@@ -237,6 +237,24 @@ TEST(HtmlPage, KeepsItsLimitWhateverPicturesItHolds) {
     EXPECT_LE(text.size(), HtmlPage::mostBytes);
     EXPECT_EQ(problemOf(text), "");
     EXPECT_EQ(countOf(text, "width=\"200\" height=\"200\""), 20U) << "coarser pictures take the same room";
+}
+
+TEST(HtmlPage, APageWithoutALimitKeepsEveryPixel) {
+    HtmlPage limited("limited"), whole("whole", HtmlPage::anyBytes);
+    for (HtmlPage* page : {&limited, &whole}) page->picture(noise(700), "large");
+    EXPECT_LE(limited.text().size(), HtmlPage::mostBytes);
+    const std::string text = whole.text();
+    EXPECT_GT(text.size(), 490'000U) << "that many bytes random pixels have";
+    EXPECT_EQ(problemOf(text), "");
+    EXPECT_EQ(countOf(text, "class=\"pixels\""), 0U);
+}
+
+TEST(HtmlPage, BytesThatDoNotFillAPictureAreRefused) {
+    HtmlPage page("bytes");
+    EXPECT_THROW(page.picture(2, 2, std::vector<std::uint8_t>(11), "short"), std::invalid_argument);
+    EXPECT_THROW(page.picture(0, 2, {}, "empty"), std::invalid_argument);
+    page.picture(2, 2, std::vector<std::uint8_t>(12), "whole");
+    EXPECT_EQ(countOf(page.text(), "<img"), 1U);
 }
 
 TEST(HtmlPage, AHeatMapHasWholeRows) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/measuring/measures/picture_difference.h"
-#include "app/measuring/pages/html_page.h"
+#include "app/pages/html_page.h"
 #include "processing/light/light_sweep.h"
 #include "processing/light/reference_light.h"
 #include "processing/opacity_curve.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/measuring/pages/html_page.h"
 #include "app/measuring/study.h"
+#include "app/pages/html_page.h"
 
 namespace echolucent::cli {
 

@@ -9,7 +9,7 @@
 
 #include "app/measuring/measures/surface_light.h"
 #include "app/measuring/otf/study_phantoms.h"
-#include "app/measuring/pages/html_page.h"
+#include "app/pages/html_page.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 

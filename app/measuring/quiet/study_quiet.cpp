@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "app/measuring/otf/study_otf.h"
-#include "app/measuring/pages/html_page.h"
 #include "app/measuring/quiet/quiet_measure.h"
 #include "app/measuring/study.h"
+#include "app/pages/html_page.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent::cli {

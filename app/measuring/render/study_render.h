@@ -9,7 +9,7 @@
 
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/otf/study_otf.h"
-#include "app/measuring/pages/html_page.h"
+#include "app/pages/html_page.h"
 #include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 

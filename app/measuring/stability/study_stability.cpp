@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "app/measuring/otf/study_phantoms.h"
-#include "app/measuring/pages/html_page.h"
 #include "app/measuring/study.h"
+#include "app/pages/html_page.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/method_reading.h"
 

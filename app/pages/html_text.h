@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace echolucent::cli {
+namespace echolucent {
 
 /// Writes &, <, > and both quotes as entities, and control characters, which XML does not allow, as spaces.
 [[nodiscard]] std::string escaped(std::string_view text);
@@ -15,4 +15,4 @@ namespace echolucent::cli {
 /// width * height * 3 bytes. A picture of at most 256 colours is written with a palette, which takes far fewer bytes.
 [[nodiscard]] std::string pngDataUri(int width, int height, std::span<const std::uint8_t> rgb);
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

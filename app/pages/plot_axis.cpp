@@ -1,4 +1,4 @@
-#include "app/measuring/pages/plot_axis.h"
+#include "app/pages/plot_axis.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace echolucent::cli {
+namespace echolucent {
 
 namespace {
 
@@ -102,4 +102,4 @@ double PlotAxis::placeOf(double value) const {
     return ((m_logarithmic ? std::log10(value) : value) - m_low) / (m_high - m_low);
 }
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

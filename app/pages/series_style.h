@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace echolucent::cli {
+namespace echolucent {
 
 struct PlotSeries;
 
@@ -30,4 +30,4 @@ inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8
 /// the next one that is free; beyond the eighth they repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace echolucent::cli {
+namespace echolucent {
 
 struct PlotTick {
     double value = 0.0;
@@ -34,4 +34,4 @@ private:
 /// A number as short as a person would write it, with six digits at most and no padded exponent.
 [[nodiscard]] std::string shortNumber(double value);
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

@@ -1,13 +1,16 @@
 // A report as one HTML file that needs nothing beside it: text, tables, plots as SVG, pictures inside.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "processing/picture/picture.h"
 
-namespace echolucent::cli {
+namespace echolucent {
 
 /// One line or cloud of points of a plot. Values that are not finite are left out and make a gap in a line.
 struct PlotSeries {
@@ -36,16 +39,19 @@ struct HeatMap {
     std::vector<double> values;  ///< row-major
 };
 
-/// A report that needs nothing beside it. Where text, tables and plots leave room for it, a page keeps below
-/// `mostBytes`: its pictures and maps are made coarser, all by the same whole factor, until it does.
+/// A report that needs nothing beside it. Where text, tables and plots leave room for it, a page keeps below a limit:
+/// its pictures and maps are made coarser, all by the same whole factor, until it does.
 class HtmlPage {
 public:
+    /// The limit of a page that is kept beside many others.
     static constexpr std::size_t mostBytes = 200'000;
+    /// The limit of a page whose pictures are to stay as they are.
+    static constexpr std::size_t anyBytes = std::numeric_limits<std::size_t>::max();
     /// The pictures of a page are never made coarser than by this factor, so that something is still seen.
     static constexpr int coarsest = 8;
 
-    /// A page with a title. Text is escaped everywhere.
-    explicit HtmlPage(std::string title);
+    /// A page with a title and its limit in bytes. Text is escaped everywhere.
+    explicit HtmlPage(std::string title, std::size_t byteLimit = mostBytes);
     void heading(const std::string& text);
     void paragraph(const std::string& text);
     /// Adds a table. Columns that hold numbers are right-aligned.
@@ -56,6 +62,9 @@ public:
     /// The picture over black, side by side with what follows, as far as the page is wide. Each pixel is shown as
     /// `zoom` pixels across and down (1 or more).
     void picture(const Picture& picture, const std::string& caption, int zoom = 1);
+    /// The same of 8-bit red, green, blue, rows from the top. Throws std::invalid_argument where `rgb` does not hold
+    /// width * height * 3 bytes.
+    void picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom = 1);
     /// The whole page; ends with the sentence that this is not a medical device.
     [[nodiscard]] std::string text() const;
 
@@ -64,8 +73,9 @@ private:
     void add(std::string markup);
 
     std::string m_title;
+    std::size_t m_byteLimit;
     /// The page's markup, piece by piece, with pictures coarser by a factor.
     std::vector<std::function<std::string(int coarseness)>> m_pieces;
 };
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

@@ -1,4 +1,4 @@
-#include "app/measuring/pages/html_text.h"
+#include "app/pages/html_text.h"
 
 #include <map>
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "io/output/picture_file.h"
 
-namespace echolucent::cli {
+namespace echolucent {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string pngDataUri(int width, int height, std::span<const std::uint8_t> rgb)
            base64(few ? palettePngBytes(width, height, few->indices, few->palette) : pngBytes(width, height, rgb));
 }
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

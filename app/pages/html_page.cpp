@@ -1,4 +1,4 @@
-#include "app/measuring/pages/html_page.h"
+#include "app/pages/html_page.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "app/measuring/pages/html_text.h"
-#include "app/measuring/pages/plot_axis.h"
-#include "app/measuring/pages/series_style.h"
+#include "app/pages/html_text.h"
+#include "app/pages/plot_axis.h"
+#include "app/pages/series_style.h"
 
-namespace echolucent::cli {
+namespace echolucent {
 
 namespace {
 
@@ -144,7 +144,7 @@ std::string svgOf(const HeatMap& map, int coarseness) {
 
 }  // namespace
 
-HtmlPage::HtmlPage(std::string title) : m_title(std::move(title)) {}
+HtmlPage::HtmlPage(std::string title, std::size_t byteLimit) : m_title(std::move(title)), m_byteLimit(byteLimit) {}
 
 void HtmlPage::add(std::string markup) {
     m_pieces.emplace_back([markup = std::move(markup)](int) { return markup; });
@@ -174,7 +174,7 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
     add(markup + "</tbody></table></div>\n");
 }
 
-void HtmlPage::plot(const Plot& plot) { add("<figure>" + cli::svgOf(plot) + "</figure>\n"); }
+void HtmlPage::plot(const Plot& plot) { add("<figure>" + echolucent::svgOf(plot) + "</figure>\n"); }
 
 void HtmlPage::heatMap(const HeatMap& map) {
     if (map.columns == 0 || map.values.empty() || map.values.size() % map.columns != 0)
@@ -183,8 +183,14 @@ void HtmlPage::heatMap(const HeatMap& map) {
 }
 
 void HtmlPage::picture(const Picture& picture, const std::string& caption, int zoom) {
-    const int width = picture.width, height = picture.height;
-    m_pieces.emplace_back([=, rgb = overBackground(picture, {0, 0, 0})](int coarseness) {
+    this->picture(picture.width, picture.height, overBackground(picture, {0, 0, 0}), caption, zoom);
+}
+
+void HtmlPage::picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom) {
+    if (width < 1 || height < 1 ||
+        rgb.size() != std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        throw std::invalid_argument("HtmlPage::picture: the bytes do not fill the picture");
+    m_pieces.emplace_back([=, rgb = std::move(rgb)](int coarseness) {
         const SmallPicture image = coarser(width, height, rgb, coarseness);
         const bool pixelated = zoom > 1 || coarseness > 1;
         return fmt::format(
@@ -197,7 +203,8 @@ void HtmlPage::picture(const Picture& picture, const std::string& caption, int z
 
 std::string HtmlPage::text() const {
     std::string text = textAt(1);
-    for (int coarseness = 2; coarseness <= coarsest && text.size() > mostBytes; ++coarseness) text = textAt(coarseness);
+    for (int coarseness = 2; coarseness <= coarsest && text.size() > m_byteLimit; ++coarseness)
+        text = textAt(coarseness);
     return text;
 }
 
@@ -211,4 +218,4 @@ std::string HtmlPage::textAt(int coarseness) const {
            "<footer>Echolucent is not a medical device.</footer>\n</body>\n</html>\n";
 }
 
-}  // namespace echolucent::cli
+}  // namespace echolucent

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "app/measuring/pages/html_page.h"
-#include "app/measuring/pages/html_text.h"
-#include "app/measuring/pages/plot_axis.h"
-#include "app/measuring/pages/series_style.h"
+#include "app/pages/html_page.h"
+#include "app/pages/html_text.h"
+#include "app/pages/plot_axis.h"
+#include "app/pages/series_style.h"
 
-namespace echolucent::cli {
+namespace echolucent {
 
 namespace {
 
@@ -277,4 +277,4 @@ std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series) {
 
 std::string svgOf(const Plot& plot) { return PlotDrawing(plot).text(); }
 
-}  // namespace echolucent::cli
+}  // namespace echolucent
