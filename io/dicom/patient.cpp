@@ -1,0 +1,92 @@
+#include "io/dicom/patient.h"
+
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/dicom_scan.h"
+#include "io/dicom/series/large_stack.h"
+
+namespace echolucent {
+
+namespace {
+
+/// "1980-05-17" of "19800517".
+std::string dateText(const std::string& stored) {
+    const bool date = stored.size() == 8 &&
+                      std::ranges::all_of(stored, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+    return date ? stored.substr(0, 4) + '-' + stored.substr(4, 2) + '-' + stored.substr(6) : stored;
+}
+
+bool isDicomFile(const std::string& path) {
+    constexpr std::size_t preambleAndMagic = 132;
+    const auto input = InputFile::open(path);
+    if (!input) return false;
+    const auto beginning = input->beginning(preambleAndMagic);
+    return beginning && looksLikeDicom(*beginning);
+}
+
+/// What one file says.
+struct Said {
+    Patient patient;
+    std::string series;
+};
+
+/// The file's bytes of these attributes in UTF-8 where its character set is known; else as they are stored.
+Said saidIn(DcmDataset& dataset) {
+    // DCMTK was built without a library of character sets on some systems: then names stay as they are stored.
+    (void)dataset.convertToUTF8();
+    return {{.name = dicomText(dataset, {0x0010, 0x0010}),
+             .id = dicomText(dataset, {0x0010, 0x0020}),
+             .birthDate = dateText(dicomText(dataset, {0x0010, 0x0030})),
+             .sex = dicomText(dataset, {0x0010, 0x0040}),
+             .studyDate = dateText(dicomText(dataset, {0x0008, 0x0020}))},
+            dicomText(dataset, {0x0020, 0x000e})};
+}
+
+Result<Patient> patientOf(const std::vector<Said>& files, const std::string& file) {
+    const Patient& first = files.front().patient;
+    for (const Said& said : files)
+        if (said.patient.name != first.name || said.patient.id != first.id)
+            return fail(FailureKind::unreadable, file, "",
+                        "lies beside files of another patient, so that it cannot be told whose study it is",
+                        "Keep the files of each patient in a folder of their own.");
+    return first;
+}
+
+Result<Patient> readAll(const std::vector<std::string>& files, const std::string& series, const Progress& progress) {
+    std::vector<Said> all, ofSeries;
+    for (const std::string& path : files) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
+        if (!isDicomFile(path)) continue;
+        const auto file = DicomFile::load(path, true, progress);
+        if (!file) continue;  // it could not be read when the study was opened either
+        all.push_back(saidIn(file->dataset()));
+        if (!series.empty() && all.back().series == series) ofSeries.push_back(all.back());
+    }
+    if (all.empty())
+        return fail(FailureKind::unreadable, files.empty() ? std::string() : files.front(), "",
+                    "is no DICOM file that can be read, so that it names no patient");
+    return patientOf(ofSeries.empty() ? all : ofSeries, files.front());
+}
+
+}  // namespace
+
+bool areDicomFiles(const std::vector<std::string>& files) {
+    return !files.empty() && (isDicomFile(files.front()) || isDicomFile(files.back()));
+}
+
+Result<Patient> readPatient(const std::vector<std::string>& files, const std::string& series,
+                            const Progress& progress) {
+    Result<Patient> patient = fail(FailureKind::unreadable, {}, {}, "no patient was read");
+    runWithLargeStack([&] { patient = readAll(files, series, progress); });
+    return patient;
+}
+
+}  // namespace echolucent
