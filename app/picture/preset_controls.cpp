@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
 #include "io/document/preset_file.h"
 #include "io/output/overwriting.h"
@@ -176,7 +177,7 @@ bool PresetControls::exportTo(const QString& path, int preset) {
     if (!report(writePresets(path.toStdString(), {exported}))) return false;
     m_parts.messages.showMessage(
         MessageKind::info,
-        tr("The preset “%1” was exported to %2.").arg(textOf(exported.name), QFileInfo(path).fileName()));
+        tr("The preset “%1” was exported to %2.").arg(textOf(exported.name), m_parts.names.nameOfOther(path)));
     return true;
 }
 
@@ -211,7 +212,7 @@ bool PresetControls::importFrom(const QString& path) {
 }
 
 bool PresetControls::report(const Result<void>& done) {
-    if (!done) m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(done.error().sentence()));
+    if (!done) m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(done.error()));
     return done.has_value();
 }
 

@@ -18,6 +18,7 @@ namespace echolucent {
 
 class MessageBar;
 class PresetsPanel;
+class StudyNames;
 
 /// Makes one step of the document of each preset that is chosen, and keeps a person's own in a file beside the
 /// settings, which is written with every change. Where that file cannot be read, it is left as it is, and nothing is
@@ -34,6 +35,7 @@ public:
         PresetsPanel& panel;
         Settings& settings;
         MessageBar& messages;
+        const StudyNames& names;
     };
     explicit PresetControls(const Parts& parts, QObject* parent = nullptr);
 

@@ -4,18 +4,12 @@
 #include <new>
 #include <utility>
 
+#include "app/picture/picture_image.h"
 #include "app/study/freed_elsewhere.h"
 
 namespace echolucent {
 
 namespace {
-
-QImage imageOf(const Picture& picture) {
-    const std::vector<std::uint8_t> rgb = overBackground(picture, {0, 0, 0});
-    return QImage(rgb.data(), picture.width, picture.height, 3 * static_cast<qsizetype>(picture.width),
-                  QImage::Format_RGB888)
-        .copy();
-}
 
 /// The document as far as pictures of one view depend on it, so that other changes ask for no picture. A picture
 /// depends on the curve that is rendered, and the adaptive one on that which the method begins with.

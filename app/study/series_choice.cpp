@@ -1,19 +1,19 @@
 #include "app/study/series_choice.h"
 
-#include <QFileInfo>
 #include <new>
 #include <utility>
 
+#include "app/study/study_names.h"
 #include "widgets/panels/series_dialog.h"
 
 namespace echolucent {
 
 namespace {
 
-SeriesRow rowOf(const SeriesEntry& entry, std::size_t number) {
+SeriesRow rowOf(const SeriesEntry& entry, std::size_t number, const StudyNames& names) {
     SeriesRow row;
-    row.title = entry.description.empty() ? SeriesChoice::tr("Series %1").arg(number)
-                                          : QString::fromStdString(entry.description);
+    row.title = entry.description.empty() || names.showsNumbers() ? SeriesChoice::tr("Series %1").arg(number)
+                                                                  : QString::fromStdString(entry.description);
     const QString modality = entry.modality.empty() ? QString() : QString::fromStdString(entry.modality) + ", ";
     row.facts =
         modality + (entry.multiframe ? SeriesChoice::tr("%1 × %2, %3 frames") : SeriesChoice::tr("%1 × %2, %3 slices"))
@@ -27,22 +27,23 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number) {
     if (shown.element.empty()) shown.element = SeriesChoice::tr("The series").toStdString();
     if (row.openable)
         shown.remedy = SeriesChoice::tr("Opened, its pictures are taken as slices of unknown distance.").toStdString();
-    row.hindrance = QString::fromStdString(shown.sentence());
+    row.hindrance = names.shownOfFile(QString::fromStdString(shown.sentence()));
     return row;
 }
 
 }  // namespace
 
-SeriesChoice::SeriesChoice(QWidget& window)
-    : QObject(&window), m_window(window), m_pictures(QStringLiteral("pictures of series")) {
+SeriesChoice::SeriesChoice(QWidget& window, const StudyNames& names)
+    : QObject(&window), m_window(window), m_names(names), m_pictures(QStringLiteral("pictures of series")) {
     connect(&m_pictures, &NewestWinsThread::busyChanged, this, &SeriesChoice::busyChanged);
 }
 
 void SeriesChoice::ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen) {
     delete m_dialog;
     QList<SeriesRow> rows;
-    for (const SeriesEntry& entry : list->series) rows << rowOf(entry, static_cast<std::size_t>(rows.size()) + 1);
-    m_dialog = new SeriesDialog(QFileInfo(QString::fromStdString(list->path)).fileName(), rows, &m_window);
+    for (const SeriesEntry& entry : list->series)
+        rows << rowOf(entry, static_cast<std::size_t>(rows.size()) + 1, m_names);
+    m_dialog = new SeriesDialog(m_names.nameOf(QString::fromStdString(list->path)), rows, &m_window);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_dialog, &QDialog::accepted, this, [dialog = m_dialog.data(), chosen = std::move(chosen)] {
         chosen(static_cast<std::size_t>(dialog->selected()));

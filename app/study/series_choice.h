@@ -14,14 +14,16 @@ class QWidget;
 namespace echolucent {
 
 class SeriesDialog;
+class StudyNames;
 
 /// Shows the dialog; its pictures are read in a thread of its own, one after the other.
 class SeriesChoice : public QObject {
     Q_OBJECT
 
 public:
-    /// `window` is the parent of the dialog and must outlive this.
-    explicit SeriesChoice(QWidget& window);
+    /// `window` is the parent of the dialog; both must outlive this. Where numbers stand for names, series are called
+    /// by their numbers alone.
+    SeriesChoice(QWidget& window, const StudyNames& names);
 
     /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
     void ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen);
@@ -36,6 +38,7 @@ private:
     void readPicture(const std::shared_ptr<const SeriesList>& list, std::size_t index);
 
     QWidget& m_window;
+    const StudyNames& m_names;
     QPointer<SeriesDialog> m_dialog;
     NewestWinsThread m_pictures;
 };

@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <utility>
 
+#include "app/study/study_names.h"
 #include "io/import_report.h"
 #include "processing/box_section.h"
 #include "processing/picture/empty_picture.h"
@@ -18,6 +19,7 @@ namespace echolucent {
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.session, &Session::studyOpened, this, &ShownStudy::tellFacts);
+    connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
     connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
     connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
     connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
@@ -40,22 +42,43 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::methodChanged, this, &ShownStudy::showNearCutRange);
 }
 
-void ShownStudy::tellFacts() {
-    const Study& study = *m_parts.session.study();
+/// All that calls the study by its name, in the title and in the facts.
+void ShownStudy::nameStudy() {
+    const Study* study = m_parts.session.study();
+    if (study == nullptr) return;
+    const StudyNames& names = m_parts.names;
     const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
-    QStringList title{tr("Echolucent"), QString::fromStdString(study.name),
+    const QString name =
+        m_parts.session.isSimulatedScan() ? QString::fromStdString(study->name) : names.nameOf(m_parts.session.path());
+    QStringList title{tr("Echolucent"), name,
                       QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
     title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
     m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")));
 
     QList<StudyFactRow> facts;
     const auto& finds = m_parts.session.finds();
-    for (const ImportFact& fact : finds ? importReport(study, finds->beam) : study.facts)
-        facts << StudyFactRow{QString::fromStdString(fact.name), QString::fromStdString(fact.value),
-                              QString::fromStdString(fact.source)};
+    for (const ImportFact& fact : finds ? importReport(*study, finds->beam) : study->facts)
+        facts << StudyFactRow{QString::fromStdString(fact.name), names.shown(QString::fromStdString(fact.value)),
+                              names.shown(QString::fromStdString(fact.source))};
+    m_parts.facts.setStudy(facts, warnings());
+}
+
+QStringList ShownStudy::warnings() const {
     QStringList warnings;
-    for (const std::string& warning : study.warnings) warnings << QString::fromStdString(warning);
-    m_parts.facts.setStudy(facts, warnings);
+    for (const std::string& warning : m_parts.session.study()->warnings)
+        warnings << m_parts.names.shownOfFile(QString::fromStdString(warning));
+    return warnings;
+}
+
+void ShownStudy::tellFacts() {
+    const Study& study = *m_parts.session.study();
+    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
+    if (!m_parts.session.isSimulatedScan()) {
+        QStringList files;
+        for (const std::string& file : study.files) files << QString::fromStdString(file);
+        m_parts.names.know(m_parts.session.path(), files);
+    }
+    nameStudy();
 
     QStringList notes;
     if (study.lossyCompression != LossyCompression::unknown)
@@ -67,8 +90,8 @@ void ShownStudy::tellFacts() {
     if (m_parts.session.isSimulatedScan())
         m_parts.messages.showMessage(MessageKind::info,
                                      tr("Open a volume, or drop it here. This is a simulated scan."));
-    else if (!warnings.isEmpty())
-        m_parts.messages.showMessage(MessageKind::warning, warnings.join(QStringLiteral(" ")));
+    else if (const QStringList words = warnings(); !words.isEmpty())
+        m_parts.messages.showMessage(MessageKind::warning, words.join(QStringLiteral(" ")));
     else
         m_parts.messages.dismiss();
 }

@@ -14,6 +14,7 @@ class MessageBar;
 class MethodPanel;
 class OtfEditor;
 class RunStatus;
+class StudyNames;
 class StudyPanel;
 class ViewPanel;
 
@@ -38,6 +39,7 @@ public:
         StudyPanel& facts;
         RunStatus& status;
         MessageBar& messages;
+        StudyNames& names;
     };
     explicit ShownStudy(const Parts& parts, QObject* parent = nullptr);
 
@@ -46,6 +48,8 @@ public:
 
 private:
     void tellFacts();
+    void nameStudy();
+    [[nodiscard]] QStringList warnings() const;
     void takeVolume();
     void beginDocument();
     void takeOtf();

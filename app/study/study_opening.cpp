@@ -3,8 +3,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QIcon>
 #include <QMenu>
+#include <QPixmap>
 
+#include "app/study/recent_pictures.h"
+#include "app/study/study_names.h"
 #include "io/gzip_file.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/raw_layout_dialog.h"
@@ -12,6 +16,8 @@
 namespace echolucent {
 
 namespace {
+
+constexpr int widestFolder = 320;  // logical pixels, in the list of recent files
 
 /// "heart.mha"; of a file that was read because its folder, or a header beside it, was opened: "slices/17.dcm".
 QString shownName(const QString& opened, const QString& concerned) {
@@ -38,46 +44,44 @@ std::int64_t bytesOfRawFile(const QString& path) {
 
 }  // namespace
 
-StudyOpening::StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages)
-    : QObject(&window),
-      m_window(window),
-      m_session(session),
-      m_settings(settings),
-      m_messages(messages),
-      m_series(window) {
-    connect(&m_session, &Session::seriesFound, this, &StudyOpening::askForSeries);
+StudyOpening::StudyOpening(const Parts& parts)
+    : QObject(&parts.window), m_parts(parts), m_series(parts.window, parts.names) {
+    connect(&m_parts.session, &Session::seriesFound, this, &StudyOpening::askForSeries);
     connect(&m_series, &SeriesChoice::busyChanged, this, &StudyOpening::busyChanged);
-    connect(&m_session, &Session::openFailed, this, &StudyOpening::tellFailure);
-    connect(&m_session, &Session::studyOpened, this, [this] {
-        if (m_session.isSimulatedScan()) return;
-        m_settings.addRecentFile(m_session.path());
-        m_settings.setLastFolder(QFileInfo(m_session.path()).absolutePath());
+    connect(&m_parts.session, &Session::openFailed, this, &StudyOpening::tellFailure);
+    connect(&m_parts.session, &Session::studyOpened, this, [this] {
+        const Session& session = m_parts.session;
+        if (session.isSimulatedScan()) return;
+        m_parts.settings.addRecentFile(session.path());
+        m_parts.settings.setLastFolder(QFileInfo(session.path()).absolutePath());
     });
 }
 
 void StudyOpening::open(const QString& path, const ReadOptions& options) {
     if (path.isEmpty()) return;
-    m_session.open(QFileInfo(path).absoluteFilePath(), options);
+    m_parts.session.open(QFileInfo(path).absoluteFilePath(), options);
 }
 
 void StudyOpening::chooseFile() {
-    open(QFileDialog::getOpenFileName(&m_window, tr("Open volume"), m_settings.lastFolder(),
+    open(QFileDialog::getOpenFileName(&m_parts.window, tr("Open volume"), m_parts.settings.lastFolder(),
                                       tr("3D ultrasound volumes (*.dcm *.vol *.v0? *.mha *.mhd *.nrrd *.nhdr *.nii "
                                          "*.hdr *.img *.raw *.gz DICOMDIR*);;"
                                          "All files (*)")));
 }
 
 void StudyOpening::chooseFolder() {
-    open(QFileDialog::getExistingDirectory(&m_window, tr("Open folder of DICOM slices"), m_settings.lastFolder()));
+    open(QFileDialog::getExistingDirectory(&m_parts.window, tr("Open folder of DICOM slices"),
+                                           m_parts.settings.lastFolder()));
 }
 
 void StudyOpening::chooseRawFile() {
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open raw volume"), m_settings.lastFolder());
+    const QString path =
+        QFileDialog::getOpenFileName(&m_parts.window, tr("Open raw volume"), m_parts.settings.lastFolder());
     if (!path.isEmpty()) openRaw(path);
 }
 
 void StudyOpening::chooseSeries() {
-    if (const auto list = m_session.seriesBeside()) askForSeries(list, {});
+    if (const auto list = m_parts.session.seriesBeside()) askForSeries(list, {});
 }
 
 void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options) {
@@ -85,12 +89,12 @@ void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, c
         ReadOptions wanted = options;
         // The dialog has said that these are no slices.
         if (list->series[entry].whyNot) wanted.framesAsSlices = true;
-        m_session.openSeries(list, entry, wanted);
+        m_parts.session.openSeries(list, entry, wanted);
     });
 }
 
 void StudyOpening::openRaw(const QString& path) {
-    auto* dialog = new RawLayoutDialog(QFileInfo(path).fileName(), bytesOfRawFile(path), &m_window);
+    auto* dialog = new RawLayoutDialog(m_parts.names.nameOf(path), bytesOfRawFile(path), &m_parts.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto remembered = recalledRawLayout(path.toStdString()); remembered && *remembered)
         dialog->setValues(**remembered);
@@ -105,7 +109,7 @@ void StudyOpening::openRaw(const QString& path) {
 }
 
 void StudyOpening::tellFailure(const QString& path, const Failure& failure, const ReadOptions& options) {
-    if (!path.isEmpty()) m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    if (!path.isEmpty()) m_parts.settings.setLastFolder(QFileInfo(path).absolutePath());
     QList<MessageAction> actions;
     if (failure.framesCouldBeSlices)
         actions << MessageAction{tr("Take the frames as slices"), [this, path, options] {
@@ -118,26 +122,53 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure, cons
         actions << MessageAction{tr("Open it as a curve"), [this, path] { emit curveChosen(path); }};
     if (failure.presets)
         actions << MessageAction{tr("Import them as presets"), [this, path] { emit presetsChosen(path); }};
+    m_parts.names.know(path);
     Failure shown = failure;
-    shown.file = shownName(path, QString::fromStdString(failure.file)).toStdString();
+    const QString name = m_parts.names.showsNumbers() ? m_parts.names.nameOf(path)
+                                                      : shownName(path, QString::fromStdString(failure.file));
+    shown.file = name.toStdString();
     if (failure.opacityCurve || failure.presets)
         shown.remedy.clear();  // the button says it
     else
         shown.remedy = withoutOptions(QString::fromStdString(shown.remedy)).toStdString();
-    m_messages.showMessage(MessageKind::error, QString::fromStdString(shown.sentence()), actions);
+    m_parts.messages.showMessage(MessageKind::error,
+                                 m_parts.names.shownOfFile(QString::fromStdString(shown.sentence())), actions);
+}
+
+/// "1 heart.mha" with the folder beside it, or "1 Study 3" alone; the digit is its key.
+QAction* StudyOpening::recentFile(QMenu& menu, const QString& path, int place) const {
+    const auto literally = [](QString words) { return words.replace('&', QLatin1String("&&")); };
+    QString text = QStringLiteral("&%1  %2").arg(place % 10).arg(literally(m_parts.names.nameOf(path)));
+    if (!m_parts.names.showsNumbers()) {
+        const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
+        // What follows a tab stands in the column of keys.
+        text += QLatin1Char('\t') + menu.fontMetrics().elidedText(folder, Qt::ElideMiddle, widestFolder);
+    }
+    QPixmap square(RecentPictures::edge, RecentPictures::edge);
+    square.fill(Qt::black);
+    if (const QImage picture = m_parts.pictures.of(path); !picture.isNull()) square = QPixmap::fromImage(picture);
+    QAction* action = menu.addAction(QIcon(square), text);
+    action->setObjectName(QStringLiteral("file.recent.%1").arg(place));
+    action->setIconVisibleInMenu(true);
+    return action;
 }
 
 void StudyOpening::fillRecentFiles(QMenu& menu) {
     menu.clear();
-    for (const QString& path : m_settings.recentFiles())
-        connect(menu.addAction(path), &QAction::triggered, this, [this, path] { open(path); });
+    int place = 0;
+    for (const QString& path : m_parts.settings.recentFiles())
+        connect(recentFile(menu, path, ++place), &QAction::triggered, this, [this, path] { open(path); });
     if (menu.isEmpty()) {
         menu.addAction(tr("None yet"))->setEnabled(false);
         return;
     }
     menu.addSeparator();
-    connect(menu.addAction(tr("Forget these files")), &QAction::triggered, this,
-            [this] { m_settings.clearRecentFiles(); });
+    QAction* forget = menu.addAction(tr("&Clear the list"));
+    forget->setObjectName(QStringLiteral("file.recent.clear"));
+    connect(forget, &QAction::triggered, this, [this] {
+        m_parts.settings.clearRecentFiles();
+        m_parts.pictures.clear();
+    });
 }
 
 }  // namespace echolucent

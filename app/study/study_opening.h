@@ -7,19 +7,30 @@
 #include "app/study/session.h"
 #include "app/window/settings.h"
 
+class QAction;
 class QMenu;
 class QWidget;
 
 namespace echolucent {
 
 class MessageBar;
+class RecentPictures;
+class StudyNames;
 
 class StudyOpening : public QObject {
     Q_OBJECT
 
 public:
-    /// `window` is the parent of the dialogs. All of them must outlive this.
-    StudyOpening(QWidget& window, Session& session, Settings& settings, MessageBar& messages);
+    struct Parts {
+        QWidget& window;  ///< parent of the dialogs
+        Session& session;
+        Settings& settings;
+        MessageBar& messages;
+        StudyNames& names;
+        RecentPictures& pictures;
+    };
+    /// All outlive this, which belongs to the window.
+    explicit StudyOpening(const Parts& parts);
 
     /// Opens a file or a DICOM folder; asks for the layout where the file has no header and none is remembered.
     void open(const QString& path, const ReadOptions& options = {});
@@ -28,7 +39,7 @@ public:
     void chooseRawFile();
     /// Asks again which series of the folder is to be opened; does nothing where the study lies beside no other.
     void chooseSeries();
-    /// Fills a menu with the files opened last.
+    /// Fills a menu with the files opened last, each with its small picture.
     void fillRecentFiles(QMenu& menu);
 
     /// True while the small pictures of series are being read.
@@ -44,12 +55,10 @@ signals:
 private:
     void openRaw(const QString& path);
     void askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options);
+    [[nodiscard]] QAction* recentFile(QMenu& menu, const QString& path, int place) const;
     void tellFailure(const QString& path, const Failure& failure, const ReadOptions& options);
 
-    QWidget& m_window;
-    Session& m_session;
-    Settings& m_settings;
-    MessageBar& m_messages;
+    Parts m_parts;
     SeriesChoice m_series;
 };
 

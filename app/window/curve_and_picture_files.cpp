@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImage>
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
@@ -11,6 +12,8 @@
 #include <utility>
 #include <variant>
 
+#include "app/picture/picture_image.h"
+#include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
 #include "io/curve_file.h"
 #include "io/output/overwriting.h"
@@ -69,7 +72,7 @@ void CurveAndPictureFiles::openCurveOfPerson(const QString& path) {
 bool CurveAndPictureFiles::openCurve(const QString& path) {
     const auto curve = readCurve(path.toStdString());
     if (!curve) {
-        m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(curve.error().sentence()));
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(curve.error()));
         return false;
     }
     m_parts.editor.openManualCurve(*curve);
@@ -78,10 +81,10 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
 
 QString CurveAndPictureFiles::proposedName(const QString& what) const {
     const Session& session = m_parts.session;
-    // The file's own name, and nothing of what stands in it.
+    // The study's file as the window calls it, and nothing of what stands in it.
     const QString study = session.isSimulatedScan() || session.path().isEmpty()
                               ? tr("simulated-scan")
-                              : QFileInfo(session.path()).completeBaseName();
+                              : m_parts.names.beginningFor(session.path());
     return study + '-' + what;
 }
 
@@ -100,7 +103,7 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
     if (!report(writeCurve(path.toStdString(), nodes))) return false;
     if (kind == CurveKind::manual) m_parts.editor.setManualSaved();
     m_told = tr("The %1 curve was saved as %2 (%3).")
-                 .arg(curveName(kind), QFileInfo(path).fileName(),
+                 .arg(curveName(kind), m_parts.names.nameOfOther(path),
                       nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
     m_parts.messages.showMessage(MessageKind::info, m_told);
     return true;
@@ -130,13 +133,8 @@ QImage CurveAndPictureFiles::pictureToKeep() {
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!report(mayOverwrite(path))) return false;
-    const QImage image = pictureToKeep().convertToFormat(QImage::Format_RGB888);
-    std::vector<std::uint8_t> rgb;
-    rgb.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()) * 3);
-    for (int y = 0; y < image.height(); ++y)
-        rgb.insert(rgb.end(), image.constScanLine(y),
-                   image.constScanLine(y) + 3 * static_cast<std::ptrdiff_t>(image.width()));
-    return report(writePng(path.toStdString(), image.width(), image.height(), rgb));
+    const QImage image = pictureToKeep();
+    return report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)));
 }
 
 Result<void> CurveAndPictureFiles::mayOverwrite(const QString& path) const {
@@ -145,7 +143,7 @@ Result<void> CurveAndPictureFiles::mayOverwrite(const QString& path) const {
 }
 
 bool CurveAndPictureFiles::report(const Result<void>& written) {
-    if (!written) m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(written.error().sentence()));
+    if (!written) m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()));
     return written.has_value();
 }
 

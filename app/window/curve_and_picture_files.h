@@ -16,6 +16,7 @@ namespace echolucent {
 
 class MessageBar;
 class OtfEditor;
+class StudyNames;
 class VolumeViewWidget;
 
 class CurveAndPictureFiles : public QObject {
@@ -31,6 +32,7 @@ public:
         VolumeViewWidget& picture;
         Settings& settings;
         MessageBar& messages;
+        const StudyNames& names;
     };
     /// All outlive this, which belongs to the window.
     explicit CurveAndPictureFiles(const Parts& parts);

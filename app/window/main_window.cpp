@@ -17,6 +17,7 @@
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
+#include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
 #include "app/window/full_screen.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
     connectCaption();
     connectExplanation();
     connectResets();
+    connectNames();
     createActions();
     restoreSettings();
     showProgress();
@@ -78,20 +80,22 @@ void MainWindow::createUnits() {
                                *m_widgets.status, m_settings});
     m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
-        *this, m_document, mainView, *m_session, *m_widgets.presets, m_settings, *m_widgets.messages});
+        *this, m_document, mainView, *m_session, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course, m_hand});
     m_shownStudy = std::make_unique<ShownStudy>(
         ShownStudy::Parts{*this, m_document, *m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
-                          *m_widgets.status, *m_widgets.messages});
+                          *m_widgets.status, *m_widgets.messages, m_names});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
         NearCutFinder::Parts{m_document, mainView, *m_session, *m_computing, *m_widgets.messages});
-    m_opening = std::make_unique<StudyOpening>(*this, *m_session, m_settings, *m_widgets.messages);
+    m_recentPictures = std::make_unique<RecentPictures>(*m_session, m_settings, *m_widgets.picture);
+    m_opening = std::make_unique<StudyOpening>(
+        StudyOpening::Parts{*this, *m_session, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
         CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_session, *m_widgets.editor, *m_widgets.picture,
-                                    m_settings, *m_widgets.messages});
+                                    m_settings, *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
         *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
@@ -151,6 +155,7 @@ void MainWindow::connectProgress() {
         m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
@@ -215,6 +220,15 @@ void MainWindow::connectResets() {
             [this] { m_pictureControls->resetCut(m_shownStudy->opened()); });
 }
 
+/// The bar of messages reads every sentence as names are shown, whoever says it.
+void MainWindow::connectNames() {
+    const auto read = [this] {
+        m_widgets.messages->setReading([this](const QString& sentence) { return m_names.shownOfFile(sentence); });
+    };
+    connect(&m_names, &StudyNames::changed, this, read);
+    read();
+}
+
 /// The panel says of every picture what it shows and why.
 void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
@@ -263,6 +277,7 @@ void MainWindow::createActions() {
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
     commands.saveMovie = [this] { m_movies->ask(FrameOutput::movie); };
     commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
+    commands.numbersForNames = [this](bool numbers) { m_names.showNumbers(numbers); };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
@@ -282,6 +297,7 @@ void MainWindow::createActions() {
         m_widgets.explainDock->raise();
     };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+    findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
     connect(m_session.get(), &Session::studyOpened, this,
             [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_session->seriesBeside() != nullptr); });
     connect(m_opening.get(), &StudyOpening::busyChanged, this, &MainWindow::updateIdle);
@@ -329,7 +345,9 @@ void MainWindow::keepSettings() {
     m_settings.setWindowState(saveState(layoutVersion));
 }
 
-bool MainWindow::idle() const { return atRest() && !m_presets->pictures().busy(); }
+bool MainWindow::idle() const {
+    return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy();
+}
 
 bool MainWindow::atRest() const {
     return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
@@ -339,6 +357,7 @@ bool MainWindow::atRest() const {
 
 void MainWindow::updateIdle() {
     m_presets->pictures().setAtRest(atRest());
+    m_recentPictures->setAtRest(atRest());
     if (idle() == m_idle) return;
     m_idle = !m_idle;
     emit idleChanged(m_idle);

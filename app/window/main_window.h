@@ -9,6 +9,7 @@
 #include "app/motion/motion_frames.h"
 #include "app/picture/picture_caption.h"
 #include "app/study/shown_study.h"
+#include "app/study/study_names.h"
 #include "app/window/escape_order.h"
 #include "app/window/settings.h"
 #include "app/window/window_layout.h"
@@ -26,6 +27,7 @@ class MovieFiles;
 class NearCutFinder;
 class PictureControls;
 class PresetControls;
+class RecentPictures;
 class ReviewRoom;
 class StudyOpening;
 
@@ -87,6 +89,7 @@ private:
     void connectCaption();
     void connectExplanation();
     void connectResets();
+    void connectNames();
     void createActions();
     void restoreSettings();
     void keepSettings();
@@ -94,10 +97,11 @@ private:
     void showProgress();
     [[nodiscard]] bool movieIsShown() const;
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
-    /// As idle(), but for the small pictures of presets, which wait for the rest.
+    /// As idle(), but for small pictures, which wait for the rest.
     [[nodiscard]] bool atRest() const;
 
     Settings m_settings;
+    StudyNames m_names{m_settings};
     DocumentModel m_document;
     DocumentCurves m_curves;
     HandGesture m_hand;
@@ -120,6 +124,7 @@ private:
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;
     std::unique_ptr<NearCutFinder> m_nearCutFinder;
+    std::unique_ptr<RecentPictures> m_recentPictures;
     std::unique_ptr<StudyOpening> m_opening;
     std::unique_ptr<CurveAndPictureFiles> m_files;
     std::unique_ptr<MovieFiles> m_movies;

@@ -1,7 +1,9 @@
 #include "app/window/settings.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -15,6 +17,8 @@ namespace {
 constexpr auto recentFilesKey = "recent/files";
 constexpr auto lastFolderKey = "recent/folder";
 constexpr auto lastSaveFolderKey = "recent/saveFolder";
+constexpr auto numbersForNamesKey = "window/numbersForNames";
+constexpr auto studyNumbersKey = "recent/studyNumbers";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
@@ -80,11 +84,17 @@ Settings::Settings(const QString& file)
     : m_store(file.isEmpty()
                   ? QSettings(QSettings::IniFormat, QSettings::UserScope, "Echolucent", "Echolucent").fileName()
                   : file,
-              QSettings::IniFormat) {}
+              QSettings::IniFormat) {
+    const QFileInfo given(file);
+    m_dataFolder = file.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                                  : given.absoluteDir().filePath(given.completeBaseName() + QStringLiteral("-data"));
+}
+
+QStringList Settings::keptRecentFiles() const { return m_store.value(recentFilesKey).toStringList(); }
 
 QStringList Settings::recentFiles() const {
     QStringList present;
-    for (const QString& path : m_store.value(recentFilesKey).toStringList()) {
+    for (const QString& path : keptRecentFiles()) {
         if (QFileInfo::exists(path)) present << path;
     }
     return present;
@@ -92,7 +102,7 @@ QStringList Settings::recentFiles() const {
 
 void Settings::addRecentFile(const QString& path) {
     if (path.isEmpty()) return;
-    QStringList paths = m_store.value(recentFilesKey).toStringList();
+    QStringList paths = keptRecentFiles();
     const QString added = absolutePath(path);
     paths.removeAll(added);
     paths.prepend(added);
@@ -100,6 +110,25 @@ void Settings::addRecentFile(const QString& path) {
 }
 
 void Settings::clearRecentFiles() { m_store.remove(recentFilesKey); }
+
+bool Settings::numbersForNames() const { return boolOr(m_store.value(numbersForNamesKey), false); }
+void Settings::setNumbersForNames(bool numbers) { m_store.setValue(numbersForNamesKey, numbers); }
+
+int Settings::studyNumber(const QString& path) {
+    QStringList known = m_store.value(studyNumbersKey).toStringList();
+    const QString hash = hashOf(path);
+    if (const qsizetype place = known.indexOf(hash); place >= 0) return static_cast<int>(place) + 1;
+    known << hash;
+    m_store.setValue(studyNumbersKey, known);
+    return static_cast<int>(known.size());
+}
+
+QString Settings::dataFolder() const { return m_dataFolder; }
+
+QString Settings::hashOf(const QString& path) {
+    const QByteArray digest = QCryptographicHash::hash(absolutePath(path).toUtf8(), QCryptographicHash::Sha256);
+    return QString::fromLatin1(digest.toHex().first(16));
+}
 
 QString Settings::lastFolder() const { return m_store.value(lastFolderKey).toString(); }
 void Settings::setLastFolder(const QString& folder) { m_store.setValue(lastFolderKey, folder); }

@@ -24,9 +24,23 @@ public:
     /// Absolute paths, newest first, at most recentFilesLimit. Files that are not there now are left out, but kept in
     /// the store: a drive may come back.
     [[nodiscard]] QStringList recentFiles() const;
+    /// The same with those that are not there now.
+    [[nodiscard]] QStringList keptRecentFiles() const;
     /// Puts a file (or DICOM folder) first; a path already there moves up.
     void addRecentFile(const QString& path);
     void clearRecentFiles();
+    /// Whether the window shows numbers where it would show names of files and folders. [false]
+    [[nodiscard]] bool numbersForNames() const;
+    void setNumbersForNames(bool numbers);
+    /// The number of a study, from 1 on: its place in a list of all studies that were ever asked for, which holds
+    /// hashes of their paths and no name. A study that was not asked for before is added.
+    [[nodiscard]] int studyNumber(const QString& path);
+    /// The folder that holds what the program keeps by itself, small pictures for example. It stands beside `file`
+    /// where the settings were given one, else in the person's standard place; it may not be there yet.
+    [[nodiscard]] QString dataFolder() const;
+    /// 16 hexadecimal digits that name the file at a path and tell nothing of its name.
+    [[nodiscard]] static QString hashOf(const QString& path);
+
     /// Folder in which the next file dialog opens; empty at first.
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
@@ -68,6 +82,7 @@ public:
 
 private:
     QSettings m_store;
+    QString m_dataFolder;
 };
 
 }  // namespace echolucent

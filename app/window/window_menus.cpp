@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProxyStyle>
 
 #include "widgets/key_table.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -16,6 +17,15 @@ namespace echolucent {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("menus", text); }
+
+/// Icons of a menu are large enough that a picture is recognised.
+class PictureMenuStyle : public QProxyStyle {
+public:
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        constexpr int pictureEdge = 48;
+        return metric == PM_SmallIconSize ? pictureEdge : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+};
 
 QAction* addAction(QMenu* menu, const QString& text, const QString& name, const std::function<void()>& run) {
     QAction* action = menu->addAction(text);
@@ -31,8 +41,11 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("Open &folder of DICOM slices…"), "file.openFolder", commands.openFolder);
     addAction(file, tr("Open &raw volume…"), "file.openRaw", commands.openRawFile);
     addAction(file, tr("Other &series of this folder…"), "file.chooseSeries", commands.chooseSeries)->setEnabled(false);
-    QMenu* recent = file->addMenu(tr("Recent files"));
+    QMenu* recent = file->addMenu(tr("Recen&t files"));
     recent->setObjectName("file.recent");
+    auto* style = new PictureMenuStyle;
+    style->setParent(recent);
+    recent->setStyle(style);
     QObject::connect(recent, &QMenu::aboutToShow, recent, [recent, fill = commands.fillRecentFiles] { fill(*recent); });
     addAction(file, tr("Open the simulated scan"), "file.openSimulatedScan", commands.openSimulatedScan);
     file->addSeparator();
@@ -54,6 +67,10 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", commands.toggleNearCut);
     addAction(view, tr("Next &light"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
+    QAction* numbers = view->addAction(tr("Show nu&mbers instead of names"));
+    numbers->setObjectName("view.numbersForNames");
+    numbers->setCheckable(true);
+    QObject::connect(numbers, &QAction::triggered, view, commands.numbersForNames);
     QMenu* docks = view->addMenu(tr("Panels"));
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
 }

@@ -20,6 +20,7 @@ struct WindowCommands {
     std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1
+    std::function<void(bool numbers)> numbersForNames;
     std::function<void(QMenu& menu)> fillRecentFiles;
 };
 

@@ -44,7 +44,12 @@ public:
     }
     void show() {
         QFile::remove(settingsFile());
-        m_window = std::make_unique<MainWindow>(settingsFile());
+        showAgain();
+    }
+    /// The window of another start, with the settings that are there.
+    void showAgain() { showWithSettings(settingsFile()); }
+    void showWithSettings(const QString& settings) {
+        m_window = std::make_unique<MainWindow>(settings);
         m_window->resize(1000, 700);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QWindow>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/panels/panel_controls.h"
 
@@ -123,6 +124,11 @@ int MessageBar::widthOfWords() const {
     return margins.left() + words + 2 * layout()->spacing() + buttons + margins.right();
 }
 
+void MessageBar::setReading(std::function<QString(const QString& sentence)> reading) {
+    m_reading = std::move(reading);
+    if (!isHidden()) showText();
+}
+
 void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
     removeActions();
     m_kind = kind;
@@ -148,9 +154,9 @@ void MessageBar::setRemark(const QString& sentence) {
 }
 
 void MessageBar::showText() {
-    m_text->setText(m_message);
+    m_text->setText(read(m_message));
     m_text->setVisible(!m_message.isEmpty());
-    m_remarkText->setText(remarks() ? m_remark : QString());
+    m_remarkText->setText(remarks() ? read(m_remark) : QString());
     m_remarkText->setVisible(remarks());
     if (text().isEmpty()) {
         hide();

@@ -33,6 +33,10 @@ public:
     /// its words, between the picture's corners where these leave room, and above native windows in it.
     void lieOver(QWidget& picture);
 
+    /// Sets how sentences are shown, those that are shown now too: `reading` gives the words for a sentence. Without it
+    /// they are shown as they are.
+    void setReading(std::function<QString(const QString& sentence)> reading);
+
     /// Shows a sentence; replaces what was shown before.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     /// A sentence that warns of what is shown now: stands below the message, or alone. Empty takes it away; said again
@@ -43,7 +47,7 @@ public:
     /// Closes the bar, the remark included; emits nothing.
     void dismiss();
 
-    /// Message and remark; empty where nothing is shown.
+    /// Message and remark as they are shown; empty where nothing is.
     [[nodiscard]] QString text() const;
     /// The message's; where the remark stands alone, a warning.
     [[nodiscard]] MessageKind kind() const;
@@ -62,6 +66,7 @@ protected:
 private:
     void removeActions();
     void showText();
+    [[nodiscard]] QString read(const QString& sentence) const { return m_reading ? m_reading(sentence) : sentence; }
     void closeByPerson();
     [[nodiscard]] bool remarks() const { return !m_remarkClosed && !m_remark.isEmpty(); }
     void place();
@@ -69,6 +74,7 @@ private:
 
     QWidget* m_picture = nullptr;  ///< over which the bar lies
     MessageKind m_kind = MessageKind::info;
+    std::function<QString(const QString& sentence)> m_reading;
     QString m_message;
     QString m_remark;
     bool m_remarkClosed = false;

@@ -1,0 +1,18 @@
+// Pictures of the ray caster as images of Qt, and images as bytes of pictures.
+#pragma once
+
+#include <QImage>
+#include <cstdint>
+#include <vector>
+
+#include "processing/picture/picture.h"
+
+namespace echolucent {
+
+/// The picture over black, 8-bit red, green and blue.
+[[nodiscard]] QImage imageOf(const Picture& picture);
+
+/// The image's red, green and blue, one byte each, rows from the top without gaps between them.
+[[nodiscard]] std::vector<std::uint8_t> rgbBytesOf(const QImage& image);
+
+}  // namespace echolucent

@@ -1,0 +1,92 @@
+#include "app/study/recent_pictures.h"
+
+#include <QDir>
+#include <QSet>
+#include <algorithm>
+#include <utility>
+
+#include "app/picture/picture_image.h"
+#include "app/study/session.h"
+#include "app/window/settings.h"
+#include "io/output/picture_file.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+namespace {
+
+QString nameOf(const QString& path) { return Settings::hashOf(path) + QStringLiteral(".png"); }
+
+/// The square in the middle of a picture, where the study is, made small.
+QImage smallSquare(const QImage& image) {
+    const int side = std::min(image.width(), image.height());
+    const QImage square = image.copy((image.width() - side) / 2, (image.height() - side) / 2, side, side);
+    return square.scaled(RecentPictures::edge, RecentPictures::edge, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+void removeOthers(const QString& folder, const QStringList& recent) {
+    QSet<QString> kept;
+    for (const QString& path : recent) kept << nameOf(path);
+    QDir pictures(folder);
+    for (const QString& name : pictures.entryList({QStringLiteral("*.png")}, QDir::Files))
+        if (!kept.contains(name)) pictures.remove(name);
+}
+
+}  // namespace
+
+RecentPictures::RecentPictures(const Session& session, const Settings& settings, VolumeViewWidget& view,
+                               QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_settings(settings),
+      m_view(view),
+      m_folder(QDir(settings.dataFolder()).filePath(QStringLiteral("recent"))),
+      m_thread(QStringLiteral("recent pictures")) {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &RecentPictures::busyChanged);
+}
+
+void RecentPictures::setAtRest(bool atRest) {
+    const bool cameToRest = atRest && !m_atRest;
+    m_atRest = atRest;
+    const QString path = m_session.path();
+    if (!atRest || path.isEmpty() || !m_view.volume() || !m_view.pictureIsFine() || !m_view.pictureIsCurrent()) return;
+    if (!m_settings.keptRecentFiles().contains(path)) return;
+    const std::shared_ptr<const Picture> picture = m_view.picture();
+    if (picture) {
+        if (m_kept.lock() == picture) return;
+        m_kept = picture;
+        keep(path, [picture] { return imageOf(*picture); });
+    } else if (cameToRest) {
+        // The graphics card renders: what it has drawn is read back.
+        keep(path, [image = m_view.screenImage()] { return image; });
+    }
+}
+
+void RecentPictures::keep(const QString& path, std::function<QImage()> make) {
+    m_thread.submit(
+        [folder = m_folder, path, recent = m_settings.keptRecentFiles(),
+         make = std::move(make)](const Progress&) -> NewestWinsThread::Deliver {
+            removeOthers(folder, recent);
+            const QImage image = make();
+            if (image.isNull() || !QDir().mkpath(folder)) return {};
+            const QImage small = smallSquare(image);
+            // Where it cannot be written, the list does without.
+            (void)writePng(QDir(folder).filePath(nameOf(path)).toStdString(), small.width(), small.height(),
+                           rgbBytesOf(small));
+            return {};
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+}
+
+void RecentPictures::clear() {
+    m_thread.submit(
+        [folder = m_folder](const Progress&) -> NewestWinsThread::Deliver {
+            removeOthers(folder, {});
+            return {};
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+}
+
+QImage RecentPictures::of(const QString& path) const { return QImage(QDir(m_folder).filePath(nameOf(path))); }
+
+}  // namespace echolucent

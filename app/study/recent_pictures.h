@@ -1,0 +1,57 @@
+// The small pictures beside the files opened last: kept in the program's own data folder under names that tell nothing.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+
+#include "processing/picture/picture.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+class Session;
+class Settings;
+class VolumeViewWidget;
+
+/// Writes, finds and removes one PNG file for each study in the list of recent files. Files are written and removed in
+/// a thread of its own. A picture that cannot be written is left out: the list does without.
+class RecentPictures : public QObject {
+    Q_OBJECT
+
+public:
+    /// Pixels along the edge of a picture, which is square.
+    static constexpr int edge = 96;
+
+    /// All must outlive this. The folder of the pictures is made with the first of them.
+    RecentPictures(const Session& session, const Settings& settings, VolumeViewWidget& view, QObject* parent = nullptr);
+
+    /// Whether nothing loads, computes or renders, so that the 3D view shows the study that is open. Its picture is
+    /// kept each time it is another one; none is cast for it. Pictures of studies that have left the list go.
+    void setAtRest(bool atRest);
+    /// The list of recent files was cleared: all pictures go.
+    void clear();
+    /// The picture kept of a study; null where there is none.
+    [[nodiscard]] QImage of(const QString& path) const;
+    /// True while a file is being written or removed.
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+
+signals:
+    void busyChanged();
+
+private:
+    void keep(const QString& path, std::function<QImage()> make);
+
+    const Session& m_session;
+    const Settings& m_settings;
+    VolumeViewWidget& m_view;
+    QString m_folder;
+    bool m_atRest = false;
+    std::weak_ptr<const Picture> m_kept;  ///< the 3D view's picture that was kept last
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent

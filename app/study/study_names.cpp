@@ -1,0 +1,132 @@
+#include "app/study/study_names.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <algorithm>
+
+#include "app/window/settings.h"
+
+namespace echolucent {
+
+namespace {
+
+const QString leftOut = QStringLiteral("…");
+
+bool isWordOfLanguage(const QString& name) {
+    return std::ranges::all_of(name, [](QChar letter) { return letter.isLower(); });
+}
+
+bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
+    const bool begins = at == 0 || !text[at - 1].isLetterOrNumber();
+    const bool ends = at + length == text.size() || !text[at + length].isLetterOrNumber();
+    return begins && ends;
+}
+
+/// Whether what stands there is part of the name of a file: "heart-adaptive.json", "slices/heart".
+bool isPartOfName(const QString& text, qsizetype at, qsizetype length) {
+    const bool continues = at + length + 1 < text.size() && QStringLiteral("._-").contains(text[at + length]) &&
+                           text[at + length + 1].isLetterOrNumber();
+    return continues || (at > 0 && text[at - 1] == QLatin1Char('/'));
+}
+
+}  // namespace
+
+StudyNames::StudyNames(Settings& settings, QObject* parent)
+    : QObject(parent), m_settings(settings), m_numbers(settings.numbersForNames()) {
+    for (const QString& path : settings.keptRecentFiles()) know(path);
+}
+
+void StudyNames::showNumbers(bool numbers) {
+    if (numbers == m_numbers) return;
+    m_numbers = numbers;
+    m_settings.setNumbersForNames(numbers);
+    emit changed();
+}
+
+void StudyNames::know(const QString& path, const QStringList& files) {
+    const int study = m_settings.studyNumber(path);
+    m_studies.insert(path, study);
+    for (const QString& file : files) m_files.insert(file, study);
+    m_known.reset();
+}
+
+const std::vector<StudyNames::Known>& StudyNames::known() const {
+    if (m_known) return *m_known;
+    QHash<QString, int> names;
+    const auto add = [&](const QString& name, int study) {
+        constexpr qsizetype shortest = 2;  // a single letter is no name of anybody
+        if (name.size() >= shortest && !name.startsWith(QStringLiteral(".."))) names.insert(name, study);
+    };
+    for (auto file = m_files.begin(); file != m_files.end(); ++file) {
+        const QString name = file.key().mid(file.key().lastIndexOf('/') + 1);
+        add(name, file.value());
+        add(name.left(name.lastIndexOf('.')), file.value());
+    }
+    for (auto path = m_studies.begin(); path != m_studies.end(); ++path) {
+        const QFileInfo info(QDir::cleanPath(path.key()));
+        for (const QString& name : {path.key(), info.absoluteFilePath(), info.absolutePath(), info.fileName(),
+                                    info.completeBaseName(), info.baseName()})
+            add(name, path.value());
+    }
+    m_known.emplace();
+    for (auto name = names.begin(); name != names.end(); ++name)
+        m_known->push_back({name.key(), name.value(), isWordOfLanguage(name.key())});
+    std::ranges::sort(*m_known, std::ranges::greater{}, [](const Known& each) { return each.name.size(); });
+    return *m_known;
+}
+
+QString StudyNames::nameOf(const QString& path) const {
+    return m_numbers ? tr("Study %1").arg(m_settings.studyNumber(path)) : QFileInfo(QDir::cleanPath(path)).fileName();
+}
+
+QString StudyNames::beginningFor(const QString& path) const {
+    return m_numbers ? tr("study-%1").arg(m_settings.studyNumber(path))
+                     : QFileInfo(QDir::cleanPath(path)).completeBaseName();
+}
+
+QString StudyNames::nameOfOther(const QString& path) const {
+    if (!m_numbers) return QFileInfo(path).fileName();
+    const QString ending = QFileInfo(path).suffix();
+    return ending.isEmpty() ? leftOut : leftOut + QLatin1Char('.') + ending;
+}
+
+QString StudyNames::numbered(QString text) const {
+    for (const Known& known : this->known()) {
+        const QString number = tr("Study %1").arg(known.study);
+        for (qsizetype at = 0; (at = text.indexOf(known.name, at)) >= 0;) {
+            const qsizetype length = known.name.size();
+            const bool meant =
+                standsAlone(text, at, length) && (!known.wordOfLanguage || isPartOfName(text, at, length));
+            if (meant) text.replace(at, length, number);
+            at += meant ? number.size() : length;
+        }
+    }
+    return text;
+}
+
+QString StudyNames::shown(const QString& text) const {
+    if (!m_numbers) return text;
+    static const QRegularExpression path(QStringLiteral(R"((?<![\w/])/[^\s/"]+/[^\s"]*[^\s".,:;])"));
+    return numbered(text).replace(path, leftOut);
+}
+
+QString StudyNames::shownOfFile(const QString& text) const {
+    if (!m_numbers) return text;
+    static const QRegularExpression file(QStringLiteral(R"([^\s/"“”]+\.([A-Za-z][A-Za-z0-9]{1,6})\b)"));
+    return shown(text).replace(file, leftOut + QStringLiteral(".\\1"));
+}
+
+QString StudyNames::sentenceOf(const Failure& failure) const {
+    if (!m_numbers) return QString::fromStdString(failure.sentence());
+    Failure shownFailure = failure;
+    const QString path = QString::fromStdString(failure.file);
+    shownFailure.file.clear();
+    const QString words = shownOfFile(QString::fromStdString(shownFailure.sentence()));
+    if (path.isEmpty()) return words;
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const int study = m_studies.value(absolute, m_files.value(absolute));
+    return (study > 0 ? tr("Study %1").arg(study) : nameOfOther(path)) + QStringLiteral(": ") + words;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,68 @@
+// What the window calls studies and files: their names, or numbers, since names of files can be names of patients.
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "processing/result.h"
+
+namespace echolucent {
+
+class Settings;
+
+/// Everything in the window that would show the name of a file or a folder asks here. Where numbers are shown, a study
+/// is called "Study 3", the same at every start, and any other file by its ending alone.
+class StudyNames : public QObject {
+    Q_OBJECT
+
+public:
+    /// `settings` must outlive this; it remembers the switch and the numbers.
+    explicit StudyNames(Settings& settings, QObject* parent = nullptr);
+
+    [[nodiscard]] bool showsNumbers() const { return m_numbers; }
+    void showNumbers(bool numbers);
+
+    /// From here on texts are searched for the names of a study at `path` and of the files it was read from. It is to
+    /// be called before anything of the study is shown.
+    void know(const QString& path, const QStringList& files = {});
+
+    /// The name of a study's file or folder, or "Study 3".
+    [[nodiscard]] QString nameOf(const QString& path) const;
+    /// What names of files that belong to a study begin with: the file's own name without its ending, or "study-3".
+    [[nodiscard]] QString beginningFor(const QString& path) const;
+    /// The name of a file that is no study, a curve for example; or nothing of it but the ending, "….json".
+    [[nodiscard]] QString nameOfOther(const QString& path) const;
+    /// A text as it may be shown. Where numbers are shown, those stand for the names of studies that are known, and
+    /// whatever else looks like the path of a file is left out.
+    [[nodiscard]] QString shown(const QString& text) const;
+    /// The same for a text that comes from reading a file, which may name others: where numbers are shown, whatever
+    /// looks like the name of a file is left out too.
+    [[nodiscard]] QString shownOfFile(const QString& text) const;
+    /// The sentence of a failure that concerns a file which is no study.
+    [[nodiscard]] QString sentenceOf(const Failure& failure) const;
+
+signals:
+    /// Names became numbers, or numbers names.
+    void changed();
+
+private:
+    /// A piece of text that names a study.
+    struct Known {
+        QString name;
+        int study = 0;
+        bool wordOfLanguage = false;  ///< it may stand in a sentence for something else
+    };
+    [[nodiscard]] const std::vector<Known>& known() const;
+    [[nodiscard]] QString numbered(QString text) const;
+
+    Settings& m_settings;
+    bool m_numbers;
+    QHash<QString, int> m_studies, m_files;             ///< the numbers of paths, and of the files read for them
+    mutable std::optional<std::vector<Known>> m_known;  ///< longest first; made when it is asked for
+};
+
+}  // namespace echolucent
