@@ -25,6 +25,8 @@ Result<Study> simulated(const SimulatedScan& scan, const Progress& progress) {
     return study;
 }
 
+double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; }
+
 }  // namespace
 
 Session::Session(QObject* parent)
@@ -40,6 +42,12 @@ Session::Session(QObject* parent)
     connect(&m_cut, &CutPhases::busyChanged, this, [this] { emit computingOtfChanged(computingOtf()); });
     connect(&m_cut, &CutPhases::failed, this, &Session::otfFailed);
     connect(&m_quiet, &QuietPhases::made, this, &Session::takeQuietVoxels);
+    connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
+        if (busy)
+            m_quieteningClock.start();
+        else
+            m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
+    });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &Session::quieteningChanged);
     connect(&m_quiet, &QuietPhases::progressed, this, &Session::quieteningProgressed);
     connect(&m_quiet, &QuietPhases::failed, this, [this](int, const QString& sentence) {
@@ -111,6 +119,7 @@ void Session::load(const StudyReference& reference, Read read) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
+    m_loadingClock.start();
     m_loader.submit([this, reference, path, options,
                      read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
         std::vector<IntensityHistogram> histograms;
@@ -140,6 +149,8 @@ void Session::load(const StudyReference& reference, Read read) {
         for (auto& phase : opening->study->phases) phase = freedElsewhere(std::move(phase));
         auto shared = std::make_shared<const Study>(std::move(*opening->study));
         return [this, reference, shared, series, finds = std::move(finds), histograms = std::move(histograms)] {
+            m_loadingMilliseconds = millisecondsOf(m_loadingClock);
+            m_quieteningMilliseconds.reset();
             m_reference = reference;
             m_study = shared;
             m_seriesBeside = series;

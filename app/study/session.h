@@ -1,6 +1,7 @@
 // What is open and what was computed for it: the model behind the main window. Knows no widget.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -39,6 +40,11 @@ public:
     void openSimulatedScan();
     void cancelLoading();
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
+
+    /// From asking for the study that is open until it was read and looked through; no value before the first.
+    [[nodiscard]] std::optional<double> loadingMilliseconds() const { return m_loadingMilliseconds; }
+    /// What it last took to make voxels quiet, of all phases that were made then; no value before the first time.
+    [[nodiscard]] std::optional<double> quieteningMilliseconds() const { return m_quieteningMilliseconds; }
 
     /// The study that is open; null before the first.
     [[nodiscard]] const Study* study() const { return m_study.get(); }
@@ -192,6 +198,8 @@ private:
     bool m_opening = false;               ///< no OTF of the study was computed yet
     bool m_searching = false;             ///< the newest request is one for the near cut
     Viewpoint m_searchedAlong;            ///< of the newest search for the near cut
+    QElapsedTimer m_loadingClock, m_quieteningClock;
+    std::optional<double> m_loadingMilliseconds, m_quieteningMilliseconds;
     KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;

@@ -17,6 +17,7 @@
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
+#include "app/report/report_saving.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
@@ -103,6 +104,9 @@ void MainWindow::createUnits() {
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
                                                             m_widgets.planes, *m_widgets.picture, *m_widgets.room,
                                                             *m_widgets.measurements, *m_widgets.messages, m_settings});
+    m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
+        *this, m_document, mainView, *m_session, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
+        *m_widgets.editor, m_settings, *m_widgets.messages, m_names, [this] { return explanation(); }});
 }
 
 void MainWindow::connectProgress() {
@@ -127,6 +131,7 @@ void MainWindow::connectProgress() {
     connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
         if (m_session->loading()) return m_session->cancelLoading();
         if (movieIsShown()) return m_movies->cancel();
+        m_report->cancel();
         m_session->cancelQuietening();
         m_session->cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
@@ -155,6 +160,10 @@ void MainWindow::connectProgress() {
         m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_report.get(), &ReportSaving::busyChanged, this, changed);
+    connect(m_report.get(), &ReportSaving::progressed, this, [this](double share) {
+        if (atRest()) m_widgets.status->setProgress(share);
+    });
     connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
@@ -173,6 +182,8 @@ void MainWindow::showProgress() {
         status.beginProgress(tr("reducing speckle"));
     else if (movieIsShown())
         status.beginProgress(m_movies->activity());
+    else if (m_report->busy())
+        status.beginProgress(tr("making the report"));
     else
         status.endProgress();
 }
@@ -277,6 +288,7 @@ void MainWindow::createActions() {
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
     commands.saveMovie = [this] { m_movies->ask(FrameOutput::movie); };
     commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
+    commands.saveReport = [this] { m_report->choose(); };
     commands.numbersForNames = [this](bool numbers) { m_names.showNumbers(numbers); };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
@@ -316,6 +328,7 @@ void MainWindow::openSimulatedScan() {
 
 bool MainWindow::openCurve(const QString& path) { return m_files->openCurve(path); }
 bool MainWindow::saveCurve(const QString& path) { return m_files->saveCurve(path); }
+void MainWindow::saveReport(const QString& path, bool withPatient) { m_report->save(path, withPatient); }
 bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(path); }
 
 void MainWindow::restoreSettings() {
@@ -346,7 +359,7 @@ void MainWindow::keepSettings() {
 }
 
 bool MainWindow::idle() const {
-    return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy();
+    return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy() && !m_report->busy();
 }
 
 bool MainWindow::atRest() const {
@@ -358,6 +371,7 @@ bool MainWindow::atRest() const {
 void MainWindow::updateIdle() {
     m_presets->pictures().setAtRest(atRest());
     m_recentPictures->setAtRest(atRest());
+    m_report->setAtRest(atRest());
     if (idle() == m_idle) return;
     m_idle = !m_idle;
     emit idleChanged(m_idle);

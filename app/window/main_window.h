@@ -28,6 +28,7 @@ class NearCutFinder;
 class PictureControls;
 class PresetControls;
 class RecentPictures;
+class ReportSaving;
 class ReviewRoom;
 class StudyOpening;
 
@@ -52,6 +53,9 @@ public:
     bool openCurve(const QString& path);
     bool saveCurve(const QString& path);
     bool savePicture(const QString& path);
+
+    /// As ReportSaving::save().
+    void saveReport(const QString& path, bool withPatient);
 
     [[nodiscard]] bool idle() const;
     [[nodiscard]] DocumentModel& document() { return m_document; }
@@ -97,7 +101,7 @@ private:
     void showProgress();
     [[nodiscard]] bool movieIsShown() const;
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
-    /// As idle(), but for small pictures, which wait for the rest.
+    /// As idle(), but for small pictures and reports, which wait for the rest.
     [[nodiscard]] bool atRest() const;
 
     Settings m_settings;
@@ -129,6 +133,7 @@ private:
     std::unique_ptr<CurveAndPictureFiles> m_files;
     std::unique_ptr<MovieFiles> m_movies;
     std::unique_ptr<ReviewRoom> m_room;
+    std::unique_ptr<ReportSaving> m_report;
     bool m_idle = true;
     bool m_shown = false;
 };

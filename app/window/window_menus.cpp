@@ -53,6 +53,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("Save &picture…"), "file.savePicture", commands.savePicture);
     addAction(file, tr("Save &movie…"), "file.saveMovie", commands.saveMovie);
     addAction(file, tr("Save pic&ture series…"), "file.savePictureSeries", commands.savePictureSeries);
+    addAction(file, tr("Save case r&eport…"), "file.saveReport", commands.saveReport);
     file->addSeparator();
     addAction(file, tr("&Quit"), "file.quit", [&window] { window.close(); });
 }

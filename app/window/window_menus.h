@@ -15,8 +15,8 @@ class OtfEditor;
 /// What the menus' own actions do; the OTF editor brings its actions along.
 struct WindowCommands {
     std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, saveMovie,
-        savePictureSeries, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain, nextLighting,
-        toggleNearCut, toggleFullScreen;
+        savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
+        nextLighting, toggleNearCut, toggleFullScreen;
     std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1

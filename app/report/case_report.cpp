@@ -1,0 +1,149 @@
+#include "app/report/case_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pages/html_page.h"
+#include "app/picture/picture_image.h"
+#include "processing/adaptive/method_parameters.h"
+#include "processing/picture/look.h"
+
+namespace echolucent {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string textOfValue(const ParameterValue& value) {
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+    if (const auto* choice = std::get_if<std::string>(&value)) return labelOfChoice(*choice);
+    return textOf(*numberOf(value));
+}
+
+template <typename Values>
+Rows rowsOf(std::span<const Parameter<Values>> table, const Values& values) {
+    Rows rows;
+    for (const Parameter<Values>& parameter : table)
+        if (const auto value = parameter.get(values))
+            rows.push_back({std::string(parameter.label), textOfValue(*value), std::string(parameter.unit)});
+    return rows;
+}
+
+void addPatient(HtmlPage& page, const CaseReport& report) {
+    if (!report.patient) return;
+    const Patient& patient = *report.patient;
+    page.heading("Patient");
+    page.table({"fact", "value"}, {{"name", patient.name},
+                                   {"identification", patient.id},
+                                   {"date of birth", patient.birthDate},
+                                   {"sex", patient.sex},
+                                   {"date of the study", patient.studyDate}});
+}
+
+void addPictures(HtmlPage& page, const CaseReport& report) {
+    page.heading("Pictures");
+    for (const ReportPane& pane : report.panes)
+        page.picture(pane.image.width(), pane.image.height(), rgbBytesOf(pane.image), pane.caption.toStdString());
+    for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
+}
+
+/// The logarithm of the counts, so that rare intensities are seen beside those of the background; the most frequent
+/// one is 1.
+PlotSeries histogramSeries(const IntensityHistogram& histogram) {
+    PlotSeries series;
+    series.name = "voxels (logarithm)";
+    const double most = std::log1p(static_cast<double>(*std::ranges::max_element(histogram.counts)));
+    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+        series.x.push_back((static_cast<double>(bin) + 0.5) / static_cast<double>(histogram.counts.size()));
+        series.y.push_back(most > 0.0 ? std::log1p(static_cast<double>(histogram.counts[bin])) / most : 0.0);
+    }
+    return series;
+}
+
+void addCurves(HtmlPage& page, const CaseReport& report) {
+    constexpr int samples = 257;
+    const CurveKind active = viewOf(report.document, report.view).curve;
+    Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
+    for (const CurveKind kind : allCurveKinds) {
+        if (kind == CurveKind::adaptive && report.adaptive.opacities.empty()) continue;
+        const OpacityCurve curve = kind == active ? renderedCurve(report.document.curves, kind, report.adaptive)
+                                                  : curveOf(report.document.curves, kind, report.adaptive);
+        PlotSeries series;
+        series.name = std::string(nameOf(kind)) + (kind == active ? " (rendered)" : "");
+        series.y = sampledOpacities(curve, samples);
+        for (int i = 0; i < samples; ++i) series.x.push_back(static_cast<double>(i) / (samples - 1));
+        plot.series.push_back(std::move(series));
+    }
+    plot.series.push_back(histogramSeries(report.histogram));
+    page.heading("Curves");
+    page.plot(plot);
+    page.paragraph(fmt::format("The 3D view is rendered with the {} curve.", nameOf(active)));
+}
+
+std::string placesText(const std::vector<Vec3>& places) {
+    std::string text;
+    for (const Vec3& place : places)
+        text += fmt::format("{}({:.2f}, {:.2f}, {:.2f})", text.empty() ? "" : " – ", place[0], place[1], place[2]);
+    return text;
+}
+
+void addMeasurements(HtmlPage& page, const CaseReport& report) {
+    page.heading("Measurements");
+    if (report.document.measurements.empty()) return page.paragraph("Nothing was measured.");
+    Rows rows;
+    for (const Measurement& measurement : report.document.measurements) {
+        const auto value = measuredValue(measurement, report.geometry);
+        const bool length = measurement.kind == MeasurementKind::distance;
+        rows.push_back({std::to_string(measurement.id), std::string(nameOf(measurement.kind)),
+                        !value   ? value.error().sentence()
+                        : length ? fmt::format("{:.2f} mm", *value)
+                                 : fmt::format("{:.1f}°", *value),
+                        std::string(nameOf(measurement.ground)), std::to_string(measurement.phase + 1),
+                        placesText(measurement.placesMm)});
+    }
+    page.table({"number", "kind", "value", "marked on", "phase", "places (mm of the grid)"}, rows);
+}
+
+void addParameters(HtmlPage& page, const CaseReport& report) {
+    page.heading("Parameters");
+    const std::vector<std::string> columns{"parameter", "value", "unit"};
+    page.table(columns, rowsOf(methodParameters(), configOf(report.document)), "The adaptive method");
+    page.table(columns, rowsOf(lookParameters(), lookOf(report.document, report.view)), "The look of the 3D view");
+}
+
+void addImport(HtmlPage& page, const CaseReport& report) {
+    page.heading("Import report");
+    for (const std::string& warning : report.warnings) page.paragraph("Warning: " + warning);
+    Rows rows;
+    for (const ImportFact& fact : report.facts) rows.push_back({fact.name, fact.value, fact.source});
+    page.table({"fact", "value", "where it is from"}, rows);
+}
+
+void addTimes(HtmlPage& page, const CaseReport& report) {
+    if (report.times.empty()) return;
+    page.heading("Timings");
+    Rows rows;
+    for (const ReportTime& time : report.times)
+        rows.push_back({time.what.toStdString(), fmt::format("{:.1f}", time.milliseconds)});
+    page.table({"what", "milliseconds"}, rows, "Wall time on the machine that made this report");
+}
+
+}  // namespace
+
+std::string caseReportPage(const CaseReport& report) {
+    HtmlPage page("Case report: " + report.study.toStdString(), HtmlPage::anyBytes);
+    page.paragraph(fmt::format("Made on {} with Echolucent {}. Not a medical device: not for diagnosis or treatment.",
+                               report.made.toStdString(), report.version.toStdString()));
+    addPatient(page, report);
+    addPictures(page, report);
+    addMeasurements(page, report);
+    addCurves(page, report);
+    addParameters(page, report);
+    addImport(page, report);
+    addTimes(page, report);
+    return page.text();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,176 @@
+#include "app/report/report_saving.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <new>
+#include <utility>
+
+#include "app/study/study_names.h"
+#include "app/window/save_dialog.h"
+#include "app/window/settings.h"
+#include "io/import_report.h"
+#include "io/output/atomic_file.h"
+#include "io/output/overwriting.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/report_dialog.h"
+#include "widgets/planes/plane_pane.h"
+
+namespace echolucent {
+
+namespace {
+
+/// What the thread reads of the study's files.
+struct PatientSource {
+    std::vector<std::string> files;
+    std::string series;
+};
+
+Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& source,
+                         const std::vector<std::string>& inputs, const std::string& path, const Progress& progress) {
+    if (const auto allowed = refuseToOverwrite(inputs, {path}); !allowed) return allowed;
+    if (source) {
+        auto patient = readPatient(source->files, source->series, progress);
+        if (!patient) return tl::unexpected(patient.error());
+        report.patient = std::move(*patient);
+    }
+    progress.at(0.2);
+    const std::string page = caseReportPage(report);
+    progress.at(0.9);
+    if (progress.cancelled()) return fail(FailureKind::cancelled, path, {}, "was not written: cancelled");
+    return writeFileAtomically(path, page);
+}
+
+QImage imageOfPane(PlanePane& pane) {
+    const qreal ratio = pane.devicePixelRatioF();
+    QImage image(pane.size() * ratio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::black);
+    pane.render(&image, {}, {}, QWidget::DrawWindowBackground);  // without the pane's buttons
+    return image;
+}
+
+}  // namespace
+
+ReportSaving::ReportSaving(const Parts& parts)
+    : QObject(&parts.window), m_parts(parts), m_thread(QStringLiteral("case report")) {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &ReportSaving::busyChanged);
+    connect(&m_thread, &NewestWinsThread::progressed, this, &ReportSaving::progressed);
+    connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, [this](const PictureReport& made) {
+        if (made.converged) m_converged = made;
+    });
+}
+
+void ReportSaving::choose() {
+    const Study* study = m_parts.session.study();
+    if (study == nullptr) return;
+    ReportDialog dialog(areDicomFiles(study->files), &m_parts.window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString beginning =
+        m_parts.session.isSimulatedScan() ? tr("simulated-scan") : m_parts.names.beginningFor(m_parts.session.path());
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Save case report"),
+                                          tr("Pages (*.html)"), tr("%1-report").arg(beginning), QStringLiteral("html"));
+    if (!path.isEmpty()) save(path, dialog.withPatient());
+}
+
+void ReportSaving::save(const QString& path, bool withPatient) {
+    if (m_parts.session.study() == nullptr) return;
+    m_parts.player.pause();
+    m_wanted = Wanted{path, withPatient};
+    if (m_atRest) begin();
+    emit busyChanged();
+}
+
+void ReportSaving::cancel() {
+    m_wanted.reset();
+    m_thread.cancel();
+    emit busyChanged();
+}
+
+void ReportSaving::setAtRest(bool atRest) {
+    m_atRest = atRest;
+    if (atRest && m_wanted) begin();
+}
+
+void ReportSaving::begin() {
+    const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
+    const Study& study = *m_parts.session.study();
+    std::optional<PatientSource> source;
+    if (wanted.withPatient) {
+        const auto* file = std::get_if<StudyFile>(&m_parts.session.reference());
+        source = PatientSource{study.files, file ? file->options.series : std::string()};
+    }
+    m_thread.submit([this, wanted, source, report = snapshot(),
+                     inputs = study.files](const Progress& progress) -> NewestWinsThread::Deliver {
+        Result<void> written;
+        try {
+            written = writeReport(report, source, inputs, wanted.path.toStdString(), progress);
+        } catch (const std::bad_alloc&) {
+            written = fail(FailureKind::unwritable, wanted.path.toStdString(), {},
+                           "needs more memory than this machine has", "Make the window smaller.");
+        }
+        if (progress.cancelled()) return {};
+        return [this, path = wanted.path, written] { tell(path, written); };
+    });
+}
+
+CaseReport ReportSaving::snapshot() const {
+    const Session& session = m_parts.session;
+    const Study& study = *session.study();
+    const StudyNames& names = m_parts.names;
+    const auto shown = [&](const std::string& text) { return names.shown(QString::fromStdString(text)).toStdString(); };
+    CaseReport report;
+    report.study = session.isSimulatedScan() ? tr("simulated scan") : names.nameOf(session.path());
+    report.made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ');
+    report.version = QApplication::applicationVersion();
+    report.panes = panes();
+    report.explanation = m_parts.explanation().split(QStringLiteral("\n\n"), Qt::SkipEmptyParts);
+    report.document = m_parts.model.document();
+    report.view = m_parts.view;
+    report.adaptive = m_parts.editor.state().adaptive;
+    report.histogram = session.histogram();
+    report.geometry = session.volume()->geometry();
+    const auto& finds = session.finds();
+    for (const ImportFact& fact : finds ? importReport(study, finds->beam) : study.facts)
+        report.facts.push_back({fact.name, shown(fact.value), shown(fact.source)});
+    for (const std::string& warning : study.warnings)
+        report.warnings.push_back(names.shownOfFile(QString::fromStdString(warning)).toStdString());
+    report.times = times();
+    return report;
+}
+
+std::vector<ReportPane> ReportSaving::panes() const {
+    std::vector<ReportPane> panes;
+    const std::array letters{tr("Plane A"), tr("Plane B"), tr("Plane C")};
+    for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
+        if (m_parts.planes[i]->isVisible() && m_parts.planes[i]->scene())
+            panes.push_back({letters[i], imageOfPane(*m_parts.planes[i])});
+    if (m_parts.picture.isVisible()) panes.push_back({tr("3D view"), m_parts.picture.convergedImage()});
+    return panes;
+}
+
+std::vector<ReportTime> ReportSaving::times() const {
+    std::vector<ReportTime> times;
+    const Session& session = m_parts.session;
+    if (const auto loading = session.loadingMilliseconds())
+        times.push_back({tr("opening: reading the files, looking for beam and cut"), *loading});
+    if (const auto quietening = session.quieteningMilliseconds())
+        times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
+    if (const AdaptiveOtf* otf = m_parts.motion.otf()) times.push_back({tr("adaptive OTF"), otf->times.total});
+    if (m_converged)
+        times.push_back({tr("converged picture of the 3D view, %1 × %2 rays")
+                             .arg(m_converged->rays.width())
+                             .arg(m_converged->rays.height()),
+                         m_converged->castMilliseconds});
+    return times;
+}
+
+void ReportSaving::tell(const QString& path, const Result<void>& written) {
+    if (written)
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("The case report was saved as %1.").arg(m_parts.names.nameOfOther(path)));
+    else
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,86 @@
+// Saving a case report: what is asked, what is taken from the window, and what is left to a thread of its own.
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "app/document/document_model.h"
+#include "app/motion/motion_frames.h"
+#include "app/report/case_report.h"
+#include "app/study/session.h"
+#include "widgets/newest_wins_thread.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+class QWidget;
+
+namespace echolucent {
+
+class MessageBar;
+class OtfEditor;
+class PlanePane;
+class Settings;
+class StudyNames;
+
+/// Takes the panes as they stand on the screen once nothing moves there any more; the page is made and written in a
+/// thread of its own.
+class ReportSaving : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QWidget& window;  ///< parent of the dialogs
+        DocumentModel& model;
+        int view;
+        Session& session;
+        MotionFrames& motion;
+        MotionPlayer& player;
+        std::array<PlanePane*, 3> planes;
+        VolumeViewWidget& picture;
+        const OtfEditor& editor;
+        Settings& settings;
+        MessageBar& messages;
+        const StudyNames& names;
+        std::function<QString()> explanation;  ///< of the 3D view, paragraphs
+    };
+    /// All outlive this, which belongs to the window.
+    explicit ReportSaving(const Parts& parts);
+
+    /// Asks what the report is to hold and where it is to go. Does nothing where no study is open.
+    void choose();
+    /// Saves a report of the window as it will be at rest, with the patient read from the study's files or without. A
+    /// motion that plays is paused.
+    void save(const QString& path, bool withPatient);
+    /// Ends what save() began; no file is left.
+    void cancel();
+    /// Whether nothing loads, computes or renders, so that the panes show what they are to show.
+    void setAtRest(bool atRest);
+    /// True from save() until the file is written.
+    [[nodiscard]] bool busy() const { return m_wanted || m_thread.busy(); }
+
+signals:
+    void busyChanged();
+    /// Share of the work done, in [0,1].
+    void progressed(double share);
+
+private:
+    struct Wanted {
+        QString path;
+        bool withPatient = false;
+    };
+    void begin();
+    [[nodiscard]] CaseReport snapshot() const;
+    [[nodiscard]] std::vector<ReportPane> panes() const;
+    [[nodiscard]] std::vector<ReportTime> times() const;
+    void tell(const QString& path, const Result<void>& written);
+
+    Parts m_parts;
+    bool m_atRest = false;
+    std::optional<Wanted> m_wanted;            ///< until the panes are at rest
+    std::optional<PictureReport> m_converged;  ///< how the newest converged picture was made
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent

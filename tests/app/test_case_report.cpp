@@ -1,0 +1,213 @@
+// The case report that the window saves: what it holds, what it leaves out, and that the window goes on meanwhile.
+#include <QCheckBox>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTimer>
+
+#include "app/picture/picture_image.h"
+#include "app/window/review_room.h"
+#include "io/output/enhanced_us_writer.h"
+#include "processing/picture/look.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/report_dialog.h"
+#include "widgets/panels/run_status.h"
+#include "widgets/planes/pane_grid.h"
+#include "widgets/planes/plane_pane.h"
+
+using namespace echolucent;
+
+class TestCaseReport : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    QString m_file, m_dicom;
+
+    [[nodiscard]] QString reportPath() const { return temporaryFolder().filePath("report.html"); }
+    /// Saves a report and returns its page.
+    QString saved(bool withPatient = false) {
+        window().saveReport(reportPath(), withPatient);
+        Q_ASSERT(!window().idle());
+        waitUntilIdle();
+        return page();
+    }
+    [[nodiscard]] QString page() const {
+        QFile file(reportPath());
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
+    /// The pictures of a page by their captions.
+    static QMap<QString, QImage> picturesOf(const QString& page) {
+        QMap<QString, QImage> pictures;
+        static const QRegularExpression image("<img alt=\"([^\"]*)\"[^>]* src=\"data:image/png;base64,([^\"]*)\"/>");
+        for (const auto& found : image.globalMatch(page))
+            pictures[found.captured(1)] = QImage::fromData(QByteArray::fromBase64(found.captured(2).toLatin1()), "PNG");
+        return pictures;
+    }
+    void showPanes(PaneLayout layout) {
+        child<PaneGrid>("panes")->setPaneLayout(layout);
+        QTRY_VERIFY(window().idle());
+        waitUntilIdle();
+    }
+
+private slots:
+    void initTestCase() {
+        const auto scan = smallPhantom(PhantomScene::shapes, 5);
+        m_file = file("visit.7.mha", {scan});
+        m_dicom = temporaryFolder().filePath("visit.dcm");
+        QVERIFY(writeEnhancedUs(m_dicom.toStdString(), {scan}, {}));
+    }
+    void init() {
+        show();
+        useLook(Look{});
+        open(m_file);
+        QFile::remove(reportPath());
+    }
+    void cleanup() { close(); }
+
+    void theReportHoldsAllThatWasSet() {
+        Document next = window().document().document();
+        next.measurements = {{.id = 4, .placesMm = {{10, 10, 10}, {22, 26, 10}}},
+                             {.id = 5,
+                              .kind = MeasurementKind::angle,
+                              .ground = MeasurementGround::surface,
+                              .placesMm = {{10, 10, 10}, {20, 10, 10}, {20, 20, 10}}}};
+        window().document().edit(next, "measure");
+        waitUntilIdle();
+        const QString text = saved();
+        for (const QString words : {"Case report: visit.7.mha", "not a medical device", "Pictures", "Measurements",
+                                    "Curves", "Parameters", "Import report", "Timings", "adaptive (rendered)",
+                                    "voxels (logarithm)", "60 × 56 × 58", "20.00 mm", "90.0°", "surface"})
+            QVERIFY2(text.contains(words, Qt::CaseInsensitive) ||
+                         text.contains(QString(words).replace(u'×', u'x'), Qt::CaseInsensitive),
+                     qPrintable(words));
+        QVERIFY(!text.contains("Patient</h2>"));
+        QCOMPARE(child<MessageBar>("message")->text(), "The case report was saved as report.html.");
+        // Each parameter of the method and of the look has its row.
+        for (const Parameter<Look>& row : lookParameters())
+            QVERIFY2(text.contains(QString::fromUtf8(row.label.data(), static_cast<int>(row.label.size()))),
+                     row.name.data());
+    }
+
+    void thePageNeedsNothingBesideIt() {
+        const QString text = saved();
+        // An address is one of the page itself or the name of a language of markup.
+        static const QRegularExpression address("(?:src|href|url|@import)\\s*[=(]\\s*[\"']?([^\"')\\s]{0,40})");
+        int addresses = 0;
+        for (const auto& found : address.globalMatch(text)) {
+            ++addresses;
+            QVERIFY2(found.captured(1).startsWith("data:image/png;base64,"), qPrintable(found.captured(1)));
+        }
+        QVERIFY(addresses > 0);
+        QVERIFY(!text.contains("<script"));
+        QVERIFY(!text.contains("<link"));
+        QString withoutNames = text;
+        withoutNames.remove("http://www.w3.org/2000/svg");
+        QVERIFY(!withoutNames.contains("http"));
+    }
+
+    void thePicturesAreThoseOfThePanes() {
+        showPanes(PaneLayout::quad);
+        const QMap<QString, QImage> pictures = picturesOf(saved());
+        QCOMPARE(pictures.keys(), (QStringList{"3D view", "Plane A", "Plane B", "Plane C"}));
+        // The 3D view as it is saved by itself, and a plane as it stands on the screen.
+        QVERIFY(rgbBytesOf(pictures["3D view"]) == rgbBytesOf(window().volumeView().convergedImage()));
+        const auto* pane = child<PlanePane>("planes.b");
+        const QImage& plane = pictures["Plane B"];
+        QCOMPARE(plane.size(), pane->size() * pane->devicePixelRatioF());
+        int equal = 0, all = 0;
+        const QImage samples = pane->image().convertToFormat(plane.format());
+        for (int y = 0; y < plane.height(); ++y)
+            for (int x = 0; x < plane.width(); ++x, ++all) equal += plane.pixel(x, y) == samples.pixel(x, y) ? 1 : 0;
+        QVERIFY2(equal > all * 9 / 10 && equal < all, qPrintable(QString("%1 of %2").arg(equal).arg(all)));  // lines
+        showPanes(PaneLayout::only3d);
+        QCOMPARE(picturesOf(saved()).keys(), QStringList{"3D view"});
+    }
+
+    void theDialogAsksForThePatientEachTime() {
+        for (const bool dicom : {false, true}) {
+            if (dicom) open(m_dicom);
+            for (int time = 0; time < 2; ++time) {
+                QStringList cut;
+                QString proposed;
+                bool enabled = false, checkedAtFirst = true, checked = false;
+                QTimer::singleShot(0, this, [&] {
+                    auto* dialog = window().findChild<ReportDialog*>("report");
+                    if (dialog == nullptr) qFatal("no dialog");
+                    auto* patient = dialog->findChild<QCheckBox*>("report.patient");
+                    enabled = patient->isEnabled();
+                    checkedAtFirst = dialog->withPatient();
+                    QTest::mouseClick(patient, Qt::LeftButton, {}, QPoint(10, patient->height() / 2));
+                    checked = dialog->withPatient();
+                    for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+                        if (button->width() < button->sizeHint().width()) cut << button->text();
+                    QTimer::singleShot(0, this, [&] {
+                        auto* files = window().findChild<QFileDialog*>("saveFile");
+                        if (files == nullptr) qFatal("no dialog of files");
+                        proposed = QFileInfo(files->selectedFiles().value(0)).fileName();
+                        files->reject();
+                    });
+                    QTest::mouseClick(dialog->findChild<QPushButton*>("report.save"), Qt::LeftButton);
+                });
+                child<QAction>("file.saveReport")->trigger();
+                QCOMPARE(proposed, dicom ? "visit-report.html" : "visit.7-report.html");
+                QCOMPARE(enabled, dicom);
+                QVERIFY(!checkedAtFirst);
+                QCOMPARE(checked, dicom);
+                QCOMPARE(cut, QStringList());
+            }
+        }
+        QVERIFY(!QFile::exists(reportPath()));
+    }
+
+    void aFileOfTheStudyIsNeverOverwritten() {
+        const auto bytes = [this] {
+            QFile file(m_file);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = bytes();
+        window().saveReport(m_file, false);
+        waitUntilIdle();
+        QCOMPARE(child<MessageBar>("message")->kind(), MessageKind::error);
+        QCOMPARE(bytes(), before);
+        window().saveReport("/nowhere/at/all/report.html", false);
+        waitUntilIdle();
+        QVERIFY2(child<MessageBar>("message")->text().contains("report.html"),
+                 qPrintable(child<MessageBar>("message")->text()));
+        QCOMPARE(child<MessageBar>("message")->kind(), MessageKind::error);
+    }
+
+    void aReportThatIsCancelledLeavesNoFile() {
+        lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = 70, .elevationDegrees = 0});
+        window().saveReport(reportPath(), false);
+        QVERIFY(!window().idle());
+        emit child<RunStatus>("status")->cancelRequested();
+        waitUntilIdle();
+        QVERIFY(!QFile::exists(reportPath()));
+        QVERIFY(!saved().isEmpty());
+    }
+
+    void aReportWaitsForThePictureThatIsOnItsWay() {
+        lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = 70, .elevationDegrees = 0});
+        const QImage picture = picturesOf(saved())["3D view"];
+        QVERIFY(window().volumeView().pictureIsFine());
+        QVERIFY(rgbBytesOf(picture) == rgbBytesOf(window().volumeView().convergedImage()));
+    }
+
+    void theReportCallsTheStudyByItsNumber() {
+        child<QAction>("view.numbersForNames")->trigger();
+        const QString text = saved();
+        QVERIFY(text.contains("Case report: Study 1"));
+        QVERIFY(!text.contains("visit"));
+    }
+
+    void theSimulatedScanHasAReportToo() {
+        window().openSimulatedScan();
+        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QVERIFY(saved().contains("Case report: simulated scan"));
+    }
+};
+
+QTEST_MAIN(TestCaseReport)
+#include "test_case_report.moc"

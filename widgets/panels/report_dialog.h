@@ -1,0 +1,25 @@
+// Asks what a case report is to hold.
+#pragma once
+
+#include <QDialog>
+
+class QCheckBox;
+
+namespace echolucent {
+
+/// Objects: report (this), report.patient (off each time), report.save, report.cancel.
+class ReportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `patientKnown`: the study is one of DICOM, so that its files may say whose it is.
+    explicit ReportDialog(bool patientKnown, QWidget* parent = nullptr);
+
+    /// Whether the person wants the patient in the report.
+    [[nodiscard]] bool withPatient() const;
+
+private:
+    QCheckBox* m_patient;
+};
+
+}  // namespace echolucent
