@@ -1,6 +1,8 @@
 #include "tests/benchmarks_window/large_study.h"
 
 #include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QUndoStack>
 
 #include "app/window/review_room.h"
@@ -30,6 +32,7 @@ QStringList LargeStudy::underWay() {
     if (session.computingOtf()) names << QStringLiteral("OTF or cutting");
     if (view().busy()) names << QStringLiteral("picture");
     if (window().reviewRoom().busy()) names << QStringLiteral("planes");
+    if (names.isEmpty() && !window().idle()) names << QStringLiteral("writing");
     return names;
 }
 
@@ -52,6 +55,12 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
         await("the volume", [&] { return window().session().study() != before; });
     });
     QUndoStack& steps = window().document().steps();
+    const QTemporaryDir reports;
+    listen("report", [&] {
+        window().saveReport(reports.filePath(QStringLiteral("report.html")), false);
+        await("the report", [&] { return window().idle(); });
+    });
+    if (!QFile::exists(reports.filePath(QStringLiteral("report.html")))) qFatal("no report was written");
     listen("near cut", [&] {
         Document next = window().document().document();
         const VolumeGeometry& geometry = window().session().volume()->geometry();

@@ -12,9 +12,8 @@ class LargeStudy : private OpenWindow {
 public:
     LargeStudy();
 
-    /// The window is shown and rests; a volume is opened, cut flat and by the scalpel, the stroke is undone, and the
-    /// simulated scan takes its place. Each action
-    /// lasts until its picture is converged.
+    /// The window is shown and rests; a volume is opened, its case report is made, it is cut flat and by the scalpel,
+    /// the stroke is undone, and the simulated scan takes its place. Each action lasts until its picture is converged.
     [[nodiscard]] QList<Stall> stalls(const QString& volume);
 
 private:

@@ -1,0 +1,260 @@
+// Nothing that a DICOM study says of its patient is in what the program writes, but in the report that was asked for
+// it.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QDir>
+#include <QDirIterator>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTextStream>
+
+#include "io/output/enhanced_us_writer.h"
+#include "tests/app/telling_names.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/presets_panel.h"
+
+using namespace echolucent;
+
+namespace {
+
+/// Every attribute whose text is to be searched for: the patient's own and what leads to the patient.
+const std::vector<DcmTagKey> identifyingTags{DCM_PatientName,
+                                             DCM_PatientID,
+                                             DCM_IssuerOfPatientID,
+                                             DCM_OtherPatientNames,
+                                             DCM_RETIRED_OtherPatientIDs,
+                                             DCM_PatientBirthName,
+                                             DCM_PatientMotherBirthName,
+                                             DCM_PatientAddress,
+                                             DCM_PatientTelephoneNumbers,
+                                             DCM_PatientComments,
+                                             DCM_EthnicGroup,
+                                             DCM_Occupation,
+                                             DCM_AdditionalPatientHistory,
+                                             DCM_RETIRED_MedicalRecordLocator,
+                                             DCM_MilitaryRank,
+                                             DCM_BranchOfService,
+                                             DCM_PatientReligiousPreference,
+                                             DCM_CountryOfResidence,
+                                             DCM_RegionOfResidence,
+                                             DCM_MedicalAlerts,
+                                             DCM_Allergies,
+                                             DCM_ResponsiblePerson,
+                                             DCM_ResponsibleOrganization,
+                                             DCM_ReferringPhysicianName,
+                                             DCM_ReferringPhysicianAddress,
+                                             DCM_ReferringPhysicianTelephoneNumbers,
+                                             DCM_PhysiciansOfRecord,
+                                             DCM_PerformingPhysicianName,
+                                             DCM_NameOfPhysiciansReadingStudy,
+                                             DCM_OperatorsName,
+                                             DCM_RequestingPhysician,
+                                             DCM_InstitutionName,
+                                             DCM_InstitutionAddress,
+                                             DCM_InstitutionalDepartmentName,
+                                             DCM_StationName,
+                                             DCM_AccessionNumber,
+                                             DCM_StudyID,
+                                             DCM_StudyDescription,
+                                             DCM_AdmittingDiagnosesDescription,
+                                             DCM_RequestedProcedureDescription,
+                                             DCM_RequestedProcedureID,
+                                             DCM_PerformedProcedureStepDescription,
+                                             DCM_PerformedProcedureStepID,
+                                             DCM_DeviceSerialNumber,
+                                             DCM_DetectorID,
+                                             DCM_ProtocolName,
+                                             DCM_ImageComments,
+
+                                             DCM_ServiceEpisodeID,
+                                             DCM_AdmissionID,
+                                             DCM_CurrentPatientLocation,
+                                             DCM_PersonName,
+                                             DCM_ClinicalTrialSubjectID,
+                                             DCM_VisitComments,
+                                             DCM_PatientState};
+
+struct Marker {
+    QString attribute;
+    QByteArray text;
+};
+
+/// Puts a text of its own into every identifying attribute, and dates that nothing else has.
+QList<Marker> mark(const QString& path) {
+    DcmFileFormat file;
+    if (file.loadFile(path.toStdString().c_str()).bad()) qFatal("the study cannot be marked");
+    if (file.loadAllDataIntoMemory().bad()) qFatal("the study cannot be marked");  // it is written over itself
+    QList<Marker> markers;
+    const auto put = [&](const DcmTagKey& key, const QByteArray& text) {
+        const DcmTag tag(key);
+        if (file.getDataset()->putAndInsertString(tag, text.constData()).bad()) qFatal("%s", DcmTag(key).getTagName());
+        markers.append({QString::fromLatin1(DcmTag(key).getTagName()), text});
+    };
+    int number = 0;
+    // Short enough for every kind of text, and like no word or number of the program.
+    for (const DcmTagKey& tag : identifyingTags) put(tag, "QZX" + QByteArray::number(100 + number++) + "VKJ");
+    put(DCM_PatientBirthDate, "19130227");
+    put(DCM_StudyDate, "19470411");
+    put(DCM_PatientBirthTime, "031759");
+    put(DCM_PatientAge, "097Y");
+    put(DCM_PatientSex, "O");
+    markers.removeLast();  // a single letter is everywhere
+    if (file.saveFile(path.toStdString().c_str(), EXS_LittleEndianExplicit).bad()) qFatal("the study is not marked");
+    return markers;
+}
+
+/// All forms in which a text may be written.
+QList<QByteArray> formsOf(const QByteArray& text) {
+    QByteArray little, big;
+    for (const char letter : text) {
+        little.append(letter).append('\0');
+        big.append('\0').append(letter);
+    }
+    QList<QByteArray> forms{text, little, big};
+    // In base 64 a text looks different for each of the places where a group of three bytes may begin; the letters that
+    // depend on its neighbours are left out.
+    for (int before = 0; before < 3; ++before) {
+        const QByteArray coded = (QByteArray(before, 'x') + text + "xx").toBase64();
+        const int first = (before * 8 + 5) / 6, last = static_cast<int>((before + text.size()) * 8 / 6);
+        forms << coded.mid(first, last - first);
+    }
+    if (text.size() == 8 && std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; }))
+        forms << text.left(4) + '-' + text.mid(4, 2) + '-' + text.mid(6);
+    return forms;
+}
+
+/// The markers that bytes hold, as "where: attribute".
+QStringList foundIn(const QByteArray& bytes, const QList<Marker>& markers, const QString& where) {
+    QStringList found;
+    for (const Marker& marker : markers)
+        for (const QByteArray& form : formsOf(marker.text))
+            if (bytes.contains(form)) found << where + ": " + marker.attribute;
+    found.removeDuplicates();
+    return found;
+}
+
+}  // namespace
+
+class TestPrivacy : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    QTemporaryDir m_home, m_scans;
+    QString m_study;
+    QList<Marker> m_markers;
+
+    [[nodiscard]] QString path(const QString& name) const { return m_home.filePath(name); }
+    /// All that was written below the home folder.
+    [[nodiscard]] QStringList foundAtHome(int* files = nullptr) const {
+        QStringList found;
+        QDirIterator below(m_home.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        while (below.hasNext()) {
+            QFile file(below.next());
+            if (!file.open(QIODevice::ReadOnly)) qFatal("%s", qPrintable(file.fileName()));
+            found << foundIn(file.readAll() + file.fileName().toUtf8(), m_markers, below.fileName());
+            if (files != nullptr) ++*files;
+        }
+        return found;
+    }
+    void writeEverything() {
+        using Write = std::pair<QString, std::function<void()>>;
+        // Whatever a window can write has its line here; each leaves a file of that name.
+        const std::vector<Write> writers{
+            {"picture.png", [this] { QVERIFY(window().savePicture(path("picture.png"))); }},
+            {"curve.json", [this] { QVERIFY(window().saveCurve(path("curve.json"))); }},
+            {"report.html", [this] { window().saveReport(path("report.html"), false); }},
+            {"settings-presets.json", [this] { emit child<PresetsPanel>("presets")->saveRequested(); }},
+        };
+        for (const auto& [name, write] : writers) {
+            write();
+            waitUntilIdle();
+            QVERIFY2(QFile::exists(path(name)), qPrintable(name));
+        }
+    }
+
+private slots:
+    void initTestCase() {
+        // Settings, data and caches of this program and of Qt's dialogs go where they are searched.
+        for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"})
+            qputenv(variable, m_home.path().toUtf8());
+        m_study = m_scans.filePath("scan.dcm");
+        QVERIFY(writeEnhancedUs(m_study.toStdString(), {smallPhantom(PhantomScene::shapes, 5)}, {}));
+        m_markers = mark(m_study);
+        QVERIFY(m_markers.size() > 50);
+        QFile file(m_study);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        // The search finds what is there.
+        QCOMPARE(foundIn(file.readAll(), m_markers, "study").size(), m_markers.size());
+        for (const Marker& marker : m_markers) {
+            const QString text = QString::fromLatin1(marker.text);
+            const QByteArray utf16(reinterpret_cast<const char*>(text.utf16()), 2 * text.size());
+            QCOMPARE(foundIn(utf16, {marker}, "utf-16").size(), 1);
+            for (const char* before : {"", "a", "ab"})
+                QCOMPARE(foundIn((before + marker.text + "tail").toBase64(), {marker}, "base 64").size(), 1);
+        }
+    }
+    void cleanup() { close(); }
+
+    void theWindowWritesNothingOfThePatient() {
+        showWithSettings(path("settings.ini"));
+        useLook(Look{});
+        open(m_study);
+        QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "window").isEmpty());
+        writeEverything();
+        window().close();
+        close();
+        int files = 0;
+        const QStringList found = foundAtHome(&files);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
+        QVERIFY2(files >= 6, qPrintable(QString::number(files)));
+        QVERIFY(QFile::exists(path("settings.ini")));
+        QVERIFY(!QDir(path("settings-data/recent")).isEmpty());
+        // A start with what was written leads to the same.
+        showWithSettings(path("settings.ini"));
+        QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "window").isEmpty());
+    }
+
+    void thePatientIsWhereItWasAskedFor() {
+        showWithSettings(path("settings.ini"));
+        useLook(Look{});
+        open(m_study);
+        window().saveReport(path("patient.html"), true);
+        waitUntilIdle();
+        QFile report(path("patient.html"));
+        QVERIFY(report.open(QIODevice::ReadOnly));
+        QStringList found = foundIn(report.readAll(), m_markers, "report");
+        found.sort();
+        QCOMPARE(found, (QStringList{"report: PatientBirthDate", "report: PatientID", "report: PatientName",
+                                     "report: StudyDate"}));
+        // It is nowhere else, and not in the next report.
+        window().saveReport(path("next.html"), false);
+        waitUntilIdle();
+        window().close();
+        close();
+        QVERIFY(report.remove());
+        const QStringList left = foundAtHome();
+        QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
+    }
+
+    void theCommandLineTellsNothingOfThePatient_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("info") << QStringList{"info", m_study};
+        QTest::newRow("info as JSON") << QStringList{"info", m_study, "--json"};
+        QTest::newRow("files") << QStringList{"files", m_scans.path()};
+        QTest::newRow("otf") << QStringList{"otf", m_study, "--json", path("otf.json")};
+        QTest::newRow("render") << QStringList{"render", m_study, "-o", path("render.png"), "--size", "64x64"};
+    }
+    void theCommandLineTellsNothingOfThePatient() {
+        QFETCH(QStringList, arguments);
+        QProcess program;
+        program.start(ECHOLUCENT_CLI, arguments);
+        QVERIFY(program.waitForFinished(60000));
+        const QByteArray said = program.readAllStandardOutput() + program.readAllStandardError();
+        QVERIFY2(program.exitCode() == 0, said.constData());
+        QCOMPARE(foundIn(said, m_markers, "said"), QStringList());
+        QCOMPARE(foundAtHome(), QStringList());
+    }
+};
+
+QTEST_MAIN(TestPrivacy)
+#include "test_privacy.moc"
