@@ -8,6 +8,7 @@
 #include "app/pages/html_page.h"
 #include "app/picture/picture_image.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/document/shown_measurement.h"
 #include "processing/picture/look.h"
 
 namespace echolucent {
@@ -94,14 +95,10 @@ void addMeasurements(HtmlPage& page, const CaseReport& report) {
     if (report.document.measurements.empty()) return page.paragraph("Nothing was measured.");
     Rows rows;
     for (const Measurement& measurement : report.document.measurements) {
-        const auto value = measuredValue(measurement, report.geometry);
-        const bool length = measurement.kind == MeasurementKind::distance;
+        const auto value = measurementText(measurement, report.geometry);
         rows.push_back({std::to_string(measurement.id), std::string(nameOf(measurement.kind)),
-                        !value   ? value.error().sentence()
-                        : length ? fmt::format("{:.2f} mm", *value)
-                                 : fmt::format("{:.1f}°", *value),
-                        std::string(nameOf(measurement.ground)), std::to_string(measurement.phase + 1),
-                        placesText(measurement.placesMm)});
+                        value ? *value : value.error().sentence(), std::string(nameOf(measurement.ground)),
+                        std::to_string(measurement.phase + 1), placesText(measurement.placesMm)});
     }
     page.table({"number", "kind", "value", "marked on", "phase", "places (mm of the grid)"}, rows);
 }

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
 #include "app/window/settings.h"
@@ -145,7 +146,9 @@ std::vector<ReportPane> ReportSaving::panes() const {
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         if (m_parts.planes[i]->isVisible() && m_parts.planes[i]->scene())
             panes.push_back({letters[i], imageOfPane(*m_parts.planes[i])});
-    if (m_parts.picture.isVisible()) panes.push_back({tr("3D view"), m_parts.picture.convergedImage()});
+    if (m_parts.picture.isVisible())
+        panes.push_back({tr("3D view"), pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view,
+                                                      m_parts.session.volume()->geometry())});
     return panes;
 }
 

@@ -45,7 +45,7 @@ Session::Session(QObject* parent)
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
         if (busy)
             m_quieteningClock.start();
-        else
+        else if (m_quiet.reduction() != SpeckleReduction::off)  // else what ended was of the study before
             m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
     });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &Session::quieteningChanged);
@@ -150,7 +150,6 @@ void Session::load(const StudyReference& reference, Read read) {
         auto shared = std::make_shared<const Study>(std::move(*opening->study));
         return [this, reference, shared, series, finds = std::move(finds), histograms = std::move(histograms)] {
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
-            m_quieteningMilliseconds.reset();
             m_reference = reference;
             m_study = shared;
             m_seriesBeside = series;
@@ -158,6 +157,7 @@ void Session::load(const StudyReference& reference, Read read) {
             m_finds = finds;
             m_kept.clear();
             m_quiet.begin(m_study->phases);
+            m_quieteningMilliseconds.reset();
             m_cut.begin(m_study->phases);
             m_opening = true;
             m_otfPhase.reset();

@@ -6,23 +6,21 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
-#include <QPainter>
 #include <QPushButton>
 #include <algorithm>
 #include <utility>
 #include <variant>
 
 #include "app/picture/picture_image.h"
+#include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
 #include "io/curve_file.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
-#include "processing/document/shown_measurement.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
-#include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -116,24 +114,18 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 }
 
 void CurveAndPictureFiles::copyPicture() {
-    if (m_parts.session.volume()) QApplication::clipboard()->setImage(pictureToKeep());
+    if (m_parts.session.volume()) QApplication::clipboard()->setImage(pictureToSave());
 }
 
-QImage CurveAndPictureFiles::pictureToKeep() {
-    QImage image = m_parts.picture.convergedImage();
+QImage CurveAndPictureFiles::pictureToSave() {
     const std::shared_ptr<const Volume> volume = m_parts.session.volume();
-    if (image.isNull() || !volume) return image;
-    const Document& document = m_parts.model.document();
-    const auto shown = shownMeasurements(document.measurements, phaseOf(document, m_parts.view), volume->geometry());
-    QPainter painter(&image);
-    paintMeasurements(painter, placedInPicture(shown, m_parts.picture.shownCamera()), image.size(),
-                      m_parts.picture.devicePixelRatioF());
-    return image;
+    if (!volume) return m_parts.picture.convergedImage();
+    return pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view, volume->geometry());
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!report(mayOverwrite(path))) return false;
-    const QImage image = pictureToKeep();
+    const QImage image = pictureToSave();
     return report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)));
 }
 

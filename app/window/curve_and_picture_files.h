@@ -55,7 +55,7 @@ public:
 
 private:
     /// What the 3D view shows, converged, with the measurements of its phase.
-    [[nodiscard]] QImage pictureToKeep();
+    [[nodiscard]] QImage pictureToSave();
     void chooseAndOpenCurve();
     bool chooseAndSaveCurve(CurveKind kind);
     bool saveCurve(const QString& path, CurveKind kind);

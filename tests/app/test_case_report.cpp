@@ -15,6 +15,7 @@
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/report_dialog.h"
 #include "widgets/panels/run_status.h"
+#include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
 
@@ -78,12 +79,19 @@ private slots:
         const QString text = saved();
         for (const QString words : {"Case report: visit.7.mha", "not a medical device", "Pictures", "Measurements",
                                     "Curves", "Parameters", "Import report", "Timings", "adaptive (rendered)",
-                                    "voxels (logarithm)", "60 × 56 × 58", "20.00 mm", "90.0°", "surface"})
+                                    "voxels (logarithm)", "60 × 56 × 58", "20.0 mm", "90.0°", "surface"})
             QVERIFY2(text.contains(words, Qt::CaseInsensitive) ||
                          text.contains(QString(words).replace(u'×', u'x'), Qt::CaseInsensitive),
                      qPrintable(words));
         QVERIFY(!text.contains("Patient</h2>"));
         QCOMPARE(child<MessageBar>("message")->text(), "The case report was saved as report.html.");
+        // They are drawn over the 3D view too, in their one colour.
+        const QImage picture = picturesOf(text)["3D view"];
+        int marked = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                marked += QColor(picture.pixel(x, y)) == measurementColour ? 1 : 0;
+        QVERIFY2(marked > 30, qPrintable(QString::number(marked)));
         // Each parameter of the method and of the look has its row.
         for (const Parameter<Look>& row : lookParameters())
             QVERIFY2(text.contains(QString::fromUtf8(row.label.data(), static_cast<int>(row.label.size()))),
