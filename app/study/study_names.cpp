@@ -88,7 +88,7 @@ QString StudyNames::beginningFor(const QString& path) const {
 QString StudyNames::nameOfOther(const QString& path) const {
     if (!m_numbers) return QFileInfo(path).fileName();
     const QString ending = QFileInfo(path).suffix();
-    return ending.isEmpty() ? leftOut : leftOut + QLatin1Char('.') + ending;
+    return ending.isEmpty() ? leftOut : QStringLiteral("*.") + ending;
 }
 
 QString StudyNames::numbered(QString text) const {
@@ -114,7 +114,7 @@ QString StudyNames::shown(const QString& text) const {
 QString StudyNames::shownOfFile(const QString& text) const {
     if (!m_numbers) return text;
     static const QRegularExpression file(QStringLiteral(R"([^\s/"“”]+\.([A-Za-z][A-Za-z0-9]{1,6})\b)"));
-    return shown(text).replace(file, leftOut + QStringLiteral(".\\1"));
+    return shown(text).replace(file, QStringLiteral("*.\\1"));
 }
 
 QString StudyNames::sentenceOf(const Failure& failure) const {

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] QString nameOf(const QString& path) const;
     /// What names of files that belong to a study begin with: the file's own name without its ending, or "study-3".
     [[nodiscard]] QString beginningFor(const QString& path) const;
-    /// The name of a file that is no study, a curve for example; or nothing of it but the ending, "….json".
+    /// The name of a file that is no study, a curve for example; or nothing of it but the ending, "*.json".
     [[nodiscard]] QString nameOfOther(const QString& path) const;
     /// A text as it may be shown. Where numbers are shown, those stand for the names of studies that are known, and
     /// whatever else looks like the path of a file is left out.

@@ -68,7 +68,7 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", commands.toggleNearCut);
     addAction(view, tr("Next &light"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
-    QAction* numbers = view->addAction(tr("Show nu&mbers instead of names"));
+    QAction* numbers = view->addAction(tr("Show n&umbers instead of names"));
     numbers->setObjectName("view.numbersForNames");
     numbers->setCheckable(true);
     QObject::connect(numbers, &QAction::triggered, view, commands.numbersForNames);

@@ -165,7 +165,7 @@ private slots:
         // What is said of files that are saved, and the names that are proposed.
         const QString curve = QFileInfo(m_jane).absolutePath() + "/DOE^JANE-1980-mine.json";
         QVERIFY(window().saveCurve(curve));
-        QCOMPARE(child<MessageBar>("message")->text(), "The adaptive curve was saved as ….json (256 nodes).");
+        QCOMPARE(child<MessageBar>("message")->text(), "The adaptive curve was saved as *.json (256 nodes).");
         QVERIFY(!window().savePicture(m_jane));  // it is the study's own file
         QVERIFY(child<MessageBar>("message")->text().contains("Study 1"));
         QCOMPARE(wordsWith("DOE"), QStringList());
