@@ -15,6 +15,7 @@
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/report_dialog.h"
+#include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
 
 namespace echolucent {
@@ -78,30 +79,52 @@ void ReportSaving::save(const QString& path, bool withPatient) {
     if (m_parts.session.study() == nullptr) return;
     m_parts.player.pause();
     m_wanted = Wanted{path, withPatient};
+    m_taken.reset();
     if (m_atRest) begin();
     emit busyChanged();
 }
 
 void ReportSaving::cancel() {
     m_wanted.reset();
+    m_taken.reset();
     m_thread.cancel();
     emit busyChanged();
 }
 
 void ReportSaving::setAtRest(bool atRest) {
     m_atRest = atRest;
-    if (atRest && m_wanted) begin();
+    if (!atRest) m_taken.reset();
+    if (atRest && m_wanted && !m_taken) begin();
 }
 
 void ReportSaving::begin() {
+    m_taken = Taken{snapshot(), 0};
+    takeNextSoon();
+}
+
+void ReportSaving::takeNextSoon() {
+    if (std::exchange(m_takesSoon, true)) return;
+    QMetaObject::invokeMethod(this, &ReportSaving::takeNext, Qt::QueuedConnection);
+}
+
+void ReportSaving::takeNext() {
+    m_takesSoon = false;
+    if (!m_wanted || !m_taken) return;
+    if (m_taken->panes == paneCount) return submit();
+    if (auto taken = pane(m_taken->panes++)) m_taken->report.panes.push_back(std::move(*taken));
+    takeNextSoon();
+}
+
+void ReportSaving::submit() {
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
+    CaseReport taken = std::move(std::exchange(m_taken, std::nullopt)->report);
     const Study& study = *m_parts.session.study();
     std::optional<PatientSource> source;
     if (wanted.withPatient) {
         const auto* file = std::get_if<StudyFile>(&m_parts.session.reference());
         source = PatientSource{study.files, file ? file->options.series : std::string()};
     }
-    m_thread.submit([this, wanted, source, report = snapshot(),
+    m_thread.submit([this, wanted, source, report = std::move(taken),
                      inputs = study.files](const Progress& progress) -> NewestWinsThread::Deliver {
         Result<void> written;
         try {
@@ -124,7 +147,6 @@ CaseReport ReportSaving::snapshot() const {
     report.study = session.isSimulatedScan() ? tr("simulated scan") : names.nameOf(session.path());
     report.made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ');
     report.version = QApplication::applicationVersion();
-    report.panes = panes();
     report.explanation = m_parts.explanation().split(QStringLiteral("\n\n"), Qt::SkipEmptyParts);
     report.document = m_parts.model.document();
     report.view = m_parts.view;
@@ -140,16 +162,16 @@ CaseReport ReportSaving::snapshot() const {
     return report;
 }
 
-std::vector<ReportPane> ReportSaving::panes() const {
-    std::vector<ReportPane> panes;
-    const std::array letters{tr("Plane A"), tr("Plane B"), tr("Plane C")};
-    for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
-        if (m_parts.planes[i]->isVisible() && m_parts.planes[i]->scene())
-            panes.push_back({letters[i], imageOfPane(*m_parts.planes[i])});
-    if (m_parts.picture.isVisible())
-        panes.push_back({tr("3D view"), pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view,
-                                                      m_parts.session.volume()->geometry())});
-    return panes;
+std::optional<ReportPane> ReportSaving::pane(std::size_t index) const {
+    const std::array captions{tr("Plane A"), tr("Plane B"), tr("Plane C"), tr("3D view")};
+    if (index < m_parts.planes.size()) {
+        PlanePane& plane = *m_parts.planes[index];
+        if (!plane.isVisible() || !plane.scene()) return std::nullopt;
+        return ReportPane{captions[index], imageOfPane(plane)};
+    }
+    if (!m_parts.picture.isVisible()) return std::nullopt;
+    return ReportPane{captions[index], pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view,
+                                                     m_parts.session.volume()->geometry())};
 }
 
 std::vector<ReportTime> ReportSaving::times() const {

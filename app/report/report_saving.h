@@ -23,8 +23,8 @@ class PlanePane;
 class Settings;
 class StudyNames;
 
-/// Takes the panes as they stand on the screen once nothing moves there any more; the page is made and written in a
-/// thread of its own.
+/// Takes the panes as they stand on the screen once nothing moves there any more, one in each turn of the event loop,
+/// so that nothing waits for all of them; the page is made and written in a thread of its own.
 class ReportSaving : public QObject {
     Q_OBJECT
 
@@ -69,14 +69,24 @@ private:
         QString path;
         bool withPatient = false;
     };
+    /// What was taken of the window so far.
+    struct Taken {
+        CaseReport report;
+        std::size_t panes = 0;  ///< looked at
+    };
     void begin();
+    void takeNextSoon();
+    void takeNext();
+    void submit();
     [[nodiscard]] CaseReport snapshot() const;
-    [[nodiscard]] std::vector<ReportPane> panes() const;
+    [[nodiscard]] std::optional<ReportPane> pane(std::size_t index) const;
     [[nodiscard]] std::vector<ReportTime> times() const;
     void tell(const QString& path, const Result<void>& written);
 
     Parts m_parts;
     bool m_atRest = false;
+    std::optional<Taken> m_taken;  ///< while the panes are at rest; anew where that ends before all is taken
+    bool m_takesSoon = false;
     std::optional<Wanted> m_wanted;            ///< until the panes are at rest
     std::optional<PictureReport> m_converged;  ///< how the newest converged picture was made
     // Last, so that its thread has ended before anything above is destroyed.
