@@ -33,6 +33,25 @@ std::optional<Vec3> vectorOf(const json& value) {
     return vector;
 }
 
+/// Whether lists and objects stand in each other deeper than any file of this program has them. What asks a value for
+/// its parts calls itself for each, so that deeper ones would exhaust the stack.
+bool nestsTooDeep(std::string_view text) {
+    constexpr int deepest = 64;
+    int depth = 0;
+    bool inText = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (inText && text[i] == '\\')
+            ++i;
+        else if (text[i] == '"')
+            inText = !inText;
+        else if (!inText && (text[i] == '[' || text[i] == '{') && ++depth > deepest)
+            return true;
+        else if (!inText && (text[i] == ']' || text[i] == '}'))
+            --depth;
+    }
+    return false;
+}
+
 }  // namespace
 
 Result<json> jsonObject(std::string_view text, const std::string& file, const std::string& format,
@@ -40,6 +59,7 @@ Result<json> jsonObject(std::string_view text, const std::string& file, const st
     const auto refuse = [&](const std::string& key, const std::string& problem) {
         return fail(FailureKind::unreadable, file, key, problem, remedy);
     };
+    if (nestsTooDeep(text)) return refuse("", "nests lists or objects too deep");
     json object;
     try {
         object = json::parse(text);
@@ -52,7 +72,7 @@ Result<json> jsonObject(std::string_view text, const std::string& file, const st
     if (!object.is_object()) return refuse("", "must be a JSON object");
     if (object.value("format", json()) != format) return refuse("format", "must be \"" + format + "\"");
     if (const json version = object.value("version", json()); version != 1)
-        return refuse("version", "must be 1, not " + version.dump());
+        return refuse("version", "must be 1, not " + JsonFields::shortened(version.dump()));
     return object;
 }
 
@@ -75,6 +95,14 @@ void JsonFields::wrong(const char* key, const std::string& problem) {
                                 m_place.empty() ? std::string(key) : m_place + "." + key,
                                 problem,
                                 {}};
+}
+
+std::string JsonFields::shortened(const std::string& text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) return text;
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // no letter is cut in two
+    return text.substr(0, end) + "...";
 }
 
 bool JsonFields::has(const char* key) const { return m_object->contains(key); }
@@ -173,7 +201,7 @@ std::vector<double> JsonFields::numbers(const char* key) {
     return numbers;
 }
 
-std::vector<std::array<double, 2>> JsonFields::pairs(const char* key) {
+std::vector<std::array<double, 2>> JsonFields::pairs(const char* key, std::size_t most) {
     const json* value = find(key);
     std::vector<std::array<double, 2>> pairs;
     if (!value) return pairs;
@@ -185,6 +213,7 @@ std::vector<std::array<double, 2>> JsonFields::pairs(const char* key) {
         if (good) pairs.push_back({pair[0].get<double>(), pair[1].get<double>()});
     }
     if (!good) wrong(key, "must be a list of pairs of numbers");
+    if (pairs.size() > most) wrong(key, fmt::format("must hold at most {} pairs", most));
     return pairs;
 }
 
@@ -193,11 +222,13 @@ JsonFields JsonFields::object(const char* key) {
     return {value ? *value : emptyObject(), m_place.empty() ? std::string(key) : m_place + "." + key, *m_problems};
 }
 
-std::vector<JsonFields> JsonFields::list(const char* key) {
+std::vector<JsonFields> JsonFields::list(const char* key, std::size_t most) {
     std::vector<JsonFields> entries;
     const json* value = find(key);
     if (value && !value->is_array()) {
         wrong(key, "must be a list");
+    } else if (value && value->size() > most) {
+        wrong(key, fmt::format("must hold at most {} entries, not {}", most, value->size()));
     } else if (value) {
         const std::string place = m_place.empty() ? std::string(key) : m_place + "." + key;
         for (std::size_t i = 0; i < value->size(); ++i)

@@ -17,8 +17,9 @@
 namespace echolucent {
 
 /// The JSON object that a text holds. A text that is no JSON object (the sentence names the line where it breaks), that
-/// holds a number too large for a double, or whose "format" and "version" are not the given format and 1, is refused.
-/// The file is named in that sentence, which ends with the remedy.
+/// holds a number too large for a double, that nests deeper than any of this program's files, or whose "format" and
+/// "version" are not the given format and 1, is refused. The file is named in that sentence, which ends with the
+/// remedy.
 [[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
                                                 const std::string& format, const std::string& remedy);
 
@@ -35,6 +36,8 @@ struct JsonProblems {
 /// entries.
 class JsonFields {
 public:
+    static constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
+
     /// `place` holds the keys from the file's root to this object ("poses[0]"), and is empty for the root itself.
     JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
 
@@ -57,12 +60,12 @@ public:
     std::vector<Vec3> vectors(const char* key);
     /// Finite numbers, as many as there are.
     std::vector<double> numbers(const char* key);
-    /// A list of pairs of finite numbers.
-    std::vector<std::array<double, 2>> pairs(const char* key);
+    /// A list of at most so many pairs of finite numbers.
+    std::vector<std::array<double, 2>> pairs(const char* key, std::size_t most = anyNumber);
     /// The object under a key.
     JsonFields object(const char* key);
-    /// The objects of a list.
-    std::vector<JsonFields> list(const char* key);
+    /// The objects of a list of at most so many entries.
+    std::vector<JsonFields> list(const char* key, std::size_t most = anyNumber);
     /// Three whole numbers from 1 to `largest`: the size of a volume, voxels. Whoever makes the volume checks the
     /// product.
     std::array<std::int64_t, 3> size(const char* key, double largest = 1e6);
@@ -71,7 +74,7 @@ public:
     Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {
         const std::string name = text(key);
         const std::optional<Choice> found = named(name);
-        if (!found) wrong(key, "must not be \"" + name + "\"");
+        if (!found) wrong(key, "must not be " + shortened("\"" + name + "\""));
         return found.value_or(Choice{});
     }
     /// The parameters of a table that stand here; what is not here stays. A table holds each choice before the
@@ -83,6 +86,9 @@ public:
     /// Notes that a key holds something wrong; `problem` is lower case and has no full stop.
     void wrong(const char* key, const std::string& problem);
 
+    /// What a file says, as long as a sentence can bear.
+    [[nodiscard]] static std::string shortened(const std::string& text);
+
 private:
     template <typename Values>
     void take(const Parameter<Values>& row, Values& values) {
@@ -91,7 +97,7 @@ private:
         if (found == m_object->end()) return;
         const std::optional<ParameterValue> value = parameterValue(*found, row.get(values));
         if (!value || !row.set(values, *value))
-            wrong(key.c_str(), "must not be " + found->dump());
+            wrong(key.c_str(), "must not be " + shortened(found->dump()));
         else if (const auto number = numberOf(*value); number && !inRange(*number, row.range))
             wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
     }

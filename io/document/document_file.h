@@ -9,6 +9,11 @@
 
 namespace echolucent {
 
+/// The "format" of such a file.
+inline constexpr std::string_view documentFormatName = "echolucent-document";
+/// Larger files are refused, and not written, bytes.
+inline constexpr std::size_t largestDocumentFile = std::size_t{32} << 20;
+
 /// {"format": "echolucent-document", "version": 1, ...}: every value of the document, numbers with all their digits.
 /// Equal documents give equal bytes.
 [[nodiscard]] std::string jsonOf(const Document& document);

@@ -1,4 +1,6 @@
-#include "io/document/document_file.h"
+#include <algorithm>
+
+#include "io/document/session_file.h"
 #include "io/input_file.h"
 #include "io/json_document.h"
 #include "io/json_values.h"
@@ -8,7 +10,12 @@ namespace echolucent {
 namespace {
 
 constexpr std::int64_t largestId = 1'000'000;
-constexpr std::size_t largestFile = std::size_t{16} << 20;
+/// So many values a list that views refer to may hold, and so many measurements and strokes there may be: what is asked
+/// of each pair of them stays quick.
+constexpr std::size_t mostEntries = 1000;
+constexpr std::size_t mostPlaces = 200'000;                    // of one stroke
+constexpr std::size_t longestChecksum = 200;                   // bytes
+constexpr std::int64_t mostSimulated = std::int64_t{1} << 27;  // voxels
 constexpr const char* remedy = "Correct the file, or save the document again from the program.";
 
 int idIn(JsonFields& fields, const char* key = "id") { return static_cast<int>(fields.whole(key, 0, largestId)); }
@@ -18,7 +25,11 @@ StudyReference studyIn(JsonFields root) {
     JsonFields study = root.object("study");
     if (study.has("simulated_scan")) {
         JsonFields scan = study.object("simulated_scan");
-        return SimulatedScan{scan.choice("scene", &phantomSceneFromName), scan.size("size"), scan.seed("seed")};
+        const SimulatedScan simulated{scan.choice("scene", &phantomSceneFromName), scan.size("size", 1 << 20),
+                                      scan.seed("seed")};
+        if (simulated.size[0] * simulated.size[1] > mostSimulated / simulated.size[2])
+            scan.wrong("size", "must be of at most 512 x 512 x 512 voxels");
+        return simulated;
     }
     JsonFields fields = study.object("file");
     StudyFile file;
@@ -33,6 +44,11 @@ StudyReference studyIn(JsonFields root) {
     if (fields.has("conversion_mebibytes"))
         file.options.conversionMebibytes = fields.whole("conversion_mebibytes", 1, mostConversionMebibytes);
     file.checksum = fields.text("checksum");
+    if (file.checksum.size() > longestChecksum) fields.wrong("checksum", "must be shorter");
+    if (file.path.find('\0') != std::string::npos) fields.wrong("path", "must hold no null character");
+    // Documents that were written before studies had checksums have neither.
+    if (fields.has("bytes")) file.bytes = fields.whole("bytes", 1, std::numeric_limits<std::int64_t>::max());
+    if (fields.has("files")) file.files = fields.whole("files", 1, std::numeric_limits<std::int64_t>::max());
     return file;
 }
 
@@ -108,12 +124,12 @@ Camera cameraIn(JsonFields fields) {
 
 Strokes strokesIn(JsonFields& fields) {
     Strokes strokes;
-    for (JsonFields& each : fields.list("strokes")) {
+    for (JsonFields& each : fields.list("strokes", mostEntries)) {
         ScalpelStroke stroke;
         stroke.tool = each.choice("tool", &scalpelToolFromName);
         stroke.side = each.choice("side", &scalpelSideFromName);
         stroke.camera = cameraIn(each.object("camera"));
-        stroke.places = each.pairs("places");
+        stroke.places = each.pairs("places", mostPlaces);
         stroke.radius = each.number("radius", 0);
         if (!each.isNull("depth_mm")) stroke.depthMm = each.number("depth_mm");
         strokes.list.push_back(std::move(stroke));
@@ -126,13 +142,13 @@ int phaseIn(JsonFields& fields) { return static_cast<int>(fields.whole("phase", 
 template <typename Value>
 std::vector<Shared<Value>> listIn(JsonFields& root, const char* key, Value (*valueIn)(JsonFields&)) {
     std::vector<Shared<Value>> list;
-    for (JsonFields& fields : root.list(key)) list.push_back({idIn(fields), valueIn(fields)});
+    for (JsonFields& fields : root.list(key, mostEntries)) list.push_back({idIn(fields), valueIn(fields)});
     return list;
 }
 
 std::vector<View> viewsIn(JsonFields& root) {
     std::vector<View> views;
-    for (JsonFields& fields : root.list("views"))
+    for (JsonFields& fields : root.list("views", mostEntries))
         views.push_back({idIn(fields), idIn(fields, "pose"), idIn(fields, "cut"), idIn(fields, "look"),
                          idIn(fields, "phase"), fields.choice("curve", &curveKindFromName), idIn(fields, "box"),
                          idIn(fields, "planes"), idIn(fields, "strokes")});
@@ -159,7 +175,7 @@ MotionChoice motionIn(JsonFields& fields) {
 std::vector<Measurement> measurementsIn(JsonFields& root) {
     std::vector<Measurement> measurements;
     if (!root.has("measurements")) return measurements;  // as in documents that were written before there were any
-    for (JsonFields& fields : root.list("measurements"))
+    for (JsonFields& fields : root.list("measurements", mostEntries))
         measurements.push_back({idIn(fields), fields.choice("kind", &measurementKindFromName),
                                 fields.choice("ground", &measurementGroundFromName), fields.vectors("places_mm"),
                                 phaseIn(fields)});
@@ -191,23 +207,65 @@ Document documentIn(JsonFields root) {
     return document;
 }
 
-}  // namespace
+Result<nlohmann::json> rootOf(std::string_view text, const std::string& file) {
+    return jsonObject(text, file, std::string(documentFormatName), remedy);
+}
 
-Result<Document> documentFromJson(std::string_view text, const std::string& file) {
-    const auto object = jsonObject(text, file, "echolucent-document", remedy);
-    if (!object) return tl::unexpected(object.error());
+Result<Document> documentOf(const nlohmann::json& object, const std::string& place, const std::string& file) {
     JsonProblems problems{file, std::nullopt};
-    Document document = documentIn(JsonFields(*object, {}, problems));
+    Document document = documentIn(JsonFields(object, place, problems));
     if (problems.first) return problems.refused(remedy);
     if (const std::string problem = problemOf(document); !problem.empty())
-        return fail(FailureKind::unreadable, file, {}, problem, remedy);
+        return fail(FailureKind::unreadable, file, place, problem, remedy);
     return document;
 }
 
+}  // namespace
+
+Result<Document> documentFromJson(std::string_view text, const std::string& file) {
+    const auto object = rootOf(text, file);
+    if (!object) return tl::unexpected(object.error());
+    return documentOf(*object, {}, file);
+}
+
 Result<Document> readDocument(const std::string& path) {
-    const auto text = readWholeFile(path, largestFile);
+    const auto text = readWholeFile(path, largestDocumentFile);
     if (!text) return tl::unexpected(text.error());
     return documentFromJson(*text, path);
+}
+
+Result<SavedSession> sessionFromJson(std::string_view text, const std::string& file) {
+    const auto object = rootOf(text, file);
+    if (!object) return tl::unexpected(object.error());
+    auto document = documentOf(*object, {}, file);
+    if (!document) return tl::unexpected(document.error());
+    SavedSession session{.document = std::move(*document)};
+    if (!object->contains("session")) return session;
+    JsonProblems problems{file, std::nullopt};
+    JsonFields fields = JsonFields(*object, {}, problems).object("session");
+    if (fields.has("file")) session.file = fields.text("file");
+    std::vector<JsonFields> snapshots = fields.list("snapshots", mostSnapshots);
+    for (std::size_t i = 0; i < snapshots.size() && !problems.first; ++i) {
+        Snapshot snapshot{.name = snapshots[i].text("name"), .document = {}};
+        if (const std::string problem = problemOfSnapshotName(snapshot.name); !problem.empty())
+            snapshots[i].wrong("name", problem);
+        (void)snapshots[i].object("document");  // says where it is missing
+        if (problems.first) break;
+        auto read = documentOf((*object)["session"]["snapshots"][i]["document"],
+                               "session.snapshots[" + std::to_string(i) + "].document", file);
+        if (!read) return tl::unexpected(read.error());
+        snapshot.document = std::move(*read);
+        snapshot.document.study = session.document.study;
+        session.snapshots.push_back(std::move(snapshot));
+    }
+    if (problems.first) return problems.refused(remedy);
+    return session;
+}
+
+Result<SavedSession> readSession(const std::string& path) {
+    const auto text = readWholeFile(path, largestDocumentFile);
+    if (!text) return tl::unexpected(text.error());
+    return sessionFromJson(*text, path);
 }
 
 }  // namespace echolucent

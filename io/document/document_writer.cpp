@@ -1,6 +1,7 @@
+#include <functional>
 #include <nlohmann/json.hpp>
 
-#include "io/document/document_file.h"
+#include "io/document/session_file.h"
 #include "io/json_document.h"
 #include "io/json_values.h"
 #include "io/output/atomic_file.h"
@@ -23,6 +24,8 @@ ordered_json studyJson(const StudyReference& study) {
                             {"frames_as_slices", file->options.framesAsSlices},
                             {"guess_no_data", file->options.guessNoData},
                             {"checksum", file->checksum}};
+        if (file->bytes > 0) object["bytes"] = file->bytes;
+        if (file->files > 0) object["files"] = file->files;
         if (file->options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
             object["conversion_mebibytes"] = file->options.conversionMebibytes;
         return {{"file", object}};
@@ -164,10 +167,8 @@ ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
     return entries;
 }
 
-}  // namespace
-
-std::string jsonOf(const Document& document) {
-    ordered_json object{{"format", "echolucent-document"}, {"version", 1}};
+ordered_json documentJson(const Document& document) {
+    ordered_json object{{"format", documentFormatName}, {"version", 1}};
     object["study"] = studyJson(document.study);
     object["beam"] = {{"axis", nameOf(document.beam.axis)},
                       {"source", nameOf(document.beam.source)},
@@ -185,17 +186,48 @@ std::string jsonOf(const Document& document) {
     object["method"] = methodJson(document.method);
     object["method"]["direction"] = directionJson(document.method.direction);
     object["motion"] = motionJson(document);
-    return object.dump(2) + "\n";
+    return object;
 }
 
-Result<void> writeDocument(const std::string& path, const Document& document) {
+ordered_json sessionJson(const SavedSession& session) {
+    ordered_json object = documentJson(session.document);
+    ordered_json snapshots = ordered_json::array();
+    for (const Snapshot& snapshot : session.snapshots) {
+        Document document = snapshot.document;
+        document.study = {};  // the session says it
+        snapshots.push_back({{"name", snapshot.name}, {"document", documentJson(document)}});
+    }
+    object["session"] = {{"snapshots", snapshots}};
+    if (!session.file.empty()) object["session"]["file"] = session.file;
+    return object;
+}
+
+Result<void> writeJson(const std::string& path, const std::function<ordered_json()>& make) {
     try {
-        return writeFileAtomically(path, jsonOf(document));
+        const std::string text = make().dump(2) + "\n";
+        if (text.size() > largestDocumentFile)
+            return fail(FailureKind::unwritable, path, "", "would be too large to be opened again",
+                        "Remove snapshots or strokes, and save again.");
+        return writeFileAtomically(path, text);
     } catch (const ordered_json::exception&) {
         return fail(FailureKind::unwritable, path, "study",
                     "names a file whose name is not UTF-8, which JSON cannot hold",
                     "Rename the file of the study, and open it again.");
     }
+}
+
+}  // namespace
+
+std::string jsonOf(const Document& document) { return documentJson(document).dump(2) + "\n"; }
+
+std::string jsonOf(const SavedSession& session) { return sessionJson(session).dump(2) + "\n"; }
+
+Result<void> writeDocument(const std::string& path, const Document& document) {
+    return writeJson(path, [&] { return documentJson(document); });
+}
+
+Result<void> writeSession(const std::string& path, const SavedSession& session) {
+    return writeJson(path, [&] { return sessionJson(session); });
 }
 
 }  // namespace echolucent

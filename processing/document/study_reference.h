@@ -15,7 +15,9 @@ namespace echolucent {
 struct StudyFile {
     std::string path;
     ReadOptions options;
-    std::string checksum;  ///< of the bytes that were read, with its algorithm in front; empty where it is not known
+    std::string checksum;    ///< of the bytes that were read, with its algorithm in front; empty where it is not known
+    std::int64_t bytes = 0;  ///< of all files that were read; 0 where the checksum is not known
+    std::int64_t files = 0;  ///< how many files were read; 0 where the checksum is not known
     friend bool operator==(const StudyFile&, const StudyFile&) = default;
 };
 
@@ -29,5 +31,8 @@ struct SimulatedScan {
 
 /// std::monostate: nothing is open.
 using StudyReference = std::variant<std::monostate, StudyFile, SimulatedScan>;
+
+/// Whether both name one study, whatever is known of its bytes.
+[[nodiscard]] bool nameTheSame(const StudyReference& one, const StudyReference& other);
 
 }  // namespace echolucent
