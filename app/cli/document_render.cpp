@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
-#include "io/document/document_file.h"
+#include "io/document/session_file.h"
 #include "io/output/overwriting.h"
+#include "io/study_checksum.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
@@ -22,19 +24,30 @@ constexpr std::array besideDocument{"VOLUME",           "--document",
                                     "--raw-spacing",    "--frames-as-slices",
                                     "--all-voxels",     "--help"};
 
-/// The path that a document names, where it is a relative one from the document's folder.
-std::string besideFile(const std::string& document, const std::string& path) {
-    const std::filesystem::path beside = std::filesystem::path(document).parent_path() / path;
+/// Where the study of a document is: where it says, or else in its folder, under another name.
+std::string placeOf(const StudyFile& file, const std::string& document) {
+    const std::string stated = studyPathFrom(document, file.path);
     std::error_code error;
-    return std::filesystem::exists(beside, error) ? beside.string() : path;
+    if (std::filesystem::exists(stated, error)) return stated;
+    const std::filesystem::path folder = std::filesystem::path(document).parent_path();
+    const std::string found =
+        findStudy(file, {.folders = {folder.empty() ? "." : folder.string()}, .paths = {}}).value_or("");
+    if (found.empty()) return stated;
+    std::fprintf(stderr, "%s is not there; its bytes were found in %s.\n", file.path.c_str(), found.c_str());
+    return found;
 }
 
 Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
-    const std::string path = besideFile(document, file.path);
+    const std::string path = placeOf(file, document);
     if (auto kept = refuseToOverwrite({path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
     auto study = readStudy(path, file.options);
     if (!study) return study;
     if (auto kept = refuseToOverwrite(study->files, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    if (file.checksum.empty()) return study;
+    const auto checksum = checksumOf(study->files);
+    if (!checksum) return tl::unexpected<Failure>(checksum.error());
+    if (const std::string change = changeOf(file, *checksum); !change.empty())
+        std::fprintf(stderr, "%s %s: the picture may not be the one that was saved.\n", path.c_str(), change.c_str());
     return study;
 }
 

@@ -20,8 +20,10 @@ struct DocumentOptions {
 };
 
 /// The converged picture of the view, of the study that the document names, or of `volume` where that has a path. A
-/// relative path of the study is one from the document's folder, or else from the working folder. Fails where document
-/// or study cannot be read, where there is no such view or phase, and where `output` is one of the files that are read.
+/// relative path of the study is one from the document's folder, or else from the working folder; where it is in
+/// neither, its bytes are looked for in the document's folder. That it was found so, or that its bytes have changed
+/// since the document was saved, is said on stderr. Fails where document or study cannot be read, where there is no
+/// such view or phase, and where `output` is one of the files that are read.
 [[nodiscard]] Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                                  const std::array<int, 2>& size, const std::string& output);
 

@@ -2,8 +2,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/document/document_file.h"
+#include "io/document/session_file.h"
 #include "io/study.h"
+#include "io/study_checksum.h"
 #include "processing/document/view_frames.h"
 #include "processing/document/view_picture.h"
 #include "program.h"
@@ -126,6 +127,34 @@ TEST(RenderDocument, SaysWhatItCannotDo) {
     write(folder / "broken.json", "{");
     EXPECT_EQ(runProgram("render --document \"" + folder / "broken.json" + "\" -o \"" + folder / "p.png" + "\"").status,
               3);
+}
+
+TEST(RenderDocument, ASessionsVolumeThatMovedIsFoundAndOneThatChangedIsSaid) {
+    const Folder folder;
+    std::filesystem::create_directories(folder / "volumes");
+    const std::string volume = folder / "volumes/shapes.mha", session = folder / "shapes.session.json";
+    std::filesystem::copy_file(shapesFile(), volume);
+    SavedSession saved{.document = everything(volume)};
+    saved.document.study =
+        withChecksum(std::get<StudyFile>(saved.document.study), checksumOf(readStudy(volume)->files).value());
+    saved.snapshots = {{"one", saved.document}};
+    ASSERT_TRUE(writeSession(session, asNamedFrom(session, saved)));
+    const std::string render = "render --document \"" + session + "\" --size 70x52 -o \"" + folder / "p.png" + "\"";
+    const auto errors = [&] {
+        const Outcome outcome = runProgram(render);
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        EXPECT_EQ(apart(cv::imread(folder / "p.png", cv::IMREAD_COLOR), saved.document, 1), 0);
+        return outcome.errors;
+    };
+    EXPECT_EQ(errors(), "");
+    std::filesystem::create_directories(folder / "elsewhere");
+    std::filesystem::rename(volume, folder / "elsewhere/renamed.mha");
+    EXPECT_NE(errors().find("its bytes were found in"), std::string::npos);
+    std::filesystem::rename(folder / "elsewhere/renamed.mha", volume);
+    std::ofstream(volume, std::ios::app) << " ";
+    EXPECT_NE(errors().find("bytes, and had"), std::string::npos);
+    std::filesystem::remove(volume);
+    EXPECT_EQ(runProgram(render).status, 3);
 }
 
 }  // namespace
