@@ -25,9 +25,10 @@ int main(int count, char** arguments) {
     parser.setApplicationDescription(QStringLiteral("3D ultrasound workstation. Not a medical device."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QStringLiteral("A volume, or a folder of DICOM slices; none: a simulated scan."),
-                                 QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        QStringLiteral("A volume, a session, or a folder of DICOM slices; none: a simulated scan."),
+        QStringLiteral("[FILE]"));
     QCommandLineOption firstPicture(
         QStringLiteral("first-picture"),
         QStringLiteral("Print the milliseconds to each picture up to the converged one, then quit."));

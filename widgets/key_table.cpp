@@ -67,6 +67,10 @@ std::vector<KeyRow> windowRows() {
     constexpr KeyPlace place = KeyPlace::window;
     return {
         {place, "Ctrl+O, Ctrl+Q", tr("open a volume, quit"), {{"file.open", "Ctrl+O"}, {"file.quit", "Ctrl+Q"}}},
+        {place,
+         "Ctrl+S, Ctrl+Shift+S, Ctrl+H",
+         tr("save the session; save it under another name; show the history of steps and snapshots"),
+         {{"file.saveSession", "Ctrl+S"}, {"file.saveSessionAs", "Ctrl+Shift+S"}, {"edit.history", "Ctrl+H"}}},
         {place, "A", tr("computes the OTF for this view"), {{"otf.computeForThisView", "A"}}},
         {place,
          "1 2 3 4 5",

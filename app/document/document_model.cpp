@@ -1,5 +1,6 @@
 #include "app/document/document_model.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "app/document/document_step.h"
@@ -8,8 +9,10 @@ namespace echolucent {
 
 DocumentModel::DocumentModel(QObject* parent) : QObject(parent) {}
 
-void DocumentModel::edit(const Document& next, const QString& what, Gesture gesture) {
-    const Document before = withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document);
+void DocumentModel::edit(const Document& wanted, const QString& what, Gesture gesture) {
+    const Document next = keepingChecksum(wanted);
+    const Document before =
+        keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
     if (withShown(next, before) == before) return set(next);
     m_pushing = true;
     m_steps.push(
@@ -17,7 +20,8 @@ void DocumentModel::edit(const Document& next, const QString& what, Gesture gest
     m_pushing = false;
 }
 
-void DocumentModel::preview(const Document& next, const QString& what) {
+void DocumentModel::preview(const Document& wanted, const QString& what) {
+    const Document next = keepingChecksum(wanted);
     if (next == m_document) return;
     if (!m_beforePreview) m_beforePreview = m_document;
     m_previewed = what;
@@ -34,7 +38,7 @@ void DocumentModel::cancelPreview() {
     before.phases = m_document.phases;
     // A drag of the camera has ended the motion, which comes back with the pose; beside any other drag it has gone on.
     if (before.poses == m_document.poses) before.motionAngle = m_document.motionAngle;
-    set(before);
+    set(keepingChecksum(before));
 }
 
 void DocumentModel::showPhase(int view, int phase) {
@@ -49,6 +53,19 @@ void DocumentModel::showMotionAngle(double degrees) {
     set(next);
 }
 
+Document DocumentModel::keepingChecksum(Document document) const {
+    if (nameTheSame(document.study, m_document.study)) document.study = m_document.study;
+    return document;
+}
+
+void DocumentModel::noteChecksum(const StudyReference& study) {
+    if (!nameTheSame(study, m_document.study))
+        throw std::invalid_argument("DocumentModel::noteChecksum: the document is of another study");
+    if (study == m_document.study) return;
+    m_document.study = study;
+    emit changed();
+}
+
 void DocumentModel::begin(const Document& document) {
     m_beforePreview.reset();
     m_steps.clear();
@@ -59,7 +76,7 @@ void DocumentModel::restore(const Document& document) {
     // A drag ends where it began, and then the step before it is undone.
     m_beforePreview.reset();
     const bool pushing = std::exchange(m_pushing, false);
-    set(pushing ? document : withShown(document, m_document));
+    set(keepingChecksum(pushing ? document : withShown(document, m_document)));
 }
 
 void DocumentModel::set(Document next) {

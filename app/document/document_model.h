@@ -31,11 +31,11 @@ public:
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] QUndoStack& steps() { return m_steps; }
 
-    /// Makes `next` the document, as one step named `what`. Equal documents, the shown phase and frame aside, make no
+    /// Makes `wanted` the document, as one step named `what`. Equal documents, the shown phase and frame aside, make no
     /// step.
-    void edit(const Document& next, const QString& what, Gesture gesture = noGesture);
-    /// Shows `next` without a step, as a drag goes on.
-    void preview(const Document& next, const QString& what);
+    void edit(const Document& wanted, const QString& what, Gesture gesture = noGesture);
+    /// Shows `wanted` without a step, as a drag goes on.
+    void preview(const Document& wanted, const QString& what);
     void commitPreview();
     void cancelPreview();
     [[nodiscard]] bool previewing() const { return m_beforePreview.has_value(); }
@@ -45,6 +45,10 @@ public:
     /// Shows the frame of the motion at an angle in degrees. No step.
     void showMotionAngle(double degrees);
 
+    /// Notes what is known of the bytes of the document's study: no step, and no signal but changed(). Whatever is
+    /// edited, undone and redone keeps it. Another study than the document's is a broken contract
+    /// (std::invalid_argument).
+    void noteChecksum(const StudyReference& study);
     /// Begins another document; the steps are forgotten.
     void begin(const Document& document);
 
@@ -74,6 +78,8 @@ private:
     /// What undo and redo do.
     void restore(const Document& document);
     void set(Document next);
+    /// The document with what is known of the bytes of its study, where that is still the same.
+    [[nodiscard]] Document keepingChecksum(Document document) const;
 
     Document m_document;
     std::optional<Document> m_beforePreview;

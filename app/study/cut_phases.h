@@ -33,6 +33,8 @@ public:
     /// and the voxels themselves where nothing is cut.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase, const std::shared_ptr<const Volume>& voxels);
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_strokes; }
+    /// Whether what is cut of a phase is what the strokes say.
+    [[nodiscard]] bool isCurrent(int phase) const { return m_cut.at(static_cast<std::size_t>(phase)).current; }
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
 
 signals:

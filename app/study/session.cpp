@@ -5,25 +5,11 @@
 #include <utility>
 
 #include "app/study/freed_elsewhere.h"
-#include "processing/phantom/phantom.h"
+#include "io/document/session_file.h"
 
 namespace echolucent {
 
 namespace {
-
-Result<Study> simulated(const SimulatedScan& scan, const Progress& progress) {
-    PhantomConfig config = defaultPhantom(scan.scene);
-    config.size = scan.size;
-    config.seed = scan.seed;
-    auto volume = makePhantom(config, progress);
-    if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
-    Study study;
-    study.name = "Simulated fetal scan";
-    study.phases.push_back(std::make_shared<const Volume>(std::move(*volume)));
-    study.lossyCompression = LossyCompression::no;
-    study.facts.push_back({"origin", "simulated by the program, no patient", "built in"});
-    return study;
-}
 
 double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; }
 
@@ -34,12 +20,18 @@ Session::Session(QObject* parent)
       m_pipeline(&adaptOpacity),
       m_nearCutSearch(&findNearCut),
       m_loader(QStringLiteral("study loader")),
+      m_checksumThread(QStringLiteral("study checksum")),
       m_otfThread(QStringLiteral("adaptive OTF")) {
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
     connect(&m_loader, &NewestWinsThread::progressed, this, &Session::loadingProgressed);
     connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &Session::computingOtfChanged);
     connect(&m_cut, &CutPhases::made, this, &Session::takeCut);
-    connect(&m_cut, &CutPhases::busyChanged, this, [this] { emit computingOtfChanged(computingOtf()); });
+    connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &Session::takingChecksumChanged);
+    connect(&m_cut, &CutPhases::busyChanged, this, [this] {
+        // Strokes that cut nothing tell of no cut.
+        if (m_waiting && !waitsForVoxels()) requestWaitingOtf();
+        emit computingOtfChanged(computingOtf());
+    });
     connect(&m_cut, &CutPhases::failed, this, &Session::otfFailed);
     connect(&m_quiet, &QuietPhases::made, this, &Session::takeQuietVoxels);
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
@@ -86,7 +78,24 @@ Session::Read Session::readerOf(const StudyFile& file) {
 
 void Session::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
-    load(file, readerOf(file));
+    load(file, [file, study = readerOf(file), saved = readerOfSaved(path, {})](const Progress& progress) {
+        return looksLikeDocument(file.path) ? saved(progress) : study(progress);
+    });
+}
+
+Session::Read Session::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
+    const StudySearch search = m_studySearch ? m_studySearch() : StudySearch{};
+    return [file = file.toStdString(), answer, search](const Progress& progress) -> Result<Opening> {
+        auto read = readSaved(file, answer, search, progress);
+        if (!read) return tl::unexpected(read.error());
+        if (auto* problem = std::get_if<SavedStudyProblem>(&*read)) return Opening{.problem = std::move(*problem)};
+        auto& session = std::get<ReadSession>(*read);
+        return Opening{.study = std::move(session.study), .saved = std::move(session.opened)};
+    };
+}
+
+void Session::openSaved(const QString& file, const SavedStudyAnswer& answer) {
+    load(StudyFile{.path = file.toStdString(), .options = {}, .checksum = {}}, readerOfSaved(file, answer));
 }
 
 void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
@@ -102,7 +111,7 @@ void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t ent
 void Session::openSimulatedScan() {
     const SimulatedScan scan;
     load(scan, [scan](const Progress& progress) -> Result<Opening> {
-        auto study = simulated(scan, progress);
+        auto study = simulatedStudy(scan, progress);
         if (!study) return tl::unexpected(study.error());
         return Opening{std::move(*study), nullptr};
     });
@@ -131,7 +140,9 @@ void Session::load(const StudyReference& reference, Read read) {
                 const auto& phases = opened->study->phases;
                 // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
                 for (const auto& phase : phases) histograms.push_back(intensityHistogram(*phase));
-                if (!path.isEmpty()) finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});
+                const bool simulated =
+                    opened->saved && std::holds_alternative<SimulatedScan>(opened->saved->session.document.study);
+                if (!path.isEmpty() && !simulated) finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});
                 return opened;
             } catch (const std::bad_alloc&) {
                 return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
@@ -144,13 +155,17 @@ void Session::load(const StudyReference& reference, Read read) {
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure, options);
             };
         }
+        if (opening->problem) return [this, problem = *opening->problem] { emit savedStudyAsked(problem); };
         const auto series = opening->series;
         if (!opening->study) return [this, series, options] { emit seriesFound(series, options); };
         for (auto& phase : opening->study->phases) phase = freedElsewhere(std::move(phase));
         auto shared = std::make_shared<const Study>(std::move(*opening->study));
-        return [this, reference, shared, series, finds = std::move(finds), histograms = std::move(histograms)] {
+        auto saved = std::move(opening->saved);
+        return [this, reference, shared, series, saved = std::move(saved), finds = std::move(finds),
+                histograms = std::move(histograms)] {
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
-            m_reference = reference;
+            m_reference = saved ? saved->session.document.study : reference;
+            m_saved = saved;
             m_study = shared;
             m_seriesBeside = series;
             m_histograms = histograms;
@@ -161,8 +176,25 @@ void Session::load(const StudyReference& reference, Read read) {
             m_cut.begin(m_study->phases);
             m_opening = true;
             m_otfPhase.reset();
-            show(0);
+            m_waitForQuiet = true;
+            show(m_saved ? phaseOf(m_saved->session.document, 1) : 0);
             emit studyOpened();
+            takeChecksum();
+        };
+    });
+}
+
+void Session::takeChecksum() {
+    m_checksumThread.cancel();
+    const auto* file = std::get_if<StudyFile>(&m_reference);
+    if (file == nullptr || !file->checksum.empty()) return;
+    m_checksumThread.submit([this, study = m_study](const Progress& progress) -> NewestWinsThread::Deliver {
+        const auto checksum = checksumOf(study->files, progress);
+        if (!checksum) return {};  // a session is saved without it
+        return [this, study, taken = *checksum] {
+            if (study != m_study) return;
+            m_reference = withChecksum(std::get<StudyFile>(m_reference), taken);
+            emit studyNamed();
         };
     });
 }
@@ -248,7 +280,15 @@ void Session::takeQuietVoxels(int phase) {
     emit quietVoxelsMade();
 }
 
+bool Session::waitsForVoxels() {
+    if (!m_opening) return false;
+    return !m_cut.isCurrent(phaseOfOtf()) ||
+           (m_waitForQuiet && !m_quiet.of(phaseOfOtf()) && m_volume->geometry().voxelCount() <= quietFirstVoxels);
+}
+
 void Session::requestWaitingOtf() {
+    m_waitForQuiet = false;
+    if (m_volume && waitsForVoxels()) return;
     m_opening = false;  // nothing waits from here on
     if (const auto waiting = std::exchange(m_waiting, std::nullopt)) requestOtf(waiting->view, waiting->config);
 }
@@ -256,10 +296,11 @@ void Session::requestWaitingOtf() {
 void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
     const OtfRequest asked{volumeOf(phaseOfOtf()), newestVoxelsOf(phaseOfOtf()), view, config};
     if (!m_volume || m_asked == asked) return;
-    if (m_opening && !m_quiet.of(phaseOfOtf()) && m_volume->geometry().voxelCount() <= quietFirstVoxels) {
+    if (waitsForVoxels()) {
         m_waiting = asked;
         return;
     }
+    m_waiting.reset();
     m_asked = asked;
     m_searching = false;
     if (auto kept = m_kept.find(asked)) {

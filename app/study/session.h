@@ -11,6 +11,7 @@
 #include "app/study/cut_phases.h"
 #include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
+#include "app/study/saved_study.h"
 #include "io/series_list.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -31,7 +32,15 @@ public:
 
     /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
     /// Where a folder holds several series that could be opened and the options name none, seriesFound() asks.
+    /// A file that says of itself that it is a document is opened as a session: its study is read, and saved() tells
+    /// the rest.
     void open(const QString& path, const ReadOptions& options = {});
+    /// Opens a session file with what a person answered to savedStudyAsked().
+    void openSaved(const QString& file, const SavedStudyAnswer& answer);
+    /// Where the studies of sessions are looked for that are no longer in their place; asked whenever one is opened.
+    void setStudySearch(std::function<StudySearch()> search) { m_studySearch = std::move(search); }
+    /// The session whose study is open; no value where the study was opened by itself.
+    [[nodiscard]] const std::optional<OpenedSession>& saved() const { return m_saved; }
     /// Loads a series of a list.
     void openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options = {});
     /// The series beside the study that is open; null where it was not opened from a folder of several.
@@ -40,6 +49,8 @@ public:
     void openSimulatedScan();
     void cancelLoading();
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
+    /// True while the checksum of the study is taken, which reference() holds afterwards.
+    [[nodiscard]] bool takingChecksum() const { return m_checksumThread.busy(); }
 
     /// From asking for the study that is open until it was read and looked through; no value before the first.
     [[nodiscard]] std::optional<double> loadingMilliseconds() const { return m_loadingMilliseconds; }
@@ -97,7 +108,8 @@ public:
     /// Computes the adaptive OTF of phaseOfOtf() for a view; the newest request wins, older ones are cancelled.
     /// What is being computed already goes on, and what was computed before is delivered from memory. The tube cores
     /// read the raw voxels; the curve is meant for newestVoxels(). The first OTF of a study of up to quietFirstVoxels
-    /// voxels waits for its quiet voxels, so that one picture and not two follow its opening.
+    /// voxels waits for its quiet voxels, and that of a session for what its strokes cut, so that one picture and not
+    /// two follow its opening.
     void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
     /// True also while the scalpel's strokes are being cut, which the OTF follows.
     [[nodiscard]] bool computingOtf() const {
@@ -139,6 +151,11 @@ signals:
     void loadingChanged(bool loading);
     void loadingProgressed(double share);
     void studyOpened();
+    /// The study of a session file is missing or changed; what was open before is unchanged.
+    void savedStudyAsked(const echolucent::SavedStudyProblem& problem);
+    /// reference() holds the checksum of the study that is open.
+    void studyNamed();
+    void takingChecksumChanged(bool taking);
     /// A folder holds several series; what was open before is unchanged.
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read with these options; what was open before is unchanged.
@@ -164,11 +181,16 @@ signals:
 private:
     /// What reading gave: a study, with the series beside it where there are several, or a list to choose from.
     struct Opening {
-        std::optional<Study> study;
-        std::shared_ptr<const SeriesList> series;
+        std::optional<Study> study{};
+        std::shared_ptr<const SeriesList> series{};
+        std::optional<OpenedSession> saved{};
+        std::optional<SavedStudyProblem> problem{};
     };
     using Read = std::function<Result<Opening>(const Progress&)>;
     static Read readerOf(const StudyFile& file);
+    Read readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
+    void takeChecksum();
+    [[nodiscard]] bool waitsForVoxels();
     void load(const StudyReference& reference, Read read);
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
@@ -188,6 +210,8 @@ private:
     std::shared_ptr<const SeriesList> m_seriesBeside;
     std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes
     std::optional<OpeningFinds> m_finds;
+    std::optional<OpenedSession> m_saved;
+    std::function<StudySearch()> m_studySearch;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
     std::optional<int> m_otfPhase;  ///< see setOtfPhase()
@@ -196,6 +220,7 @@ private:
     std::optional<OtfRequest> m_asked;    ///< none where no OTF is under way
     std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
     bool m_opening = false;               ///< no OTF of the study was computed yet
+    bool m_waitForQuiet = false;          ///< the study's first OTF waits for its quiet voxels
     bool m_searching = false;             ///< the newest request is one for the near cut
     Viewpoint m_searchedAlong;            ///< of the newest search for the near cut
     QElapsedTimer m_loadingClock, m_quieteningClock;
@@ -206,6 +231,7 @@ private:
     CutPhases m_cut;
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
+    NewestWinsThread m_checksumThread;
     NewestWinsThread m_otfThread;
 };
 

@@ -53,7 +53,7 @@ void ShownStudy::nameStudy() {
     QStringList title{tr("Echolucent"), name,
                       QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
     title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
-    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")));
+    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));
 
     QList<StudyFactRow> facts;
     const auto& finds = m_parts.session.finds();
@@ -125,6 +125,7 @@ void ShownStudy::beginDocument() {
     m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(*m_study);
+    emit aboutToBegin();
     Document opened = openedDocument(m_parts.model.document(), session.reference());
     const DataBox& box = session.volume()->dataBox();
     const auto showWhole = [&](Document& document) {
@@ -136,14 +137,17 @@ void ShownStudy::beginDocument() {
         opened.motion.scenario = MotionScenario::probe;
     else if (before < 2)  // from one 4D study to the next, what was chosen to move stays
         opened.motion.scenario = MotionScenario::object;
-    m_parts.model.begin(opened);
+    m_opened = opened;
     if (session.finds()) {
-        // One step that can be taken back.
-        Document found = withFinds(opened, *session.finds());
-        showWhole(found);
-        m_parts.model.edit(found, tr("beam and cut found on opening"));
+        m_opened = withFinds(opened, *session.finds());
+        showWhole(m_opened);
     }
-    m_opened = m_parts.model.document();
+    if (session.saved()) {
+        m_parts.model.begin(session.saved()->session.document);
+    } else {
+        m_parts.model.begin(opened);
+        m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
+    }
     m_parts.motion.beginAtRest();
     m_parts.computing.begin();
     showNearCutRange();

@@ -46,6 +46,10 @@ public:
     /// The document as opening the study gave it, with what was found then.
     [[nodiscard]] const Document& opened() const { return m_opened; }
 
+signals:
+    /// Another study's document takes the place of the present one.
+    void aboutToBegin();
+
 private:
     void tellFacts();
     void nameStudy();

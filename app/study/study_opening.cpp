@@ -49,12 +49,53 @@ StudyOpening::StudyOpening(const Parts& parts)
     connect(&m_parts.session, &Session::seriesFound, this, &StudyOpening::askForSeries);
     connect(&m_series, &SeriesChoice::busyChanged, this, &StudyOpening::busyChanged);
     connect(&m_parts.session, &Session::openFailed, this, &StudyOpening::tellFailure);
-    connect(&m_parts.session, &Session::studyOpened, this, [this] {
-        const Session& session = m_parts.session;
-        if (session.isSimulatedScan()) return;
-        m_parts.settings.addRecentFile(session.path());
-        m_parts.settings.setLastFolder(QFileInfo(session.path()).absolutePath());
-    });
+    connect(&m_parts.session, &Session::savedStudyAsked, this, &StudyOpening::askForSavedStudy);
+    connect(&m_parts.session, &Session::studyOpened, this, &StudyOpening::noteOpened);
+    m_parts.session.setStudySearch([this] { return studySearch(); });
+}
+
+void StudyOpening::noteOpened() {
+    const auto& saved = m_parts.session.saved();
+    QString opened = saved ? QString::fromStdString(saved->file) : m_parts.session.path();
+    // What the program kept by itself is no file of the person's.
+    if (QFileInfo(opened).absolutePath() == QFileInfo(m_parts.settings.autosaveFolder()).absoluteFilePath())
+        opened = saved->session.file.empty() ? m_parts.session.path() : QString::fromStdString(saved->session.file);
+    if (opened.isEmpty()) return;
+    m_parts.settings.addRecentFile(opened);
+    m_parts.settings.setLastFolder(QFileInfo(opened).absolutePath());
+}
+
+StudySearch StudyOpening::studySearch() const {
+    StudySearch search;
+    for (const QString& path : m_parts.settings.recentFiles()) search.paths.push_back(path.toStdString());
+    for (const QString& folder : {m_parts.settings.lastFolder(), m_parts.settings.lastSaveFolder()})
+        search.folders.push_back(folder.toStdString());
+    return search;
+}
+
+void StudyOpening::askForSavedStudy(const SavedStudyProblem& problem) {
+    const QString file = QString::fromStdString(problem.file), study = QString::fromStdString(problem.study);
+    const QString name = m_parts.names.nameOf(study);
+    const auto openWith = [this, file](const QString& chosen, bool evenChanged) {
+        if (!chosen.isEmpty()) m_parts.session.openSaved(file, {chosen.toStdString(), evenChanged});
+    };
+    const QString folder = QFileInfo(file).absolutePath();
+    const QList<MessageAction> choose{
+        {tr("Choose the file…"),
+         [this, openWith, folder] {
+             openWith(QFileDialog::getOpenFileName(&m_parts.window, tr("The session's volume"), folder), false);
+         }},
+        {tr("Choose the folder…"), [this, openWith, folder] {
+             openWith(QFileDialog::getExistingDirectory(&m_parts.window, tr("The session's folder of slices"), folder),
+                      false);
+         }}};
+    if (problem.kind == SavedStudyProblem::Kind::missing)
+        return m_parts.messages.showMessage(MessageKind::warning,
+                                            tr("%1, the volume of this session, was not found.").arg(name), choose);
+    m_parts.messages.showMessage(
+        MessageKind::warning,
+        tr("%1 %2. What the session holds may not fit it.").arg(name, QString::fromStdString(problem.change)),
+        QList<MessageAction>{{tr("Open it all the same"), [openWith, study] { openWith(study, true); }}} + choose);
 }
 
 void StudyOpening::open(const QString& path, const ReadOptions& options) {
@@ -64,8 +105,8 @@ void StudyOpening::open(const QString& path, const ReadOptions& options) {
 
 void StudyOpening::chooseFile() {
     open(QFileDialog::getOpenFileName(&m_parts.window, tr("Open volume"), m_parts.settings.lastFolder(),
-                                      tr("3D ultrasound volumes (*.dcm *.vol *.v0? *.mha *.mhd *.nrrd *.nhdr *.nii "
-                                         "*.hdr *.img *.raw *.gz DICOMDIR*);;"
+                                      tr("3D ultrasound volumes and sessions (*.dcm *.vol *.v0? *.mha *.mhd *.nrrd "
+                                         "*.nhdr *.nii *.hdr *.img *.raw *.gz DICOMDIR* *.session.json);;"
                                          "All files (*)")));
 }
 

@@ -32,7 +32,8 @@ public:
     /// All outlive this, which belongs to the window.
     explicit StudyOpening(const Parts& parts);
 
-    /// Opens a file or a DICOM folder; asks for the layout where the file has no header and none is remembered.
+    /// Opens a file, a DICOM folder or a session; asks for the layout where the file has no header and none is
+    /// remembered.
     void open(const QString& path, const ReadOptions& options = {});
     void chooseFile();
     void chooseFolder();
@@ -54,6 +55,9 @@ signals:
 
 private:
     void openRaw(const QString& path);
+    [[nodiscard]] StudySearch studySearch() const;
+    void askForSavedStudy(const SavedStudyProblem& problem);
+    void noteOpened();
     void askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options);
     [[nodiscard]] QAction* recentFile(QMenu& menu, const QString& path, int place) const;
     void tellFailure(const QString& path, const Failure& failure, const ReadOptions& options);

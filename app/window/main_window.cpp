@@ -18,6 +18,8 @@
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
 #include "app/report/report_saving.h"
+#include "app/sessions/history_controls.h"
+#include "app/sessions/session_keeping.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
@@ -107,6 +109,10 @@ void MainWindow::createUnits() {
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, mainView, *m_session, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names, [this] { return explanation(); }});
+    m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
+        *this, m_document, *m_session, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
+    m_history =
+        std::make_unique<HistoryControls>(m_document, m_sessions->snapshots(), *m_widgets.history, *m_widgets.messages);
 }
 
 void MainWindow::connectProgress() {
@@ -165,6 +171,8 @@ void MainWindow::connectProgress() {
         if (atRest()) m_widgets.status->setProgress(share);
     });
     connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_sessions.get(), &SessionKeeping::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_session.get(), &Session::takingChecksumChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
@@ -290,6 +298,12 @@ void MainWindow::createActions() {
     commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
     commands.saveReport = [this] { m_report->choose(); };
     commands.numbersForNames = [this](bool numbers) { m_names.showNumbers(numbers); };
+    commands.saveSession = [this] { m_sessions->save(); };
+    commands.saveSessionAs = [this] { m_sessions->chooseAndSave(); };
+    commands.showHistory = [this] {
+        m_widgets.studyDock->show();
+        m_widgets.studyDock->raise();
+    };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
@@ -363,9 +377,9 @@ bool MainWindow::idle() const {
 }
 
 bool MainWindow::atRest() const {
-    return !m_session->loading() && !m_session->computingOtf() && !m_session->quietPhases().busy() &&
-           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_movies->busy() &&
-           !m_motionPlayer.isPlaying();
+    return !m_session->loading() && !m_session->takingChecksum() && !m_session->computingOtf() &&
+           !m_session->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
+           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {
@@ -394,7 +408,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayLoseManualCurve()) {
+    if (!m_sessions->mayClose() || !m_files->mayLoseManualCurve()) {
         event->ignore();
         return;
     }

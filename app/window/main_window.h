@@ -22,6 +22,7 @@ namespace echolucent {
 class CurveAndPictureFiles;
 class CurveControls;
 class FullScreen;
+class HistoryControls;
 class MethodControls;
 class MovieFiles;
 class NearCutFinder;
@@ -30,6 +31,7 @@ class PresetControls;
 class RecentPictures;
 class ReportSaving;
 class ReviewRoom;
+class SessionKeeping;
 class StudyOpening;
 
 /// Owns the document, the threads behind the session and the widgets, and hangs them together. What happens between
@@ -63,6 +65,7 @@ public:
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
+    [[nodiscard]] SessionKeeping& sessionKeeping() { return *m_sessions; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
     /// The OTFs of the motion so far.
@@ -134,6 +137,8 @@ private:
     std::unique_ptr<MovieFiles> m_movies;
     std::unique_ptr<ReviewRoom> m_room;
     std::unique_ptr<ReportSaving> m_report;
+    std::unique_ptr<SessionKeeping> m_sessions;
+    std::unique_ptr<HistoryControls> m_history;
     bool m_idle = true;
     bool m_shown = false;
 };

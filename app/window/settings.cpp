@@ -174,6 +174,7 @@ QString Settings::presetsFile() const {
     const QFileInfo file(m_store.fileName());
     return file.dir().filePath(file.completeBaseName() + QStringLiteral("-presets.json"));
 }
+QString Settings::autosaveFolder() const { return m_dataFolder + QStringLiteral("/autosaves"); }
 bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
 void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }
 

@@ -65,6 +65,9 @@ public:
     void setPaneLayout(PaneLayout layout);
     /// Path of the file that holds a person's own presets (io/document/preset_file.h), beside that of the settings.
     [[nodiscard]] QString presetsFile() const;
+    /// The program's own folder for what is kept of sessions that nobody saved: below the person's standard place for
+    /// data, or beside a settings file that was given.
+    [[nodiscard]] QString autosaveFolder() const;
     [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open
     void setPresetsOpen(bool open);
     /// Axis, OTF, speed and order of the frames; what moves and which phases are a matter of the study and stay as by

@@ -12,6 +12,7 @@
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
 #include "widgets/panels/explain_panel.h"
+#include "widgets/panels/history_panel.h"
 #include "widgets/panels/measurements_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
@@ -87,6 +88,17 @@ QWidget* planesContent(const WindowLayout& layout) {
     return content;
 }
 
+/// What was read, and below it what was done with it.
+QWidget* studyContent(const WindowLayout& layout) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(layout.facts, 3);
+    column->addWidget(layout.history, 2);
+    return content;
+}
+
 /// One column of panels, tabbed by what a person is doing; nothing beside the 3D view grows when one is opened.
 void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
@@ -95,10 +107,10 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     QDockWidget* curve = addDock(window, title("Curve"), "dock.otfEditor", layout.editor);
     QDockWidget* room = addDock(window, title("Planes"), "dock.room", planesContent(layout));
     QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
-    QDockWidget* study = addDock(window, title("Study"), "dock.study", layout.facts);
+    layout.studyDock = addDock(window, title("Study"), "dock.study", studyContent(layout));
     layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
     layout.explainDock = addDock(window, title("Explain"), "dock.explain", layout.explain);
-    for (QDockWidget* dock : {curve, room, method, study, layout.courseDock, layout.explainDock})
+    for (QDockWidget* dock : {curve, room, method, layout.studyDock, layout.courseDock, layout.explainDock})
         window.tabifyDockWidget(picture, dock);
     layout.courseDock->hide();
     layout.explainDock->hide();
@@ -134,6 +146,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);
+    layout.history = new HistoryPanel(&window);
     arrangeDocks(window, layout);
 
     layout.status = new RunStatus(&window);

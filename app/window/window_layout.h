@@ -12,6 +12,7 @@ class CurveOwner;
 class CurveSliders;
 class ExplainPanel;
 class MeasurementsPanel;
+class HistoryPanel;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
@@ -46,6 +47,8 @@ struct WindowLayout {
     StudyPanel* facts = nullptr;
     ExplainPanel* explain = nullptr;
     QDockWidget* explainDock = nullptr;
+    HistoryPanel* history = nullptr;
+    QDockWidget* studyDock = nullptr;
     RunStatus* status = nullptr;
 };
 

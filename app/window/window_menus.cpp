@@ -49,6 +49,9 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     QObject::connect(recent, &QMenu::aboutToShow, recent, [recent, fill = commands.fillRecentFiles] { fill(*recent); });
     addAction(file, tr("Open the simulated scan"), "file.openSimulatedScan", commands.openSimulatedScan);
     file->addSeparator();
+    addAction(file, tr("&Save session"), "file.saveSession", commands.saveSession);
+    addAction(file, tr("Save session &as…"), "file.saveSessionAs", commands.saveSessionAs);
+    file->addSeparator();
     file->addActions({editor.openCurveAction(), editor.saveCurveAction()});
     addAction(file, tr("Save &picture…"), "file.savePicture", commands.savePicture);
     addAction(file, tr("Save &movie…"), "file.saveMovie", commands.saveMovie);
@@ -131,6 +134,7 @@ void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, co
     // The editor's actions carry their own shortcuts, so they stand here as they are.
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
     edit->addActions({editor.undoAction(), editor.redoAction()});
+    addAction(edit, tr("&History"), "edit.history", commands.showHistory);
     edit->addSeparator();
     addAction(edit, tr("&Copy picture"), "edit.copyPicture", commands.copyPicture);
     createViewMenu(window, commands);

@@ -17,6 +17,7 @@ struct WindowCommands {
     std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, saveMovie,
         savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
         nextLighting, toggleNearCut, toggleFullScreen;
+    std::function<void()> saveSession, saveSessionAs, showHistory;
     std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1

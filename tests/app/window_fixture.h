@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -44,9 +45,10 @@ public:
     }
     void show() {
         QFile::remove(settingsFile());
+        QDir(temporaryFolder().filePath("settings-data")).removeRecursively();
         showAgain();
     }
-    /// The window of another start, with the settings that are there.
+    /// The window of another start, with the settings that are there and what the one before it left.
     void showAgain() { showWithSettings(settingsFile()); }
     void showWithSettings(const QString& settings) {
         m_window = std::make_unique<MainWindow>(settings);

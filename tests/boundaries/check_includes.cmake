@@ -48,7 +48,7 @@ forbid("the command line knows no Qt" "${qt}" app/cli app/measuring)
 forbid("the command line knows no widgets" "widgets/" app/cli app/measuring)
 forbid("what measures stays out of the rooms that data flows through" "app/measuring/" processing io widgets app/cli)
 forbid("the window knows neither the command line nor what measures" "app/(cli|measuring)/"
-    app/document app/motion app/otf app/picture app/planes app/report app/study app/window)
+    app/document app/motion app/otf app/picture app/planes app/report app/sessions app/study app/window)
 forbid("pages know no Qt" "${qt}" app/pages)
 forbid("pages know neither window nor commands" "(widgets|app/[^p]|app/pi|app/pl)" app/pages)
 forbid("commands know no page" "app/pages/" app/cli)

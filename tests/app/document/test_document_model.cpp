@@ -194,6 +194,40 @@ private slots:
         QCOMPARE(model.steps().count(), static_cast<int>(edits.size()));
     }
 
+    void whatIsKnownOfTheStudysBytesIsNoStepAndStays() {
+        DocumentModel model;
+        StudyFile file{.path = "/data/scan.mha", .options = {}, .checksum = {}};
+        Document begun;
+        begun.study = file;
+        model.begin(begun);
+        Document next = model.document();
+        poseOf(next, 1).magnification = 2;
+        model.edit(next, "zoom");
+        poseOf(next, 1).magnification = 3;
+        model.preview(next, "zoom");
+        QSignalSpy study(&model, &DocumentModel::studyChanged), changed(&model, &DocumentModel::changed);
+        file.checksum = "xxh3-128:00";
+        file.bytes = 12;
+        file.files = 1;
+        model.noteChecksum(file);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(model.steps().count(), 1);
+        const auto known = [&] { return model.document().study == StudyReference(file); };
+        QVERIFY(known());
+        model.commitPreview();
+        QCOMPARE(model.steps().count(), 2);
+        QVERIFY(known());
+        model.steps().undo();
+        model.steps().undo();
+        QVERIFY(known());
+        model.steps().redo();
+        model.edit(next, "zoom");  // of before it was known
+        QVERIFY(known());
+        QCOMPARE(study.count(), 0);
+        file.path = "/data/other.mha";
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, model.noteChecksum(file));
+    }
+
     void aGestureThatEndsWhereItBeganIsNoStep() {
         DocumentModel model;
         const Document before = model.document();

@@ -1,0 +1,79 @@
+// What a person does is on disk soon, in the program's own folder, without being asked for.
+#pragma once
+
+#include <QLockFile>
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "processing/document/saved_session.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// One file a running program, written whole or not at all in a thread of its own, with a lock beside it that says
+/// whose it is: the lock of a program that has died is free. Nothing is written while nothing changes.
+///
+///              noteChange()                     interval over: write
+///   [Clean] ----------------> [Change waits] --------------------------> [Written]
+///      ^                            ^                                        |
+///      |  forget(): no file         +----------- noteChange() ---------------+
+class Autosave : public QObject {
+    Q_OBJECT
+
+public:
+    /// A change is on disk so many milliseconds later, and as much more as writing takes.
+    static constexpr int standardIntervalMilliseconds = 4000;
+
+    /// `present` is asked in this thread for what is to be written.
+    Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
+    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind.
+    ~Autosave() override;
+
+    void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
+    /// What `present` gives is other than before, or is to be written in any case.
+    void noteChange();
+    /// There is nothing to keep: what was written is removed.
+    void forget();
+    /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives the
+    /// file's path; its lock stays held.
+    struct Left {
+        QString file;
+        std::shared_ptr<QLockFile> lock;
+    };
+    Left leaveBehind();
+    /// Whether the file stays when this ends.
+    void keepAtEnd(bool keep) { m_keep = keep; }
+    [[nodiscard]] QString file() const { return m_file; }
+    /// Whether something of the session is on disk, or about to be.
+    [[nodiscard]] bool keeps() const { return m_written.has_value() || m_timer.isActive(); }
+    [[nodiscard]] bool busy() const { return m_thread->busy(); }
+
+    static QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
+
+signals:
+    void busyChanged(bool busy);
+    /// The newest of what was there when writing began is on disk.
+    void written();
+    /// It could not be written: a sentence. Told once until it works again.
+    void failed(const QString& sentence);
+
+private:
+    void beginFile();
+    void write();
+    bool ownFile();
+
+    QString m_folder;
+    std::function<SavedSession()> m_present;
+    QString m_file;
+    std::shared_ptr<QLockFile> m_lock;
+    std::optional<SavedSession> m_written;  ///< newest that was handed to the thread
+    QTimer m_timer;                         ///< runs while a change waits
+    bool m_keep = false;
+    bool m_failed = false;
+    std::unique_ptr<NewestWinsThread> m_thread;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,34 @@
+// The panel of steps and snapshots, connected with the document.
+#pragma once
+
+#include <QObject>
+
+#include "app/document/document_model.h"
+#include "app/sessions/snapshots.h"
+
+namespace echolucent {
+
+class HistoryPanel;
+class MessageBar;
+
+/// Choosing a snapshot makes it the document, as one step.
+class HistoryControls : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them must outlive this.
+    HistoryControls(DocumentModel& model, Snapshots& snapshots, HistoryPanel& panel, MessageBar& messages);
+
+private:
+    void show();
+    void keep();
+    void choose(int snapshot);
+    void remove(int snapshot);
+
+    DocumentModel& m_model;
+    Snapshots& m_snapshots;
+    HistoryPanel& m_panel;
+    MessageBar& m_messages;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,265 @@
+#include "app/sessions/session_keeping.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <algorithm>
+#include <utility>
+
+#include "app/study/study_names.h"
+#include "app/window/settings.h"
+#include "io/document/session_file.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Without what plays, and what is known of the study's bytes.
+Document comparable(Document document, const Document& like) {
+    if (nameTheSame(document.study, like.study)) document.study = like.study;
+    return withShown(std::move(document), like);
+}
+
+}  // namespace
+
+SessionKeeping::SessionKeeping(const Parts& parts)
+    : QObject(&parts.window),
+      m_parts(parts),
+      m_autosave(std::make_unique<Autosave>(parts.settings.autosaveFolder(), [this] { return present(); })),
+      m_taking(QStringLiteral("left sessions")),
+      m_saving(QStringLiteral("session saving")) {
+    connect(&m_parts.model, &DocumentModel::changed, this, &SessionKeeping::noteChange);
+    connect(&m_snapshots, &Snapshots::changed, this, &SessionKeeping::noteChange);
+    connect(&m_parts.shown, &ShownStudy::aboutToBegin, this, &SessionKeeping::leave);
+    connect(&m_parts.session, &Session::studyOpened, this, &SessionKeeping::begin);
+    connect(&m_parts.session, &Session::studyNamed, this,
+            [this] { m_parts.model.noteChecksum(m_parts.session.reference()); });
+    connect(m_autosave.get(), &Autosave::busyChanged, this, &SessionKeeping::busyChanged);
+    connect(m_autosave.get(), &Autosave::failed, this, [this](const QString& sentence) {
+        m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
+    });
+    connect(m_autosave.get(), &Autosave::written, this, [this] {
+        // Not before: a program that dies in between finds one of the two.
+        if (m_taken) QFile::remove(m_taken->file);
+        m_taken.reset();
+    });
+    connect(&m_taking, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
+    connect(&m_saving, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
+    m_taking.submit([this, folder = m_parts.settings.autosaveFolder()](const Progress&) -> NewestWinsThread::Deliver {
+        auto found = takeLeftovers(folder);
+        return [this, left = std::move(found)] {
+            m_leftovers.insert(m_leftovers.end(), left.begin(), left.end());
+            if (m_parts.session.study() != nullptr) offerLeftovers();
+        };
+    });
+}
+
+SessionKeeping::~SessionKeeping() {
+    // The document is still there, the window's other parts are not.
+    m_autosave->keepAtEnd(m_changed && m_parts.session.study() != nullptr);
+    m_autosave.reset();
+}
+
+SavedSession SessionKeeping::present() const {
+    return {.document = m_parts.model.document(), .snapshots = m_snapshots.list(), .file = m_file.toStdString()};
+}
+
+bool SessionKeeping::holdsWork() const {
+    const Document& document = m_parts.model.document();
+    const Document& opened = m_parts.shown.opened();
+    if (!m_snapshots.list().empty() || !document.measurements.empty()) return true;
+    for (const auto& strokes : document.strokes)
+        if (!strokes.value.list.empty()) return true;
+    for (const auto& box : document.boxes)
+        if (box.value.on) return true;
+    return document.cuts != opened.cuts || document.views.size() != opened.views.size();
+}
+
+void SessionKeeping::noteChange() {
+    if (m_between || m_parts.session.study() == nullptr) return;
+    const Document& document = m_parts.model.document();
+    const bool changed =
+        m_inFile ? m_inFile->snapshots != m_snapshots.list() || comparable(m_inFile->document, document) != document
+                 : !m_file.isEmpty() || holdsWork();
+    const bool touched =
+        changed || m_taken || comparable(m_inFile ? m_inFile->document : m_parts.shown.opened(), document) != document;
+    if (touched || m_autosave->keeps()) m_autosave->noteChange();
+    m_changed = changed;
+    m_parts.window.setWindowModified(m_changed);
+}
+
+void SessionKeeping::leave() {
+    m_between = true;
+    if (!m_changed) return m_autosave->forget();
+    const Autosave::Left left = m_autosave->leaveBehind();
+    m_leftovers.push_back(
+        {left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}});
+}
+
+void SessionKeeping::begin() {
+    const auto& saved = m_parts.session.saved();
+    m_between = false;
+    m_changed = false;
+    m_file.clear();
+    m_inFile.reset();
+    const QString opened = saved ? QString::fromStdString(saved->file) : QString();
+    const auto left =
+        std::find_if(m_leftovers.begin(), m_leftovers.end(), [&](const Leftover& each) { return each.file == opened; });
+    if (left != m_leftovers.end()) {
+        m_file = QString::fromStdString(saved->session.file);
+        m_taken = *left;
+        m_leftovers.erase(left);
+    } else if (saved) {
+        m_file = opened;
+        m_inFile = saved->session;
+    }
+    m_snapshots.begin(saved ? saved->session.snapshots : std::vector<Snapshot>{});
+    if (saved) m_parts.editor.setManualSaved();
+    noteChange();
+    offerLeftovers();
+}
+
+QString SessionKeeping::proposedFile() const {
+    const QString study = m_parts.session.path();
+    if (study.isEmpty()) {
+        const QString folder = m_parts.settings.lastSaveFolder();
+        return QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(tr("simulated-scan") + ".session.json");
+    }
+    const QString proposed = QString::fromStdString(proposedSessionFile(study.toStdString()));
+    if (!m_parts.names.showsNumbers()) return proposed;
+    return QFileInfo(proposed).dir().filePath(m_parts.names.beginningFor(study) + ".session.json");
+}
+
+void SessionKeeping::save() {
+    if (m_parts.session.study() == nullptr) return;
+    m_file.isEmpty() ? chooseAndSave() : saveAs(m_file);
+}
+
+void SessionKeeping::chooseAndSave() {
+    if (m_parts.session.study() == nullptr) return;
+    const QString proposed = m_file.isEmpty() ? proposedFile() : m_file;
+    QFileDialog dialog(&m_parts.window, tr("Save session"), QFileInfo(proposed).absolutePath(),
+                       tr("Sessions (*.session.json *.json);;All files (*)"));
+    dialog.setObjectName("saveFile");
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("session.json"));
+    dialog.selectFile(QFileInfo(proposed).fileName());
+    if (dialog.exec() == QDialog::Accepted)
+        saveAs(dialog.selectedFiles().first());
+    else
+        m_closing = false;
+}
+
+void SessionKeeping::saveAs(const QString& file) {
+    const Study* study = m_parts.session.study();
+    if (study == nullptr) return;
+    const QString whole = QFileInfo(file).absoluteFilePath();
+    if (auto allowed = refuseSessionInside(m_parts.session.path().toStdString(), study->files, whole.toStdString());
+        !allowed)
+        return offerAnotherPlace(m_parts.names.sentenceOf(allowed.error()));
+    SavedSession session = present();
+    session.file.clear();
+    m_saving.submit(
+        [this, whole, session = std::move(session),
+         files = study->files](const Progress& progress) -> NewestWinsThread::Deliver {
+            SavedSession named = session;
+            if (auto* studyFile = std::get_if<StudyFile>(&named.document.study);
+                studyFile && studyFile->checksum.empty())
+                if (const auto checksum = checksumOf(files, progress)) *studyFile = withChecksum(*studyFile, *checksum);
+            const auto written = writeSession(whole.toStdString(), asNamedFrom(whole.toStdString(), std::move(named)));
+            if (written) return [this, whole, session] { takeSaved(whole, session); };
+            return [this, failure = written.error()] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+}
+
+void SessionKeeping::takeSaved(const QString& file, const SavedSession& session) {
+    // Meanwhile another study may have been opened.
+    if (!nameTheSame(session.document.study, m_parts.model.document().study)) return;
+    m_file = file;
+    m_inFile = session;
+    m_parts.settings.addRecentFile(file);
+    m_parts.settings.setLastSaveFolder(QFileInfo(file).absolutePath());
+    m_parts.editor.setManualSaved();
+    noteChange();
+    if (!m_changed) m_autosave->forget();
+    if (m_taken) QFile::remove(m_taken->file);
+    m_taken.reset();
+    m_parts.messages.showMessage(MessageKind::info,
+                                 tr("The session was saved as %1.").arg(m_parts.names.nameOfOther(file)));
+    emit saved();
+    if (std::exchange(m_closing, false)) m_parts.window.close();
+}
+
+void SessionKeeping::offerAnotherPlace(const QString& sentence) {
+    m_closing = false;
+    m_parts.messages.showMessage(
+        MessageKind::error, sentence,
+        {{tr("Save it elsewhere…"), [this] {
+              QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+              if (!QFileInfo(folder).isWritable()) folder = QDir::homePath();
+              const QString name = QFileInfo(m_file.isEmpty() ? proposedFile() : m_file).fileName();
+              const QString before = std::exchange(m_file, QDir(folder).filePath(name));
+              chooseAndSave();
+              if (!m_saving.busy()) m_file = before;
+          }}});
+}
+
+bool SessionKeeping::mayClose() {
+    if (m_file.isEmpty() || !m_changed) return true;
+    QMessageBox box(QMessageBox::NoIcon, tr("Changed session"),
+                    tr("The session %1 was changed and is not saved.").arg(m_parts.names.nameOfOther(m_file)),
+                    QMessageBox::NoButton, &m_parts.window);
+    box.setObjectName("unsavedSession");
+    QPushButton* save = box.addButton(tr("Save session"), QMessageBox::AcceptRole);
+    QPushButton* discard = box.addButton(tr("Discard the changes"), QMessageBox::DestructiveRole);
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(save);
+    box.exec();
+    if (static_cast<QAbstractButton*>(save) == box.clickedButton()) {
+        m_closing = true;
+        this->save();
+        return false;
+    }
+    if (static_cast<QAbstractButton*>(discard) != box.clickedButton()) return false;
+    m_inFile = present();  // nothing of it is to be kept
+    noteChange();
+    m_autosave->forget();
+    m_parts.editor.setManualSaved();
+    return true;
+}
+
+void SessionKeeping::offerLeftovers() {
+    while (!m_leftovers.empty() && !m_leftovers.front().damaged.isEmpty()) {
+        m_parts.messages.showMessage(MessageKind::warning,
+                                     tr("What was kept of an unsaved session is damaged and was put aside. %1")
+                                         .arg(m_parts.names.shownOfFile(m_leftovers.front().damaged)));
+        m_leftovers.pop_front();
+        if (!m_leftovers.empty()) return;  // the others are offered with the next study
+    }
+    if (m_leftovers.empty()) return;
+    const Leftover& left = m_leftovers.front();
+    m_parts.messages.showMessage(
+        MessageKind::warning,
+        tr("A session of %1 was not saved (%2).")
+            .arg(left.study.isEmpty() ? tr("the simulated scan") : m_parts.names.nameOf(left.study),
+                 QLocale::c().toString(left.time, QStringLiteral("d MMM, HH:mm"))),
+        {{tr("Open it"), [this] { openLeftover(); }}, {tr("Discard it"), [this] {
+                                                           if (m_leftovers.empty()) return;
+                                                           QFile::remove(m_leftovers.front().file);
+                                                           m_leftovers.pop_front();
+                                                           offerLeftovers();
+                                                       }}});
+}
+
+void SessionKeeping::openLeftover() {
+    if (!m_leftovers.empty()) m_parts.session.openSaved(m_leftovers.front().file, {});
+}
+
+}  // namespace echolucent

@@ -1,0 +1,112 @@
+#include "app/study/saved_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/document/session_file.h"
+
+namespace echolucent {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int shownView = 1;  // of the window
+
+/// Refuses documents that the window cannot show of a study of so many phases.
+Result<void> requireShowable(const SavedSession& session, const std::string& file, std::size_t phases) {
+    const auto check = [&](const Document& document, const std::string& place) -> Result<void> {
+        const bool hasView = std::ranges::any_of(document.views, [](const View& view) { return view.id == shownView; });
+        if (!hasView)
+            return fail(FailureKind::unreadable, file, place + "views", "holds no view of id 1, which the window shows",
+                        "Correct the file, or render it with \"render --document\".");
+        int last = 0;
+        for (const Shared<int>& phase : document.phases) last = std::max(last, phase.value);
+        for (const Measurement& measurement : document.measurements) last = std::max(last, measurement.phase);
+        if (const auto& range = document.motion.phaseRange) last = std::max({last, range->first, range->last});
+        last = std::max(last, document.motion.otfPhase);
+        if (last >= static_cast<int>(phases))
+            return fail(FailureKind::unreadable, file, place + "phases",
+                        fmt::format("asks for phase {}, but the study has {}", last + 1, phases),
+                        "Open the study that the session was saved of.");
+        return {};
+    };
+    if (auto shown = check(session.document, ""); !shown) return shown;
+    for (std::size_t i = 0; i < session.snapshots.size(); ++i)
+        if (auto shown = check(session.snapshots[i].document, fmt::format("session.snapshots[{}].document.", i));
+            !shown)
+            return shown;
+    return {};
+}
+
+void nameStudy(SavedSession& session, const StudyReference& study) {
+    session.document.study = study;
+    for (Snapshot& snapshot : session.snapshots) snapshot.document.study = study;
+}
+
+/// Where the study is; an empty path where it is nowhere.
+std::string placeOf(const StudyFile& study, const std::string& file, const SavedStudyAnswer& answer, StudySearch search,
+                    const Progress& progress) {
+    if (!answer.study.empty()) return answer.study;
+    const std::string stated = studyPathFrom(file, study.path);
+    std::error_code error;
+    if (fs::exists(stated, error)) return stated;
+    search.folders.insert(search.folders.begin(), fs::path(file).parent_path().string());
+    return findStudy(study, search, progress).value_or("");
+}
+
+}  // namespace
+
+Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress) {
+    PhantomConfig config = defaultPhantom(scan.scene);
+    config.size = scan.size;
+    config.seed = scan.seed;
+    auto volume = makePhantom(config, progress);
+    if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
+    Study study;
+    study.name = "Simulated fetal scan";
+    study.phases.push_back(std::make_shared<const Volume>(std::move(*volume)));
+    study.lossyCompression = LossyCompression::no;
+    study.facts.push_back({"origin", "simulated by the program, no patient", "built in"});
+    return study;
+}
+
+Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer, StudySearch search,
+                               const Progress& progress) {
+    auto session = readSession(file);
+    if (!session) return tl::unexpected(session.error());
+    if (const auto* scan = std::get_if<SimulatedScan>(&session->document.study)) {
+        if (auto shown = requireShowable(*session, file, 1); !shown) return tl::unexpected<Failure>(shown.error());
+        auto study = simulatedStudy(*scan, progress);
+        if (!study) return tl::unexpected(study.error());
+        return ReadSession{{file, std::move(*session)}, std::move(*study)};
+    }
+    const auto* named = std::get_if<StudyFile>(&session->document.study);
+    if (named == nullptr)
+        return fail(FailureKind::unreadable, file, "study", "is null: the session names no study",
+                    "Open the study, and then save its session again.");
+    const StudyFile saved = *named;
+    const std::string place = placeOf(saved, file, answer, std::move(search), progress);
+    if (progress.cancelled()) return fail(FailureKind::cancelled, {}, {}, "cancelled");
+    if (place.empty())
+        return SavedStudyProblem{SavedStudyProblem::Kind::missing, file, studyPathFrom(file, saved.path), {}};
+
+    auto study = readStudy(place, saved.options, progress);
+    if (!study) return tl::unexpected(study.error());
+    const auto checksum = checksumOf(study->files, progress);
+    if (!checksum) return tl::unexpected(checksum.error());
+    if (const std::string change = changeOf(saved, *checksum); !change.empty() && !answer.evenChanged)
+        return SavedStudyProblem{SavedStudyProblem::Kind::changed, file, place, change};
+    if (auto shown = requireShowable(*session, file, study->phases.size()); !shown)
+        return tl::unexpected<Failure>(shown.error());
+    StudyFile found = withChecksum(saved, *checksum);
+    std::error_code error;
+    const fs::path absolute = fs::absolute(place, error).lexically_normal();
+    found.path = error ? place : absolute.string();
+    nameStudy(*session, found);
+    return ReadSession{{file, std::move(*session)}, std::move(*study)};
+}
+
+}  // namespace echolucent

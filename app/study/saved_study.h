@@ -1,0 +1,54 @@
+// Reading a session file together with the study that it names.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "io/study.h"
+#include "io/study_checksum.h"
+#include "processing/document/saved_session.h"
+
+namespace echolucent {
+
+/// What a person answered where a session's study was not found as it was saved.
+struct SavedStudyAnswer {
+    std::string study{};       ///< path of the study; empty: where the session says, or where it is found
+    bool evenChanged = false;  ///< the study is opened although its bytes are others
+};
+
+/// A session and the file that holds it; the study's path is one that can be opened.
+struct OpenedSession {
+    std::string file;
+    SavedSession session;
+};
+
+/// A session whose study is open.
+struct ReadSession {
+    OpenedSession opened;  ///< with the checksum of what was read
+    Study study;
+};
+
+/// Why a session's study is not opened without asking.
+struct SavedStudyProblem {
+    enum class Kind {
+        missing,  ///< it is neither in its place nor where it was looked for
+        changed,  ///< its bytes are others than those that were saved
+    };
+    Kind kind = Kind::missing;
+    std::string file;    ///< of the session
+    std::string study;   ///< path of the study
+    std::string change;  ///< as changeOf(); empty where it is missing
+};
+
+using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
+
+/// Reads a session file and its study, which is looked for by its bytes in the file's folder and by `search` where it
+/// is not in its place. Fails where one of them cannot be read, where the window has no room for what the document
+/// shows (no view 1, a phase that the study does not have), and (cancelled) where the person ended it.
+[[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
+                                             StudySearch search, const Progress& progress);
+
+/// The simulated scan as a study. Fails (cancelled) where the person ended it.
+[[nodiscard]] Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress);
+
+}  // namespace echolucent

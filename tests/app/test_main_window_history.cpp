@@ -1,0 +1,236 @@
+// The history of steps and snapshots, and what is kept of a session that nobody saved.
+#include <QAction>
+#include <QDir>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QUndoStack>
+#include <QUndoView>
+
+#include "app/sessions/leftovers.h"
+#include "app/sessions/session_keeping.h"
+#include "io/document/session_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+class TestMainWindowHistory : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        keeping().autosave().setInterval(50);
+        useLook(Look{});
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void aClickInTheListOfStepsGoesThere() {
+        std::vector<Document> states{document()};
+        for (const double azimuth : {20.0, 40.0, 60.0}) {
+            lookFrom(window(), Viewpoint{.azimuthDegrees = azimuth});
+            states.push_back(document());
+        }
+        openHistory();
+        auto* list = child<QUndoView>("history.list");
+        QCOMPARE(list->model()->rowCount(), 4);
+        for (const int row : {1, 3, 0}) {
+            clickRow(*list, row);
+            QCOMPARE(list->currentIndex().row(), row);
+            QCOMPARE(document().poses, states[static_cast<std::size_t>(row)].poses);
+        }
+        waitUntilIdle();
+    }
+
+    void snapshotsAreKeptChosenRenamedAndRemoved() {
+        openHistory();
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        const Document kept = document();
+        click("history.keep");
+        auto* list = child<QListWidget>("history.snapshots");
+        QCOMPARE(list->count(), 1);
+        auto* name = list->findChild<QWidget*>("qt_editing_widget");
+        if (name == nullptr) name = list->viewport()->findChild<QLineEdit*>();
+        QVERIFY(name != nullptr);
+        QTest::keyClicks(name, "four chambers");
+        QTest::keyClick(name, Qt::Key_Return);
+        QTRY_COMPARE(QString::fromStdString(keeping().snapshots().list().front().name), QString("four chambers"));
+        QVERIFY(window().isWindowModified());
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 90});
+        const Document later = document();
+        const int steps = window().document().steps().count();
+        clickRow(*list, 0);
+        QVERIFY(document() == kept);
+        QCOMPARE(window().document().steps().count(), steps + 1);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(document() == later);
+        click("history.remove");
+        QCOMPARE(list->count(), 0);
+        click("message.action.0");
+        QCOMPARE(list->count(), 1);
+        QVERIFY(keeping().snapshots().list().front().document == kept);
+        waitUntilIdle();
+    }
+
+    void nothingIsWrittenWhileNothingChanges() {
+        QSignalSpy written(&keeping().autosave(), &Autosave::written);
+        QVERIFY(!written.wait(300));
+        QVERIFY(files().isEmpty());
+        Document next = document();
+        poseOf(next, 1).magnification = 1.5;
+        window().document().preview(next, "drag");  // a drag that goes on
+        QTRY_COMPARE(written.count(), 1);
+        QCOMPARE(files().size(), 1);
+        const auto kept = readSession(path(files().first()).toStdString());
+        QVERIFY(kept && kept->document.poses == next.poses);
+        QVERIFY(!written.wait(300));
+        window().document().cancelPreview();
+        waitUntilIdle();
+    }
+
+    void whatACrashLeftIsOfferedAndOpens() {
+        const Document left = leave("100-dead");
+        close();
+        startAgain();
+        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        window().open(m_file);
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved ("),
+                     qPrintable(message()->text()));
+        computed.clear();
+        click("message.action.0");
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+        QVERIFY(document().poses == left.poses);
+        QVERIFY(document().measurements == left.measurements);
+        QVERIFY(window().isWindowModified());
+        // Kept anew before the old one goes.
+        QTRY_VERIFY(!files().contains("100-dead.autosave.json") && files().size() == 1);
+    }
+
+    void itIsDiscardedOnlyWhenToldSo() {
+        leave("100-dead");
+        close();
+        startAgain();
+        open(m_file);
+        QTRY_VERIFY(message()->text().startsWith("A session of"));
+        QVERIFY(files().contains("100-dead.autosave.json"));
+        click("message.action.1");
+        QVERIFY(files().isEmpty());
+    }
+
+    void aDamagedOneIsSaidAndPutAside() {
+        close();
+        QVERIFY(QDir().mkpath(folder()));
+        QFile damaged(path("1-bad.autosave.json"));
+        QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("{\"format\": \"echolucent-docu") > 0);
+        damaged.close();
+        QFile half(path("1-bad.autosave.json.a1B2c3"));
+        QVERIFY(half.open(QIODevice::WriteOnly));
+        half.close();
+        startAgain();
+        open(m_file);
+        QTRY_VERIFY2(message()->text().contains("is damaged and was put aside"), qPrintable(message()->text()));
+        QVERIFY(QFile::exists(path("1-bad.autosave.json.damaged")));
+        QVERIFY(files().isEmpty());
+        QVERIFY(!QFile::exists(path("1-bad.autosave.json.a1B2c3")));
+    }
+
+    void twoRunningProgramsLeaveEachOtherAlone() {
+        Document next = document();
+        poseOf(next, 1).magnification = 1.5;
+        QSignalSpy written(&keeping().autosave(), &Autosave::written);
+        window().document().edit(next, "zoom");
+        QTRY_COMPARE(written.count(), 1);
+        QCOMPARE(files().size(), 1);
+        QVERIFY(takeLeftovers(folder()).empty());
+    }
+
+    void workThatIsLeftForAnotherStudyIsOfferedAgain() {
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        window().document().edit(next, "distance");
+        waitUntilIdle();
+        open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
+                     qPrintable(message()->text()));
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(window().session().path(), m_file, 20000);
+        waitUntilIdle();
+        QVERIFY(document().measurements == next.measurements);
+    }
+
+    void workStaysWhereTheWindowClosesAtOnce() {
+        keeping().autosave().setInterval(600'000);
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        window().document().edit(next, "distance");
+        QVERIFY(files().isEmpty());
+        window().close();
+        close();
+        QCOMPARE(files().size(), 1);
+        const auto kept = readSession(path(files().first()).toStdString());
+        QVERIFY(kept && kept->document.measurements == next.measurements);
+        show();
+    }
+
+    void lookingAroundLeavesNothingBehind() {
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        QTRY_COMPARE(files().size(), 1);
+        window().close();
+        close();
+        QVERIFY(files().isEmpty());
+        show();
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    SessionKeeping& keeping() { return window().sessionKeeping(); }
+    MessageBar* message() { return child<MessageBar>("message"); }
+    QString folder() { return temporaryFolder().filePath("settings-data/autosaves"); }
+    QString path(const QString& name) { return folder() + '/' + name; }
+    QStringList files() { return QDir(folder()).entryList({"*.autosave.json"}, QDir::Files); }
+    void openHistory() {
+        QTest::keyClick(&window(), Qt::Key_H, Qt::ControlModifier);
+        QTRY_VERIFY(child<QWidget>("history.list")->isVisible());
+        QVERIFY(child<QWidget>("dock.study")->width() <= 345);
+    }
+    static void clickRow(QAbstractItemView& list, int row) {
+        const QModelIndex index = list.model()->index(row, 0);
+        list.scrollTo(index);
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index).center());
+    }
+    /// What a program that died while a person measured would have left.
+    Document leave(const QString& name) {
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        poseOf(next, 1).magnification = 1.5;
+        if (!QDir().mkpath(folder()) ||
+            !writeSession(path(name + ".autosave.json").toStdString(), SavedSession{.document = next}))
+            qFatal("cannot write");
+        return next;
+    }
+    /// As after a start: what the run before left stays.
+    void startAgain() {
+        showAgain();
+        keeping().autosave().setInterval(50);
+        useLook(Look{});
+    }
+
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindowHistory test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_history.moc"

@@ -1,0 +1,320 @@
+// Sessions in the real window: saved beside the volume, opened again, found where they moved, refused where they are
+// wrong.
+#include <QFileDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+#include <filesystem>
+
+#include "app/sessions/session_keeping.h"
+#include "io/document/session_file.h"
+#include "tests/app/window_fixture.h"
+#include "tests/io/document/mutations.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+class TestMainWindowSessions : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        m_small = smallPhantom(PhantomScene::shapes, 5);
+    }
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_file = m_folder->filePath("heart.mha");
+        QVERIFY(writeMetaImage(m_file.toStdString(), {m_small}).has_value());
+        show();
+        useLook(Look{});
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void aSessionIsSavedBesideTheVolumeAndOpensAsItWas() {
+        work();
+        QVERIFY(window().isWindowModified());
+        QString proposed;
+        answerDialog([&](QFileDialog& dialog) { proposed = dialog.selectedFiles().value(0); }, true);
+        QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+        QCOMPARE(proposed, m_folder->filePath("heart.session.json"));
+        QTRY_COMPARE(message()->text(), QString("The session was saved as heart.session.json."));
+        QVERIFY(!window().isWindowModified());
+        waitUntilIdle();
+        const Document saved = document();
+        const auto& reference = std::get<StudyFile>(saved.study);
+        QVERIFY(QString::fromStdString(reference.checksum).startsWith("xxh3-128:"));
+        const auto inFile = readSession(proposed.toStdString());
+        QVERIFY(inFile);
+        QCOMPARE(QString::fromStdString(std::get<StudyFile>(inFile->document.study).path), QString("heart.mha"));
+        QVERIFY(autosaves().isEmpty());
+
+        // Saved again without a question, and the same bytes come back out.
+        close();
+        show();
+        QSignalSpy pictures(&window().session(), &Session::otfComputed);
+        window().open(proposed);
+        QTRY_VERIFY_WITH_TIMEOUT(!pictures.isEmpty(), 20000);
+        waitUntilIdle();
+        QVERIFY(document() == saved);
+        QCOMPARE(pictures.count(), 1);
+        QCOMPARE(window().document().steps().count(), 0);
+        QCOMPARE(window().sessionKeeping().snapshots().list().size(), std::size_t{1});
+        QVERIFY(!window().isWindowModified());
+        const QByteArray before = bytesOf(proposed);
+        QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_COMPARE(message()->text(), QString("The session was saved as heart.session.json."));
+        QCOMPARE(bytesOf(proposed), before);
+        auto* recent = child<QMenu>("file.recent");
+        emit recent->aboutToShow();
+        QVERIFY2(recent->actions().first()->text().contains("heart.session.json"),
+                 qPrintable(recent->actions().first()->text()));
+    }
+
+    void aVolumeThatMovedIsFoundByItsBytes() {
+        const QString session = savedSession();
+        const Document saved = document();
+        QVERIFY(QDir().mkpath(m_folder->filePath("a/b")));
+        const QString moved = m_folder->filePath("a/b/other name.mha");
+        QVERIFY(QFile::rename(m_file, moved));
+        again(session);
+        QCOMPARE(window().session().path(), moved);
+        QVERIFY(nameless(document()) == nameless(saved));
+    }
+
+    void aVolumeThatIsNowhereIsAskedForAndTheOpenOneStays() {
+        const QString session = savedSession();
+        const Document saved = document();
+        const QTemporaryDir elsewhere;
+        const QString moved = elsewhere.filePath("heart.mha");
+        QVERIFY(QFile::rename(m_file, moved));
+        close();
+        show();
+        useLook(Look{});
+        const QString other = file("other.mha", {smallPhantom(PhantomScene::fetus, 2)});
+        open(other);
+        const Document before = document();
+        window().open(session);
+        QTRY_COMPARE(message()->text(), QString("heart.mha, the volume of this session, was not found."));
+        QVERIFY(document() == before);
+        QCOMPARE(window().session().path(), other);
+        answerDialog([&](QFileDialog& dialog) { dialog.selectFile(moved); }, true);
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        waitUntilIdle();
+        QCOMPARE(window().session().path(), moved);
+        QVERIFY(nameless(document()) == nameless(saved));
+    }
+
+    void aVolumeThatChangedIsSaidAndOpensOnlyWhenToldTo() {
+        const QString session = savedSession();
+        const Document saved = document();
+        QFile volume(m_file);
+        QVERIFY(volume.open(QIODevice::Append) && volume.write("more") == 4);
+        volume.close();
+        close();
+        show();
+        window().open(session);
+        QTRY_VERIFY(message()->text().contains("bytes, and had"));
+        QVERIFY(message()->text().contains("heart.mha"));
+        QVERIFY(window().session().study() == nullptr);
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        waitUntilIdle();
+        QVERIFY(nameless(document()) == nameless(saved));
+        QVERIFY(std::get<StudyFile>(document().study).bytes == std::get<StudyFile>(saved.study).bytes + 4);
+    }
+
+    void whereNothingCanBeWrittenAnotherPlaceIsOffered() {
+        work();
+        const Document before = document();
+        window().sessionKeeping().saveAs("/proc/heart.session.json");
+        QTRY_VERIFY(message()->text().contains("could not be written"));
+        QCOMPARE(message()->kind(), MessageKind::error);
+        QVERIFY(document() == before);
+        QVERIFY(window().isWindowModified());
+        const QString elsewhere = m_folder->filePath("elsewhere.session.json");
+        QString proposed;
+        answerDialog(
+            [&](QFileDialog& dialog) {
+                proposed = dialog.selectedFiles().value(0);
+                dialog.selectFile(elsewhere);
+            },
+            true);
+        click("message.action.0");
+        QTRY_COMPARE(message()->text(), QString("The session was saved as elsewhere.session.json."));
+        QCOMPARE(QFileInfo(proposed).fileName(), QString("heart.session.json"));
+        QVERIFY(QFileInfo(QFileInfo(proposed).absolutePath()).isWritable());
+        QVERIFY(readSession(elsewhere.toStdString()).value().document.poses == before.poses);
+    }
+
+    void itNeverTakesTheVolumesPlace() {
+        const QByteArray before = bytesOf(m_file);
+        window().sessionKeeping().saveAs(m_file);
+        QTRY_VERIFY(message()->text().contains("would overwrite"));
+        QCOMPARE(bytesOf(m_file), before);
+    }
+
+    void asManyPhasesAreNeededAsTheSessionShows() {
+        const QString session = savedSession();
+        SavedSession changed = readSession(session.toStdString()).value();
+        phaseOf(changed.document, 1) = 3;
+        QVERIFY(writeSession(session.toStdString(), changed).has_value());
+        const Document before = document();
+        window().open(session);
+        QTRY_VERIFY(message()->text().contains("phases asks for phase 4, but the study has 1"));
+        QVERIFY(document() == before);
+    }
+
+    void theSimulatedScanHasSessionsToo() {
+        window().openSimulatedScan();
+        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        Document next = document();
+        poseOf(next, 1).magnification = 1.25;
+        window().document().edit(next, "zoom");
+        const QString session = m_folder->filePath("scan.session.json");
+        window().sessionKeeping().saveAs(session);
+        QTRY_VERIFY(message()->text().startsWith("The session was saved"));
+        const Document saved = document();
+        again(session);
+        QVERIFY(window().session().isSimulatedScan());
+        QVERIFY(document() == saved);
+    }
+
+    void closingAsksOnlyWhereASessionWithAFileWasChanged() {
+        const auto asked = [this](const char* answer) {
+            int boxes = 0;
+            QTimer::singleShot(0, this, [&] {
+                auto* box = window().findChild<QMessageBox*>("unsavedSession");
+                if (box == nullptr) return;
+                ++boxes;
+                for (QAbstractButton* button : box->buttons())
+                    if (button->text().remove('&').startsWith(answer)) return button->click();
+            });
+            window().close();
+            return boxes;
+        };
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        QCOMPARE(asked("Cancel"), 0);  // a person only looked around
+        QVERIFY(!window().isVisible());
+        window().show();
+        const QString session = savedSession();
+        QCOMPARE(asked("Cancel"), 0);
+        window().show();
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 60});
+        QCOMPARE(asked("Cancel"), 1);
+        QVERIFY(window().isVisible());
+        QCOMPARE(asked("Save"), 1);
+        QTRY_VERIFY(!window().isVisible());
+        QVERIFY(readSession(session.toStdString()).value().document.poses == document().poses);
+    }
+
+    /// The loop goes through the window as a person would; the open study is compared after each.
+    void aThousandMutatedSessionsLeaveTheOpenStudyOrOpen() {
+        const QString session = savedSession();
+        const QString mutated = m_folder->filePath("mutated.session.json");
+        Mutations mutations(bytesOf(session).toStdString(), 41);
+        int opened = 0, refused = 0, asked = 0;
+        Document before = document();
+        QSignalSpy loading(&window().session(), &Session::loadingChanged);
+        QSignalSpy studies(&window().session(), &Session::studyOpened);
+        for (int i = 0; i < 1000; ++i) {
+            QFile out(mutated);
+            QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            out.write(QByteArray::fromStdString(mutations.next()));
+            out.close();
+            studies.clear();
+            message()->dismiss();
+            window().open(mutated);
+            while (window().session().loading()) QVERIFY(loading.wait(60000));
+            if (!studies.isEmpty()) {
+                ++opened;
+                before = document();
+                continue;
+            }
+            QVERIFY2(!message()->text().isEmpty(), qPrintable(QString("mutation %1 says nothing").arg(i)));
+            QVERIFY(!message()->text().contains('\n'));
+            message()->text().contains("was not found") || message()->text().contains("when the session was saved")
+                ? ++asked
+                : ++refused;
+            QVERIFY2(document() == before, qPrintable(QString("mutation %1 changed the document").arg(i)));
+        }
+        std::printf(
+            "1,000 mutated session files in the window: %d opened, %d ended in a sentence, %d asked for the volume\n",
+            opened, refused, asked);
+        QVERIFY(opened > 20 && refused > 300);
+        waitUntilIdle();
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    MessageBar* message() { return child<MessageBar>("message"); }
+    static QByteArray bytesOf(const QString& path) {
+        QFile in(path);
+        return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+    }
+    static Document nameless(Document document) {
+        document.study = {};
+        return document;
+    }
+    QStringList autosaves() {
+        return QDir(temporaryFolder().filePath("settings-data/autosaves")).entryList({"*.autosave.json"}, QDir::Files);
+    }
+    /// Something of most kinds that a person sets.
+    void work() {
+        Document next = document();
+        poseOf(next, 1).direction = {.azimuth = 20, .elevation = -8, .roll = 3};
+        cutOf(next, 1).nearCutMm = 4;
+        ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
+        stroke.camera = {{27, 25, 30}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
+        strokesOf(next, 1).push_back(stroke);
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        lookOf(next, 1).brightness = 1.3;
+        next.curves.linear.lower = 0.2;
+        window().document().edit(next, "work");
+        QVERIFY(window().sessionKeeping().snapshots().keep("as it was", document()).isEmpty());
+        window().motionPlayer().setAngle(7);
+        waitUntilIdle();
+    }
+    QString savedSession() {
+        const QString session = m_folder->filePath("heart.session.json");
+        waitUntilIdle();
+        QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
+        window().sessionKeeping().saveAs(session);
+        if (!saved.wait(10000)) qFatal("nothing was saved");
+        waitUntilIdle();
+        return session;
+    }
+    void again(const QString& session) {
+        close();
+        show();
+        open(session);
+    }
+    void answerDialog(const std::function<void(QFileDialog&)>& act, bool accept) {
+        QTimer::singleShot(0, this, [this, act, accept] {
+            QFileDialog* dialog = nullptr;
+            for (QWidget* each : QApplication::topLevelWidgets())
+                if (auto* found = qobject_cast<QFileDialog*>(each); found && found->isVisible()) dialog = found;
+            if (dialog == nullptr) qFatal("there is no dialog");
+            act(*dialog);
+            static_cast<QDialog*>(dialog)->done(accept ? QDialog::Accepted : QDialog::Rejected);
+        });
+    }
+
+    std::shared_ptr<const Volume> m_small;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_file;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestMainWindowSessions test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_main_window_sessions.moc"

@@ -1,0 +1,98 @@
+#include "widgets/panels/history_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QUndoView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace echolucent {
+
+HistoryPanel::HistoryPanel(QWidget* parent)
+    : QWidget(parent),
+      m_steps(new QUndoView(this)),
+      m_snapshots(new QListWidget(this)),
+      m_none(new QLabel(tr("A snapshot keeps what is set now under a name. The session file holds it."), this)),
+      m_rename(new QToolButton(this)),
+      m_remove(new QToolButton(this)) {
+    m_steps->setObjectName("history.list");
+    m_steps->setAccessibleName(tr("Steps"));
+    m_steps->setEmptyLabel(tr("as opened"));
+    m_snapshots->setObjectName("history.snapshots");
+    m_snapshots->setAccessibleName(tr("Snapshots"));
+    m_snapshots->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_none->setWordWrap(true);
+    auto* keep = new QPushButton(tr("Keep as snapshot"), this);
+    keep->setObjectName("history.keep");
+    keep->setAccessibleName(keep->text());
+    m_rename->setObjectName("history.rename");
+    m_rename->setText(tr("Rename"));
+    m_remove->setObjectName("history.remove");
+    m_remove->setText(tr("Remove"));
+    for (QToolButton* button : {m_rename, m_remove}) button->setAccessibleName(button->text());
+
+    auto* column = new QVBoxLayout(this);
+    auto* stepsTitle = new QLabel(tr("Steps"), this);
+    auto* snapshotsTitle = new QLabel(tr("Snapshots"), this);
+    column->addWidget(stepsTitle);
+    column->addWidget(m_steps, 3);
+    column->addWidget(snapshotsTitle);
+    column->addWidget(m_none);
+    column->addWidget(m_snapshots, 2);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(keep);
+    buttons->addStretch(1);
+    buttons->addWidget(m_rename);
+    buttons->addWidget(m_remove);
+    column->addLayout(buttons);
+
+    connect(keep, &QPushButton::clicked, this, &HistoryPanel::keepRequested);
+    const auto choose = [this](QListWidgetItem* item) { emit chosen(m_snapshots->row(item)); };
+    connect(m_snapshots, &QListWidget::itemClicked, this, choose);
+    connect(m_snapshots, &QListWidget::itemActivated, this, choose);
+    connect(m_snapshots, &QListWidget::currentRowChanged, this, &HistoryPanel::enableButtons);
+    connect(
+        m_snapshots, &QListWidget::itemChanged, this,
+        [this](QListWidgetItem* item) { emit renameRequested(m_snapshots->row(item), item->text()); },
+        Qt::QueuedConnection);  // the list is made anew, and its editor is still at work
+    connect(m_rename, &QToolButton::clicked, this, [this] { editName(m_snapshots->currentRow()); });
+    connect(m_remove, &QToolButton::clicked, this, [this] { emit removeRequested(m_snapshots->currentRow()); });
+    setSnapshots({});
+}
+
+void HistoryPanel::setSteps(QUndoStack& steps) { m_steps->setStack(&steps); }
+
+void HistoryPanel::setSnapshots(const QStringList& names) {
+    const QSignalBlocker quiet(m_snapshots);
+    const int current = m_snapshots->currentRow();
+    m_snapshots->clear();
+    m_snapshots->addItems(names);
+    for (int i = 0; i < m_snapshots->count(); ++i) {
+        QListWidgetItem* item = m_snapshots->item(i);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setToolTip(item->text());
+    }
+    m_snapshots->setCurrentRow(std::min(current, m_snapshots->count() - 1));
+    m_none->setVisible(names.isEmpty());
+    m_snapshots->setVisible(!names.isEmpty());
+    enableButtons();
+}
+
+void HistoryPanel::editName(int snapshot) {
+    if (QListWidgetItem* item = m_snapshots->item(snapshot)) {
+        m_snapshots->setCurrentItem(item);
+        m_snapshots->editItem(item);
+    }
+}
+
+void HistoryPanel::enableButtons() {
+    const bool any = m_snapshots->currentRow() >= 0;
+    m_rename->setEnabled(any);
+    m_remove->setEnabled(any);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,46 @@
+// What was done, step by step, and the snapshots that a person named.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QToolButton;
+class QUndoStack;
+class QUndoView;
+
+namespace echolucent {
+
+/// Objects: history.list, the steps of a stack, of which the present one is marked and a click goes to another;
+/// history.keep, history.snapshots, history.rename, history.remove. A click or Enter chooses a snapshot, F2 lets its
+/// name be typed. Snapshots are counted from 0. No setter emits a signal.
+class HistoryPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit HistoryPanel(QWidget* parent = nullptr);
+
+    /// The stack outlives this.
+    void setSteps(QUndoStack& steps);
+    void setSnapshots(const QStringList& names);
+    /// Lets a person type the name of a snapshot.
+    void editName(int snapshot);
+
+signals:
+    void keepRequested();
+    void chosen(int snapshot);
+    void renameRequested(int snapshot, const QString& name);
+    void removeRequested(int snapshot);
+
+private:
+    void enableButtons();
+
+    QUndoView* m_steps;
+    QListWidget* m_snapshots;
+    QLabel* m_none;
+    QToolButton *m_rename, *m_remove;
+};
+
+}  // namespace echolucent
