@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QUndoStack>
 
+#include "app/sessions/session_keeping.h"
 #include "app/window/review_room.h"
 
 namespace echolucent::bench {
@@ -28,6 +29,8 @@ QStringList LargeStudy::underWay() {
     const Session& session = window().session();
     QStringList names;
     if (session.loading()) names << QStringLiteral("loading");
+    if (session.takingChecksum()) names << QStringLiteral("checksum");
+    if (window().sessionKeeping().busy()) names << QStringLiteral("saving");
     if (session.quietPhases().busy()) names << QStringLiteral("quieting");
     if (session.computingOtf()) names << QStringLiteral("OTF or cutting");
     if (view().busy()) names << QStringLiteral("picture");
@@ -53,6 +56,10 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
         const Study* before = window().session().study();
         window().open(volume);
         await("the volume", [&] { return window().session().study() != before; });
+        QElapsedTimer taken;
+        taken.start();
+        await("the checksum", [&] { return !window().session().takingChecksum(); });
+        m_checksumMilliseconds = static_cast<double>(taken.nsecsElapsed()) * 1e-6;
     });
     QUndoStack& steps = window().document().steps();
     const QTemporaryDir reports;
@@ -70,6 +77,18 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
     });
     listen("stroke", [&] { drawStroke(); });
     if (!window().session().volume()->isCut()) qFatal("the stroke cut nothing");
+    const QTemporaryDir folder;
+    listen("save", [&] {
+        bool saved = false;
+        const auto told =
+            QObject::connect(&window().sessionKeeping(), &SessionKeeping::saved, &window(), [&] { saved = true; });
+        for (int i = 0; i < 20; ++i)
+            (void)window().sessionKeeping().snapshots().keep(QString("snapshot %1").arg(i),
+                                                             window().document().document());
+        window().sessionKeeping().saveAs(folder.filePath("large.session.json"));
+        await("the session", [&] { return saved; });
+        QObject::disconnect(told);
+    });
     listen("undo", [&] { steps.undo(); });
     if (window().session().volume()->isCut()) qFatal("the stroke was not undone");
     listen("close", [&] { window().openSimulatedScan(); });

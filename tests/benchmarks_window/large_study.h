@@ -13,11 +13,16 @@ public:
     LargeStudy();
 
     /// The window is shown and rests; a volume is opened, its case report is made, it is cut flat and by the scalpel,
-    /// the stroke is undone, and the simulated scan takes its place. Each action lasts until its picture is converged.
+    /// its session is saved with twenty snapshots, the stroke is undone, and the simulated scan takes its place. Each
+    /// action lasts until its picture is converged.
     [[nodiscard]] QList<Stall> stalls(const QString& volume);
+    /// From opening the volume to its checksum, beside all else that opening begins.
+    [[nodiscard]] double checksumMilliseconds() const { return m_checksumMilliseconds; }
 
 private:
     [[nodiscard]] QStringList underWay();
+
+    double m_checksumMilliseconds = 0;
 };
 
 }  // namespace echolucent::bench
