@@ -160,21 +160,19 @@ MotionChoice motionIn(JsonFields& fields) {
                         .scenario = fields.choice("scenario", &motionScenarioFromName),
                         .otf = fields.choice("otf", &motionOtfFromName),
                         .pingPong = fields.flag("ping_pong")};
-    // Documents that were written before the cine have none of these.
-    if (fields.has("phases_ping_pong")) motion.phasesPingPong = fields.flag("phases_ping_pong");
-    if (fields.has("phase_range") && !fields.isNull("phase_range")) {
+    motion.phasesPingPong = fields.flag("phases_ping_pong");
+    if (!fields.isNull("phase_range")) {
         JsonFields range = fields.object("phase_range");
         motion.phaseRange = {static_cast<int>(range.whole("first", 0, largestId)),
                              static_cast<int>(range.whole("last", 0, largestId))};
     }
-    if (fields.has("otf_phase")) motion.otfPhase = static_cast<int>(fields.whole("otf_phase", 0, largestId));
-    if (fields.has("speed")) motion.speed = fields.number("speed", leastMotionSpeed, largestMotionSpeed);
+    motion.otfPhase = static_cast<int>(fields.whole("otf_phase", 0, largestId));
+    motion.speed = fields.number("speed", leastMotionSpeed, largestMotionSpeed);
     return motion;
 }
 
 std::vector<Measurement> measurementsIn(JsonFields& root) {
     std::vector<Measurement> measurements;
-    if (!root.has("measurements")) return measurements;  // as in documents that were written before there were any
     for (JsonFields& fields : root.list("measurements", mostEntries))
         measurements.push_back({idIn(fields), fields.choice("kind", &measurementKindFromName),
                                 fields.choice("ground", &measurementGroundFromName), fields.vectors("places_mm"),

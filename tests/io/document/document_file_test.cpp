@@ -110,10 +110,6 @@ bool mayBeMissing(const std::string& place) {
     const std::string looks = "/looks/";
     if (place.starts_with(looks) && place.find('/', looks.size()) != std::string::npos) return !place.ends_with("/id");
     if (place.starts_with("/study/file/raw_layout/")) return !place.ends_with("/size");
-    if (place == "/measurements") return true;
-    for (const char* optional :
-         {"/motion/phases_ping_pong", "/motion/phase_range", "/motion/otf_phase", "/motion/speed"})
-        if (place == optional) return true;
     for (const char* optional : {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes"})
         if (place == optional) return true;
     return place.starts_with("/method/parameters/");
