@@ -92,7 +92,7 @@ TEST(StudyRender, WritesPagePlotAndSentences) {
     for (const char* part :
          {"The same rays", "data:image/png;base64,", "high quality", "<title>A, reference step 1: 1, "})
         EXPECT_NE(page.find(part), std::string::npos) << part;
-    EXPECT_LE(page.size(), cli::HtmlPage::mostBytes);
+    EXPECT_LE(page.size(), HtmlPage::mostBytes);
     EXPECT_TRUE(contentsOf(folder / "out/render-pareto.svg").starts_with("<svg"));
     // "... at equal settings: X levels"
     const std::string words = "at equal settings: ";

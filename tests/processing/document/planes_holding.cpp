@@ -49,8 +49,12 @@ TEST(PlanesHolding, OneOfThemTurnsAsLittleAsNeededToHoldPlaces) {
             const double turn = std::acos(std::clamp(
                 frameOf(*held, before, BeamAxis::plusZ).forward.dot(frameOf(*held, after, BeamAxis::plusZ).forward),
                 -1.0, 1.0));
-            if (places.size() == 2 && length(along) > 0) EXPECT_NEAR(turn, least, 1e-7);
-            if (length(along) == 0) EXPECT_EQ(after.direction, before.direction);
+            if (places.size() == 2 && length(along) > 0) {
+                EXPECT_NEAR(turn, least, 1e-7);
+            }
+            if (length(along) == 0) {
+                EXPECT_EQ(after.direction, before.direction);
+            }
             // Once there, it stays.
             EXPECT_EQ(planesHolding(after, places, BeamAxis::plusZ, data), after);
         }
