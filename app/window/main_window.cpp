@@ -24,6 +24,7 @@
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
 #include "app/window/full_screen.h"
+#include "app/window/long_works.h"
 #include "app/window/review_room.h"
 #include "app/window/window_menus.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
@@ -53,6 +54,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
     m_room->addTo(m_escapes);
+    createLongWorks();
     connectProgress();
     connectUnits();
     connectCaption();
@@ -61,7 +63,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
     connectNames();
     createActions();
     restoreSettings();
-    showProgress();
+    m_works->follow();
     updateIdle();
 }
 
@@ -113,93 +115,6 @@ void MainWindow::createUnits() {
         *this, m_document, *m_session, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
     m_history =
         std::make_unique<HistoryControls>(m_document, m_sessions->snapshots(), *m_widgets.history, *m_widgets.messages);
-}
-
-void MainWindow::connectProgress() {
-    const auto changed = [this] {
-        showProgress();
-        updateIdle();
-    };
-    connect(m_session.get(), &Session::loadingChanged, this, changed);
-    connect(m_session.get(), &Session::loadingProgressed, m_widgets.status, &RunStatus::setProgress);
-    connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
-    connect(m_session.get(), &Session::nearCutFound, this, changed);
-    connect(m_session.get(), &Session::quieteningChanged, this, changed);
-    connect(m_session.get(), &Session::quieteningProgressed, this, [this](double share) {
-        if (!m_session->loading() && !m_session->lookingForNearCut()) m_widgets.status->setProgress(share);
-    });
-    connect(m_session.get(), &Session::quieteningFailed, this,
-            [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
-    connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
-    connect(m_movies.get(), &MovieFiles::progressed, this, [this](double share) {
-        if (movieIsShown()) m_widgets.status->setProgress(share);
-    });
-    connect(m_widgets.status, &RunStatus::cancelRequested, this, [this] {
-        if (m_session->loading()) return m_session->cancelLoading();
-        if (movieIsShown()) return m_movies->cancel();
-        m_report->cancel();
-        m_session->cancelQuietening();
-        m_session->cancelComputing();
-        m_computing->computeAgain();  // what was being computed for the picture is still wanted
-    });
-    // This connection is made last, so that it runs after all others of these signals.
-    const auto somethingEnded = [this] {
-        m_motion->announceShownFrame();
-        showProgress();
-        updateIdle();
-    };
-    connect(m_session.get(), &Session::openFailed, this, &MainWindow::updateIdle);
-    connect(m_session.get(), &Session::computingOtfChanged, this, somethingEnded);
-    connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
-    connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
-    connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
-    connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
-    connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
-        m_widgets.status->setPointed(intensity, std::nullopt);
-        m_widgets.editor->setCursorIntensity(intensity);
-    });
-    connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
-        // Among planes of its own size the 3D view is small: there a message takes a strip below all of them.
-        const PaneGrid& panes = *m_widgets.panes;
-        const bool alone =
-            panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() != PaneLayout::quad;
-        m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
-    });
-    connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
-    connect(m_report.get(), &ReportSaving::busyChanged, this, changed);
-    connect(m_report.get(), &ReportSaving::progressed, this, [this](double share) {
-        if (atRest()) m_widgets.status->setProgress(share);
-    });
-    connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
-    connect(m_sessions.get(), &SessionKeeping::busyChanged, this, &MainWindow::updateIdle);
-    connect(m_session.get(), &Session::takingChecksumChanged, this, &MainWindow::updateIdle);
-    connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
-    connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
-    connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
-}
-
-/// What takes long and runs now. It is asked anew whenever something begins or ends, so that the end of one does not
-/// hide another.
-void MainWindow::showProgress() {
-    RunStatus& status = *m_widgets.status;
-    if (m_session->loading())
-        status.beginProgress(tr("loading"));
-    else if (m_session->lookingForNearCut())
-        status.beginProgress(tr("looking for the near cut"));
-    else if (m_session->quietPhases().busy())
-        status.beginProgress(tr("reducing speckle"));
-    else if (movieIsShown())
-        status.beginProgress(m_movies->activity());
-    else if (m_report->busy())
-        status.beginProgress(tr("making the report"));
-    else
-        status.endProgress();
-}
-
-/// What else runs is over sooner, and is shown before it.
-bool MainWindow::movieIsShown() const {
-    return m_movies->busy() && !m_session->loading() && !m_session->lookingForNearCut() &&
-           !m_session->quietPhases().busy();
 }
 
 void MainWindow::connectUnits() {
@@ -370,25 +285,6 @@ void MainWindow::keepSettings() {
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
-}
-
-bool MainWindow::idle() const {
-    return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy() && !m_report->busy();
-}
-
-bool MainWindow::atRest() const {
-    return !m_session->loading() && !m_session->takingChecksum() && !m_session->computingOtf() &&
-           !m_session->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
-           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
-}
-
-void MainWindow::updateIdle() {
-    m_presets->pictures().setAtRest(atRest());
-    m_recentPictures->setAtRest(atRest());
-    m_report->setAtRest(atRest());
-    if (idle() == m_idle) return;
-    m_idle = !m_idle;
-    emit idleChanged(m_idle);
 }
 
 QString MainWindow::explanation() const {

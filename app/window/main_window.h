@@ -24,6 +24,7 @@ class CurveControls;
 class FullScreen;
 class HistoryControls;
 class MethodControls;
+class LongWorks;
 class MovieFiles;
 class NearCutFinder;
 class PictureControls;
@@ -91,6 +92,7 @@ protected:
 
 private:
     void createUnits();
+    void createLongWorks();
     void connectProgress();
     void connectUnits();
     void connectCaption();
@@ -101,8 +103,6 @@ private:
     void restoreSettings();
     void keepSettings();
     void updateIdle();
-    void showProgress();
-    [[nodiscard]] bool movieIsShown() const;
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
     /// As idle(), but for small pictures and reports, which wait for the rest.
     [[nodiscard]] bool atRest() const;
@@ -139,6 +139,7 @@ private:
     std::unique_ptr<ReportSaving> m_report;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
+    std::unique_ptr<LongWorks> m_works;
     bool m_idle = true;
     bool m_shown = false;
 };

@@ -1,0 +1,115 @@
+// What the window shows of work that is under way, and when it is at rest.
+#include "app/motion/movie_files.h"
+#include "app/otf/near_cut_finder.h"
+#include "app/picture/preset_controls.h"
+#include "app/report/report_saving.h"
+#include "app/sessions/session_keeping.h"
+#include "app/study/recent_pictures.h"
+#include "app/study/study_opening.h"
+#include "app/window/long_works.h"
+#include "app/window/main_window.h"
+#include "app/window/review_room.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/run_status.h"
+
+namespace echolucent {
+
+/// What takes long, that which a person waits for most first.
+void MainWindow::createLongWorks() {
+    m_works = std::make_unique<LongWorks>(*m_widgets.status);
+    const auto changed = [this] {
+        m_works->follow();
+        updateIdle();
+    };
+    const auto cancelComputing = [this] {
+        m_session->cancelQuietening();
+        m_session->cancelComputing();
+        m_computing->computeAgain();  // what was being computed for the picture is still wanted
+    };
+    const std::size_t loading = m_works->add({.busy = [this] { return m_session->loading(); },
+                                              .words = [] { return tr("loading"); },
+                                              .cancel = [this] { m_session->cancelLoading(); }});
+    m_works->add({.busy = [this] { return m_session->lookingForNearCut(); },
+                  .words = [] { return tr("looking for the near cut"); },
+                  .cancel = cancelComputing});
+    const std::size_t quietening = m_works->add({.busy = [this] { return m_session->quietPhases().busy(); },
+                                                 .words = [] { return tr("reducing speckle"); },
+                                                 .cancel = cancelComputing});
+    const std::size_t movie = m_works->add({.busy = [this] { return m_movies->busy(); },
+                                            .words = [this] { return m_movies->activity(); },
+                                            .cancel = [this] { m_movies->cancel(); }});
+    const std::size_t report = m_works->add({.busy = [this] { return m_report->busy(); },
+                                             .words = [] { return tr("making the report"); },
+                                             .cancel = [this] { m_report->cancel(); }});
+    connect(m_session.get(), &Session::loadingChanged, this, changed);
+    connect(m_session.get(), &Session::loadingProgressed, m_works.get(),
+            [this, loading](double share) { m_works->setProgress(loading, share); });
+    connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
+    connect(m_session.get(), &Session::nearCutFound, this, changed);
+    connect(m_session.get(), &Session::quieteningChanged, this, changed);
+    connect(m_session.get(), &Session::quieteningProgressed, m_works.get(),
+            [this, quietening](double share) { m_works->setProgress(quietening, share); });
+    connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
+    connect(m_movies.get(), &MovieFiles::progressed, m_works.get(),
+            [this, movie](double share) { m_works->setProgress(movie, share); });
+    connect(m_report.get(), &ReportSaving::busyChanged, this, changed);
+    connect(m_report.get(), &ReportSaving::progressed, m_works.get(),
+            [this, report](double share) { m_works->setProgress(report, share); });
+}
+
+void MainWindow::connectProgress() {
+    connect(m_session.get(), &Session::quieteningFailed, this,
+            [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
+    // This connection is made last, so that it runs after all others of these signals.
+    const auto somethingEnded = [this] {
+        m_motion->announceShownFrame();
+        m_works->follow();
+        updateIdle();
+    };
+    connect(m_session.get(), &Session::openFailed, this, &MainWindow::updateIdle);
+    connect(m_session.get(), &Session::computingOtfChanged, this, somethingEnded);
+    connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
+    connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
+    connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
+        m_widgets.status->setPointed(intensity, std::nullopt);
+        m_widgets.editor->setCursorIntensity(intensity);
+    });
+    connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
+        // Among planes of its own size the 3D view is small: there a message takes a strip below all of them.
+        const PaneGrid& panes = *m_widgets.panes;
+        const bool alone =
+            panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() != PaneLayout::quad;
+        m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
+    });
+    connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_sessions.get(), &SessionKeeping::busyChanged, this, &MainWindow::updateIdle);
+    connect(m_session.get(), &Session::takingChecksumChanged, this, &MainWindow::updateIdle);
+    connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
+    connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
+    connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
+}
+
+bool MainWindow::idle() const {
+    return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy() && !m_report->busy();
+}
+
+bool MainWindow::atRest() const {
+    return !m_session->loading() && !m_session->takingChecksum() && !m_session->computingOtf() &&
+           !m_session->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
+           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
+}
+
+void MainWindow::updateIdle() {
+    m_presets->pictures().setAtRest(atRest());
+    m_recentPictures->setAtRest(atRest());
+    m_report->setAtRest(atRest());
+    if (idle() == m_idle) return;
+    m_idle = !m_idle;
+    emit idleChanged(m_idle);
+}
+
+}  // namespace echolucent
