@@ -23,12 +23,13 @@ tl::unexpected<Failure> cannotWrite(const std::string& path, int problem) {
                 std::string("could not be written: ") + std::strerror(problem), "Choose another folder or name.");
 }
 
-/// The permissions of a new file, as the person's umask has them.
-mode_t modeOfNewFiles() {
+/// The permissions of a new file, as the person's umask has them. The umask belongs to the whole process and can only
+/// be read by setting it, so that it is read before there are threads.
+const mode_t modeOfNewFiles = [] {
     const mode_t mask = umask(0);
     umask(mask);
     return 0666 & ~mask;
-}
+}();
 
 /// Gives 0, or the errno of what went wrong.
 int copyInto(std::FILE* target, const std::string& from) {
@@ -82,7 +83,7 @@ Result<UnfinishedFile> UnfinishedFile::beside(const std::string& path, std::stri
     if (descriptor < 0) return cannotWrite(path, errno);
     ::close(descriptor);
     file.m_name = name;
-    file.m_mode = exists ? present.st_mode & 07777 : modeOfNewFiles();
+    file.m_mode = exists ? present.st_mode & 07777 : modeOfNewFiles;
     return file;
 }
 

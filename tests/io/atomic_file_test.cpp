@@ -1,15 +1,19 @@
 // Files appear whole or not at all, and what stood at the path keeps its kind.
 #include "io/output/atomic_file.h"
 #include "io/input_file.h"
+#include "io/output/unfinished_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/io/temporary_folder.h"
 
@@ -39,6 +43,34 @@ TEST(AtomicFile, AFileKeepsItsPermissionsAndALinkStaysALink) {
     EXPECT_TRUE(std::filesystem::is_symlink(link));
     EXPECT_EQ(readWholeFile(target, 100).value(), "new");
     EXPECT_EQ(modeOf(target) & 07777, 0600u);
+}
+
+/// Whose umask is set for a moment makes files that everybody may write.
+TEST(AtomicFile, FilesThatOthersMakeMeanwhileHaveTheirPermissions) {
+    const TemporaryFolder folder;
+    const auto modeOfAPlainFile = [&] {
+        const std::string plain = folder.file("plain");
+        std::filesystem::remove(plain);
+        std::ofstream(plain) << "x";
+        return modeOf(plain) & 07777;
+    };
+    const mode_t usual = modeOfAPlainFile();
+    std::atomic<int> making = 3;
+    std::vector<std::thread> makers;
+    for (int i = 0; i < 3; ++i)
+        makers.emplace_back([&, i] {
+            for (int file = 0; file < 1000; ++file)
+                EXPECT_TRUE(UnfinishedFile::beside(folder.file("file" + std::to_string(i))));
+            --making;
+        });
+    int other = 0;
+    do other += modeOfAPlainFile() != usual;
+    while (making > 0);
+    for (std::thread& maker : makers) maker.join();
+    EXPECT_EQ(other, 0);
+    EXPECT_EQ(modeOfAPlainFile(), usual);
+    ASSERT_TRUE(writeFileAtomically(folder.file("new.txt"), "some bytes"));
+    EXPECT_EQ(modeOf(folder.file("new.txt")) & 07777, usual);
 }
 
 TEST(AtomicFile, APipeIsWrittenIntoAndStaysAPipe) {
