@@ -67,7 +67,8 @@ void StudyOpening::noteOpened() {
 
 StudySearch StudyOpening::studySearch() const {
     StudySearch search;
-    for (const QString& path : m_parts.settings.recentFiles()) search.paths.push_back(path.toStdString());
+    // Which of them are there is seen where they are looked through: here a drive that does not answer would stall.
+    for (const QString& path : m_parts.settings.keptRecentFiles()) search.paths.push_back(path.toStdString());
     for (const QString& folder : {m_parts.settings.lastFolder(), m_parts.settings.lastSaveFolder()})
         search.folders.push_back(folder.toStdString());
     return search;
