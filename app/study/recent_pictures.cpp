@@ -40,7 +40,7 @@ RecentPictures::RecentPictures(const Session& session, const Settings& settings,
       m_session(session),
       m_settings(settings),
       m_view(view),
-      m_folder(QDir(settings.dataFolder()).filePath(QStringLiteral("recent"))),
+      m_folder(settings.recentPicturesFolder()),
       m_thread(QStringLiteral("recent pictures")) {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &RecentPictures::busyChanged);
 }

@@ -175,6 +175,7 @@ QString Settings::presetsFile() const {
     return file.dir().filePath(file.completeBaseName() + QStringLiteral("-presets.json"));
 }
 QString Settings::autosaveFolder() const { return m_dataFolder + QStringLiteral("/autosaves"); }
+QString Settings::recentPicturesFolder() const { return m_dataFolder + QStringLiteral("/recent"); }
 bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
 void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }
 

@@ -68,6 +68,8 @@ public:
     /// The program's own folder for what is kept of sessions that nobody saved: below the person's standard place for
     /// data, or beside a settings file that was given.
     [[nodiscard]] QString autosaveFolder() const;
+    /// The program's own folder for the small pictures of recent files, in dataFolder().
+    [[nodiscard]] QString recentPicturesFolder() const;
     [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open
     void setPresetsOpen(bool open);
     /// Axis, OTF, speed and order of the frames; what moves and which phases are a matter of the study and stay as by
