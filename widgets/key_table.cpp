@@ -82,8 +82,8 @@ std::vector<KeyRow> windowRows() {
           {"otfEditor.action.active.quartic", "5"}}},
         {place,
          "Ctrl+Z, Ctrl+Shift+Z",
-         tr("undo and redo of whatever was changed: curves, view, beam, cut, look, planes, box, strokes, method, "
-            "motion"),
+         tr("undo and redo of whatever was changed: curves, view, beam, cut, look, planes, box, strokes, "
+            "measurements, method, motion"),
          {{"otfEditor.action.undo", "Ctrl+Z"}, {"otfEditor.action.redo", "Ctrl+Shift+Z"}}},
         {place, "C", tr("resets the active curve"), {{"otfEditor.action.reset", "C"}}},
         {place,
