@@ -97,10 +97,10 @@ void addMeasurements(HtmlPage& page, const CaseReport& report) {
     for (const Measurement& measurement : report.document.measurements) {
         const auto value = measurementText(measurement, report.geometry);
         rows.push_back({std::to_string(measurement.id), std::string(nameOf(measurement.kind)),
-                        value ? *value : value.error().sentence(), std::string(nameOf(measurement.ground)),
+                        value ? *value : value.error().sentence(), std::string(groundWords(measurement.ground)),
                         std::to_string(measurement.phase + 1), placesText(measurement.placesMm)});
     }
-    page.table({"number", "kind", "value", "marked on", "phase", "places (mm of the grid)"}, rows);
+    page.table({"number", "kind", "value", "marked", "phase", "places (mm of the grid)"}, rows);
 }
 
 void addParameters(HtmlPage& page, const CaseReport& report) {

@@ -65,6 +65,10 @@ Result<std::string> measurementText(const Measurement& measurement, const Volume
     return fixedNumber(*value, *value >= 1.0 ? 1 : *value >= 0.1 ? 2 : 3) + " mm";
 }
 
+std::string_view groundWords(MeasurementGround ground) {
+    return ground == MeasurementGround::plane ? "in a plane" : "on a surface";
+}
+
 std::optional<ShownMeasurement> shownMeasurement(const Measurement& measurement, const VolumeGeometry& geometry) {
     ShownMeasurement shown{.id = measurement.id, .kind = measurement.kind, .placesMm = measurement.placesMm};
     if (measurement.placesMm.size() < placesNeeded(measurement.kind)) return shown;

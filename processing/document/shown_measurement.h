@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "processing/document/measurement.h"
@@ -13,6 +14,9 @@ namespace echolucent {
 /// The value of a measurement in words: "12.3 mm", below 1 mm "0.47 mm", below 0.1 mm "0.047 mm"; "47.1°" (UTF-8).
 /// Lists, planes, the 3D view and exports all say it so. Fails as measuredValue() does.
 [[nodiscard]] Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry);
+
+/// Where its places were marked, as lists and reports say it: "in a plane", "on a surface".
+[[nodiscard]] std::string_view groundWords(MeasurementGround ground);
 
 /// What is drawn of a measurement, in the volume.
 struct ShownMeasurement {

@@ -18,7 +18,9 @@ namespace {
 constexpr std::array<MeasurementKind, 2> allKinds{MeasurementKind::distance, MeasurementKind::angle};
 
 QString toolText(MeasurementKind kind) {
-    return kind == MeasurementKind::distance ? MeasurementsPanel::tr("Distance") : MeasurementsPanel::tr("Angle");
+    QString text = textOf(nameOf(kind));
+    text[0] = text[0].toUpper();
+    return text;
 }
 
 QString tipOf(MeasurementKind kind) {

@@ -18,7 +18,7 @@ namespace echolucent {
 /// One line of the list.
 struct MeasurementRow {
     int id = 1;    ///< of the measurement
-    QString text;  ///< "1. 12.3 mm, plane"
+    QString text;  ///< "1. 12.3 mm, in a plane"
     friend bool operator==(const MeasurementRow&, const MeasurementRow&) = default;
 };
 
