@@ -19,7 +19,17 @@ void GripPointer::setGrips(std::vector<Vec3> gripsMm) {
     m_gripsMm = std::move(gripsMm);
     if (!m_gripsMm.empty()) return;
     cancelDrag();
-    if (std::exchange(m_hovering, false)) m_window->unsetCursor();
+    setHovering(false);
+}
+
+void GripPointer::setCursorBeside(Qt::CursorShape cursor) {
+    m_cursorBeside = cursor;
+    if (!m_hovering) m_window->setCursor(cursor);
+}
+
+void GripPointer::setHovering(bool hovering) {
+    if (std::exchange(m_hovering, hovering) == hovering) return;
+    m_window->setCursor(hovering ? Qt::OpenHandCursor : m_cursorBeside);
 }
 
 bool GripPointer::cancelDrag() {
@@ -70,10 +80,7 @@ bool GripPointer::eventFilter(QObject* watched, QEvent* event) {
                 emit dragged(*m_held, placeAt(mouse->position(), m_depthMm) - placeAt(m_from, m_depthMm));
                 return true;
             }
-            if (mouse->buttons() == Qt::NoButton && gripAt(mouse->position()).has_value() != m_hovering) {
-                m_hovering = !m_hovering;
-                m_window->setCursor(m_hovering ? Qt::OpenHandCursor : Qt::ArrowCursor);
-            }
+            if (mouse->buttons() == Qt::NoButton) setHovering(gripAt(mouse->position()).has_value());
             return false;
         case QEvent::MouseButtonRelease:
             if (!m_held) return false;

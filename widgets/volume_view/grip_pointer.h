@@ -25,6 +25,8 @@ public:
     /// Places of the grid, mm; those that lie before others come first.
     /// Where there are none any more, a drag ends without change.
     void setGrips(std::vector<Vec3> gripsMm);
+    /// The window's cursor beside all grips; over one it is an open hand. [an arrow]
+    void setCursorBeside(Qt::CursorShape cursor);
     [[nodiscard]] bool dragging() const { return m_held.has_value(); }
     /// False where there is no drag.
     bool cancelDrag();
@@ -43,6 +45,7 @@ signals:
 
 private:
     [[nodiscard]] std::optional<std::size_t> gripAt(const QPointF& pixel) const;
+    void setHovering(bool hovering);
     [[nodiscard]] Vec3 placeAt(const QPointF& pixel, double depthMm) const;
 
     QWindow* m_window;
@@ -50,6 +53,7 @@ private:
     std::vector<Vec3> m_gripsMm;
     std::optional<std::size_t> m_held;
     bool m_hovering = false;
+    Qt::CursorShape m_cursorBeside = Qt::ArrowCursor;
     QPointF m_from;
     double m_depthMm = 0.0;  ///< of the grip when the drag began
 };

@@ -18,7 +18,7 @@ LassoPointer::LassoPointer(QWindow* window, QObject* parent) : QObject(parent), 
 void LassoPointer::setTool(std::optional<ScalpelTool> tool) {
     cancelDrawing();
     m_tool = tool;
-    m_window->setCursor(tool ? Qt::CrossCursor : Qt::ArrowCursor);
+    emit toolChanged();
 }
 
 bool LassoPointer::cancelDrawing() {

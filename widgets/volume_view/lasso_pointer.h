@@ -34,6 +34,8 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
+    /// Also where the same tool was set again.
+    void toolChanged();
     /// Places in the picture, in heights of it from its centre; empty where nothing is being drawn.
     void drawn(const std::vector<echolucent::PicturePlace>& places);
     /// A stroke is complete: an outline of three places or more, or the line of an eraser.

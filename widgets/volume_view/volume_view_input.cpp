@@ -74,6 +74,7 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
     parts.grips = new GripPointer(
         parts.window, [this] { return shownCamera(); }, this);
     parts.lasso = new LassoPointer(parts.window, this);
+    connect(parts.lasso, &LassoPointer::toolChanged, this, &VolumeViewWidget::showToolCursor);
     parts.meter = new FrameMeter(parts.window, this);
     connect(parts.meter, &FrameMeter::pictureDrawn, this, [this](double milliseconds) {
         m_parts->caster.drawn(milliseconds);
@@ -183,6 +184,8 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shar
 }
 
 const std::shared_ptr<const Volume>& VolumeViewWidget::volume() const { return m_parts->volume; }
+
+const std::shared_ptr<const Volume>& VolumeViewWidget::measured() const { return m_parts->measured; }
 
 void VolumeViewWidget::setCurve(const OpacityCurve& curve) {
     if (curve == m_parts->curve) return;

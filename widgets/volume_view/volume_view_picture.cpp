@@ -87,7 +87,12 @@ MarkingPointer* VolumeViewWidget::createMarkingPointer(MarkingPointer::Offer off
 }
 
 void VolumeViewWidget::setToolCursor(bool on) {
-    if (!m_parts->lasso->tool()) m_parts->window->setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    m_toolCursor = on;
+    showToolCursor();
+}
+
+void VolumeViewWidget::showToolCursor() {
+    m_parts->grips->setCursorBeside(m_toolCursor || m_parts->lasso->tool() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 Camera VolumeViewWidget::shownCamera() const { return m_parts->scene.camera(); }

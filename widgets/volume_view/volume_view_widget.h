@@ -66,6 +66,8 @@ public:
     /// Pointed values are read from `measured`, whose grid is the volume's; null stands for the volume itself.
     void setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured = nullptr);
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
+    /// What pointed values are read from; null before there is a volume.
+    [[nodiscard]] const std::shared_ptr<const Volume>& measured() const;
     void setCurve(const OpacityCurve& curve);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
@@ -124,7 +126,8 @@ public:
     /// Says in the picture what was done to it; an empty text says nothing.
     void setCaption(const QString& text);
     [[nodiscard]] QString caption() const;
-    /// Lines over the picture, which are no part of it: saved pictures go without them. They are drawn once the event
+    /// Lines and words over the picture, which are no part of it: saved pictures go without them, but for measurements,
+    /// which are painted anew (widgets/picture_labels/measurement_drawing.h). They are drawn once the event
     /// loop runs again, with whatever else has changed until then.
     void setOverlay(const Overlay& overlay);
     [[nodiscard]] const Overlay& overlay() const;
@@ -133,7 +136,8 @@ public:
     [[nodiscard]] GripPointer& grips();
     /// Who marks places over the picture is offered presses before all others; pixels are those of this widget.
     [[nodiscard]] MarkingPointer* createMarkingPointer(MarkingPointer::Offer offer, QObject* parent);
-    /// Whether the cursor over the picture is that of a tool; the scalpel has its own.
+    /// Whether the cursor over the picture is that of a tool; with the scalpel it always is. Over what can be held it
+    /// is a hand.
     void setToolCursor(bool on);
     /// The camera of the picture that is shown.
     [[nodiscard]] Camera shownCamera() const;
@@ -208,11 +212,13 @@ private:
     void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
     void updateBusy();
+    void showToolCursor();
     [[nodiscard]] QSize pixelSize() const;
     [[nodiscard]] double aspect() const;
 
     std::unique_ptr<Parts> m_parts;
     bool m_busy = false;
+    bool m_toolCursor = false;  ///< as setToolCursor()
 };
 
 }  // namespace echolucent
