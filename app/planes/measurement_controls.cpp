@@ -4,22 +4,18 @@
 
 #include "processing/document/planes_holding.h"
 #include "processing/document/shown_measurement.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
 namespace {
 
-QString kindName(MeasurementKind kind) {
-    return kind == MeasurementKind::distance ? MeasurementControls::tr("distance") : MeasurementControls::tr("angle");
-}
-
 QString rowText(const Measurement& measurement, const VolumeGeometry& geometry, bool phases) {
     const Result<std::string> value = measurementText(measurement, geometry);
     const QString text = value ? QString::fromStdString(*value)
-                               : MeasurementControls::tr("%1 without a value").arg(kindName(measurement.kind));
+                               : MeasurementControls::tr("%1 without a value").arg(textOf(nameOf(measurement.kind)));
     QStringList words{MeasurementControls::tr("%1. %2").arg(measurement.id).arg(text)};
-    words << (measurement.ground == MeasurementGround::plane ? MeasurementControls::tr("in a plane")
-                                                             : MeasurementControls::tr("on a surface"));
+    words << textOf(groundWords(measurement.ground));
     if (phases) words << MeasurementControls::tr("phase %1").arg(measurement.phase + 1);
     return words.join(QStringLiteral(", "));
 }
@@ -50,6 +46,7 @@ void MeasurementControls::show(int id) {
     const std::vector<Measurement>& all = m_parts.model.document().measurements;
     const auto found = std::ranges::find(all, id, &Measurement::id);
     if (found == all.end() || !m_parts.session.volume()) return;
+    m_parts.player.pause();
     const Measurement measurement = *found;
     if (phaseOf(m_parts.model.document(), m_parts.view) != measurement.phase)
         m_parts.model.showPhase(m_parts.view, measurement.phase);
@@ -57,14 +54,14 @@ void MeasurementControls::show(int id) {
     Document next = m_parts.model.document();
     Planes& planes = planesOf(next, m_parts.view);
     planes = planesHolding(planes, measurement.placesMm, next.beam.axis, m_parts.session.volume()->dataBox());
-    m_parts.model.edit(next, tr("planes to %1 %2").arg(kindName(measurement.kind)).arg(id));
+    m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement.kind))).arg(id));
 }
 
 void MeasurementControls::remove(int id) {
     Document next = m_parts.model.document();
     const auto found = std::ranges::find(next.measurements, id, &Measurement::id);
     if (found == next.measurements.end()) return;
-    const QString what = tr("remove %1 %2").arg(kindName(found->kind)).arg(id);
+    const QString what = tr("remove %1 %2").arg(textOf(nameOf(found->kind))).arg(id);
     next.measurements.erase(found);
     m_parts.model.edit(next, what);
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "app/document/document_model.h"
+#include "app/motion/motion_player.h"
 #include "app/planes/measuring_hand.h"
 #include "app/study/session.h"
 #include "widgets/panels/measurements_panel.h"
@@ -19,13 +20,14 @@ public:
         DocumentModel& model;
         int view;
         Session& session;
+        MotionPlayer& player;
         MeasuringHand& hand;
         MeasurementsPanel& panel;
     };
     /// All of them must outlive this.
     explicit MeasurementControls(const Parts& parts, QObject* parent = nullptr);
 
-    /// Shows the phase of a measurement; of one in a plane, a plane that holds all its places.
+    /// Pauses a motion and shows the phase of a measurement; of one in a plane, a plane that holds all its places.
     void show(int id);
     void remove(int id);
     void removeAll();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/planes/measurement_overlay.h"
+#include "widgets/panels/panel_controls.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -19,8 +20,7 @@ constexpr double surfaceStep = 0.1;
 constexpr double samePlace = 1.0;
 
 QString stepName(const Measurement& measurement) {
-    return measurement.kind == MeasurementKind::distance ? MeasuringHand::tr("distance %1").arg(measurement.id)
-                                                         : MeasuringHand::tr("angle %1").arg(measurement.id);
+    return QStringLiteral("%1 %2").arg(textOf(nameOf(measurement.kind))).arg(measurement.id);
 }
 
 bool holds(const DataBox& box, const Vec3& gridMm) {
@@ -68,6 +68,7 @@ void MeasuringHand::watchPicture() {
 }
 
 void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
+    cancelDrag();
     dropMarked();
     tell({});
     if (tool && m_parts.session.volume()) {
@@ -140,6 +141,9 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
         return tell(tr("Angles are measured in planes, so nothing was marked. F3 shows planes A, B and C."));
     if (m_parts.picture.look().mode == RenderMode::mean)
         return tell(tr("Means show no surface, so nothing was marked. Choose another mode."));
+    // Until the OTF of a phase is there, the picture is the phase before's.
+    if (m_parts.picture.measured() != m_parts.session.volume() || !m_parts.picture.pictureIsCurrent())
+        return tell(tr("The picture of this phase is not there yet, so nothing was marked. Click again once it is."));
     const std::optional<Vec3> place = m_parts.picture.shownAt(placeIn3d(pixel), surfaceStep);
     if (!place)
         return tell(tr("Nothing shows where you clicked, so nothing was marked. Click on what the picture shows."));

@@ -105,9 +105,9 @@ void MainWindow::createUnits() {
         *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
-    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, mainView, m_hand, *m_session, *m_widgets.panes,
-                                                            m_widgets.planes, *m_widgets.picture, *m_widgets.room,
-                                                            *m_widgets.measurements, *m_widgets.messages, m_settings});
+    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
+        m_document, mainView, m_hand, *m_session, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
+        *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, mainView, *m_session, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names, [this] { return explanation(); }});

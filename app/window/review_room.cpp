@@ -20,7 +20,7 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
       m_boxIn3d(parts.model, parts.view, parts.session, parts.picture),
       m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}),
       m_measuring({parts.model, parts.view, parts.session, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
-      m_measurements({parts.model, parts.view, parts.session, m_measuring, parts.measurements}) {
+      m_measurements({parts.model, parts.view, parts.session, parts.player, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);

@@ -32,6 +32,7 @@ public:
         int view;
         HandGesture& hand;
         Session& session;
+        MotionPlayer& player;
         PaneGrid& panes;
         std::array<PlanePane*, 3> planes;
         VolumeViewWidget& picture;

@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/motion/motion_player.h"
 #include "tests/app/planes/measuring_fixture.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
@@ -133,10 +134,7 @@ private slots:
     }
 
     void theListGoesToPhaseAndPlane() {
-        open(file("phases.mha",
-                  {smallPhantom(PhantomScene::shapes, 5, 0.0), smallPhantom(PhantomScene::shapes, 5, 0.5)}));
-        key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        openPhases();
         window().document().showPhase(1, 1);
         waitUntilIdle();
         PlanePane& c = pane("planes.c");
@@ -169,6 +167,107 @@ private slots:
         QCOMPARE(window().document().steps().count(), steps);
     }
 
+    void theListPausesAMotion() {
+        openPhases();
+        PlanePane& c = pane("planes.c");
+        key(Qt::Key_M);
+        drag(c, QPointF(c.width() / 2.0 - 25, c.height() / 2.0 - 10),
+             QPointF(c.width() / 2.0 + 40, c.height() / 2.0 + 12));
+        QCOMPARE(measurements().size(), 1u);
+        MotionPlayer& player = window().motionPlayer();
+        player.setMinimumFrameInterval(1'000'000);
+        player.play();
+        raise("dock.room");
+        QVERIFY(player.isPlaying());
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(list().item(0)).center());
+        QVERIFY(!player.isPlaying());
+        QCOMPARE(phaseOf(document(), 1), measurements()[0].phase);
+        waitUntilIdle();
+    }
+
+    /// The OTF of a phase that was stepped to is computed first, and meanwhile the picture is the phase before's.
+    void aSurfaceIsMarkedInThePictureOfItsOwnPhase() {
+        openPhases();
+        Document next = document();
+        next.motion.scenario = MotionScenario::object;
+        next.motion.otf = MotionOtf::eachView;
+        next.curves.manual = {{{0.2, 0.0}, {0.2, 1.0}, {1.0, 1.0}}};
+        viewOf(next, 1).curve = CurveKind::manual;
+        window().document().edit(next, "each phase's OTF");
+        waitUntilIdle();
+        key(Qt::Key_M);
+        const QPointF middle(QRect({}, window().volumeView().size()).center());
+        QTest::keyClick(&window(), Qt::Key_Period);
+        QCOMPARE(phaseOf(document(), 1), 1);
+        clickIn3d(middle);
+        QVERIFY2(message().contains("picture of this phase is not there yet"), qPrintable(message()));
+        waitUntilIdle();
+        QVERIFY(window().volumeView().overlay().discs.empty());
+        clickIn3d(middle);
+        QVERIFY2(!message().contains("nothing was marked"), qPrintable(message()));
+        QTRY_COMPARE(window().volumeView().overlay().discs.size(), 1u);
+        clickIn3d(middle + QPointF(20, 10));
+        QCOMPARE(measurements().size(), 1u);
+        QCOMPARE(measurements()[0].phase, 1);
+        waitUntilIdle();
+    }
+
+    void anotherStudyEndsTheDragOfAMark() {
+        openPoints();
+        PlanePane& pane = turnedToHold({at(0), at(1)});
+        key(Qt::Key_M);
+        drag(pane, pane.mapping().seenAt(at(0)), pane.mapping().seenAt(at(1)));
+        const Measurement measured = measurements().at(0);
+        const QPointF mark = pane.mapping().seenAt(at(1));
+        press(pane, mark, false);
+        moveTo(pane, (mark + QPointF(-20, 10)).toPoint());
+        QVERIFY(!(measurements().at(0) == measured));
+        open(file("others.mha", {markedPoints(obliqueGrid())}));
+        QVERIFY(measurements().empty());
+        // A session may bring a measurement of the same number.
+        Document next = document();
+        next.measurements = {measured};
+        window().document().edit(next, "distance 1");
+        moveTo(pane, (mark + QPointF(-40, 20)).toPoint());
+        release(pane, mark + QPointF(-40, 20));
+        QCOMPARE(measurements().size(), 1u);
+        QVERIFY(measurements()[0] == measured);
+        waitUntilIdle();
+    }
+
+    void theToolsCursorComesBackBesideAMarkOfTheBox_data() {
+        QTest::addColumn<Qt::Key>("tool");
+        QTest::newRow("measuring") << Qt::Key_M;
+        QTest::newRow("scalpel") << Qt::Key_S;
+    }
+    void theToolsCursorComesBackBesideAMarkOfTheBox() {
+        QFETCH(Qt::Key, tool);
+        openPoints();
+        key(Qt::Key_F2);
+        key(Qt::Key_B);
+        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
+        waitUntilIdle();
+        const QPoint mark = seenIn3d(placed().centreMm);
+        const auto cursorAt = [&](const QPoint& to) {
+            QMouseEvent move(QEvent::MouseMove, to, pictureWindow()->mapToGlobal(to), Qt::NoButton, Qt::NoButton,
+                             Qt::NoModifier);
+            QCoreApplication::sendEvent(pictureWindow(), &move);
+            return pictureWindow()->cursor().shape();
+        };
+        const QPoint beside = mark + QPoint(37, 23);
+        QCOMPARE(cursorAt(beside), Qt::ArrowCursor);
+        QCOMPARE(cursorAt(mark), Qt::OpenHandCursor);
+        key(tool);  // over the mark
+        QCOMPARE(cursorAt(beside), Qt::CrossCursor);
+        QCOMPARE(cursorAt(mark), Qt::OpenHandCursor);
+        QCOMPARE(cursorAt(beside), Qt::CrossCursor);
+        QCOMPARE(cursorAt(mark), Qt::OpenHandCursor);
+        key(Qt::Key_B);  // the mark is gone
+        QCOMPARE(pictureWindow()->cursor().shape(), Qt::CrossCursor);
+        key(tool);
+        QCOMPARE(pictureWindow()->cursor().shape(), Qt::ArrowCursor);
+    }
+
     void oneToolIsInTheHand() {
         openPoints();
         key(Qt::Key_M);
@@ -178,6 +277,14 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_M, Qt::ShiftModifier);
         QVERIFY(child<QToolButton>("measurements.angle")->isChecked());
         QVERIFY(!child<QToolButton>("room.scalpel.freehand")->isChecked());
+    }
+
+private:
+    void openPhases() {
+        open(file("phases.mha",
+                  {smallPhantom(PhantomScene::shapes, 5, 0.0), smallPhantom(PhantomScene::shapes, 5, 0.5)}));
+        key(Qt::Key_F3);
+        QTRY_VERIFY(!window().reviewRoom().busy());
     }
 };
 
