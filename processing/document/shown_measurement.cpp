@@ -56,6 +56,29 @@ std::vector<PlacedMeasurement> placed(const std::vector<ShownMeasurement>& shown
     return all;
 }
 
+/// Where words stand, in heights of the picture from its centre, to the right and down.
+struct TextBox {
+    double left, right, top, bottom;
+};
+
+/// Boxes that touch do not overlap, nor where rounding alone says so.
+bool overlap(const TextBox& one, const TextBox& other) {
+    constexpr double least = 1e-9;
+    return one.left < other.right - least && other.left < one.right - least && one.top < other.bottom - least &&
+           other.top < one.bottom - least;
+}
+
+/// Within the picture, if that is where its place is: a text across an edge would be cut.
+MeasurementLabel besideItsPlaces(const MeasurementWords& words, double aspect) {
+    const auto [left, right] =
+        std::ranges::minmax_element(words.places, {}, [](const PicturePlace& place) { return place[0]; });
+    const bool fits = (*right)[0] + words.width <= aspect / 2.0;
+    PicturePlace at = fits ? *right : *left;
+    const double lowest = std::max(0.0, 0.5 - words.height / 2.0);
+    if (std::abs(at[1]) <= 0.5) at[1] = std::clamp(at[1], -lowest, lowest);
+    return {at, fits};
+}
+
 }  // namespace
 
 Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry) {
@@ -110,11 +133,30 @@ std::vector<PlacedMeasurement> placedInPicture(const std::vector<ShownMeasuremen
     return placed(shown, [&](const Vec3& place) { return placeInPicture(camera, place); });
 }
 
-MeasurementLabel labelOf(const PlacedMeasurement& measurement, double textWidth, double aspect) {
-    const auto [left, right] =
-        std::ranges::minmax_element(measurement.places, {}, [](const PicturePlace& place) { return place[0]; });
-    const bool fits = (*right)[0] + textWidth <= aspect / 2.0;
-    return {fits ? *right : *left, fits};
+std::vector<MeasurementLabel> labelsOf(const std::vector<MeasurementWords>& words, double aspect) {
+    std::vector<MeasurementLabel> labels;
+    std::vector<TextBox> taken;
+    for (const MeasurementWords& each : words) {
+        MeasurementLabel label = besideItsPlaces(each, aspect);
+        const double wanted = label.at[1];
+        const auto boxAt = [&](double down) {
+            const double left = label.toTheRight ? label.at[0] : label.at[0] - each.width;
+            return TextBox{left, left + each.width, down - each.height / 2.0, down + each.height / 2.0};
+        };
+        // Where it need not move it does not; else it touches one of those that are in its way.
+        std::vector<double> free{wanted};
+        for (const TextBox& box : taken)
+            for (const double down : {box.bottom + each.height / 2.0, box.top - each.height / 2.0})
+                if (std::abs(down) + each.height / 2.0 <= 0.5) free.push_back(down);
+        std::erase_if(free, [&](double down) {
+            return std::ranges::any_of(taken, [&](const TextBox& box) { return overlap(box, boxAt(down)); });
+        });
+        if (!free.empty())
+            label.at[1] = *std::ranges::min_element(free, {}, [&](double down) { return std::abs(down - wanted); });
+        taken.push_back(boxAt(label.at[1]));
+        labels.push_back(label);
+    }
+    return labels;
 }
 
 }  // namespace echolucent

@@ -60,13 +60,20 @@ inline constexpr double planeReachUnits = 0.5;
 [[nodiscard]] std::vector<PlacedMeasurement> placedInPicture(const std::vector<ShownMeasurement>& shown,
                                                              const Camera& camera);
 
+/// The words of a measurement, before they have a place. Lengths are in heights of the picture.
+struct MeasurementWords {
+    std::vector<PicturePlace> places{};  ///< those of the measurement, at least one
+    double width = 0.0;                  ///< with the gap between a place and the words
+    double height = 0.0;
+};
 /// Where the text of a measurement stands: beside one of its places, so that its own lines do not cross it.
 struct MeasurementLabel {
-    PicturePlace at{};       ///< the place beside which it stands, at the text's middle height
+    PicturePlace at{};       ///< the end of the text at that place, without the gap, at its middle height
     bool toTheRight = true;  ///< of that place; else to its left
 };
-/// To the right of the rightmost place, or, where a text of that width (heights of the picture, with its gap) would
-/// leave a picture of width / height `aspect`, to the left of the leftmost. There is at least one place.
-[[nodiscard]] MeasurementLabel labelOf(const PlacedMeasurement& measurement, double textWidth, double aspect);
+/// To the right of the rightmost place, or, where the text would leave a picture of width / height `aspect`, to the
+/// left of the leftmost; where those before it in the list stand there, as far below or above them as is needed,
+/// whichever is nearer, if the picture has room there. One label for each.
+[[nodiscard]] std::vector<MeasurementLabel> labelsOf(const std::vector<MeasurementWords>& words, double aspect);
 
 }  // namespace echolucent

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPolygonF>
+#include <QStringList>
 #include <algorithm>
 
 #include "widgets/picture_labels/rimmed_text.h"
@@ -38,24 +39,29 @@ void paintMark(QPainter& painter, const QPointF& at, double scale) {
     painter.drawEllipse(at, radius + scale / 2.0, radius + scale / 2.0);
 }
 
-void paintText(QPainter& painter, const PlacedMeasurement& measurement, const QSizeF& picture, double scale) {
+void paintTexts(QPainter& painter, const std::vector<PlacedMeasurement>& measurements, const QSizeF& picture,
+                double scale) {
     QFont font = painter.font();
     font.setBold(true);
     font.setPixelSize(std::max(1, qRound(measurementFontPixels * scale)));
     painter.setFont(font);
     const QFontMetricsF metrics(font);
-    const QString text = QString::fromStdString(measurement.text);
-    const double width = metrics.horizontalAdvance(text), gap = measurementTextGap * scale;
-    const MeasurementLabel label =
-        labelOf(measurement, (width + gap) / picture.height(), picture.width() / picture.height());
-    const QPointF at = pixelOf(label.at, picture);
-    const double left = label.toTheRight ? at.x() + gap : at.x() - gap - width;
-    // A text above or below the picture's edge would be cut.
-    const double lowest = picture.height() - metrics.descent(), highest = metrics.ascent();
-    const double baseline = at.y() + (metrics.ascent() - metrics.descent()) / 2.0;
-    const bool seen = at.y() >= 0.0 && at.y() <= picture.height();
-    paintRimmedText(painter, {left, seen ? std::clamp(baseline, highest, std::max(highest, lowest)) : baseline}, text,
-                    measurementColour, 1.5 * scale);
+    const double gap = measurementTextGap * scale;
+    QStringList texts;
+    std::vector<MeasurementWords> words;
+    for (const PlacedMeasurement& measurement : measurements) {
+        if (measurement.text.empty() || measurement.places.empty()) continue;
+        texts << QString::fromStdString(measurement.text);
+        words.push_back({measurement.places, (metrics.horizontalAdvance(texts.back()) + gap) / picture.height(),
+                         (metrics.ascent() + metrics.descent()) / picture.height()});
+    }
+    const std::vector<MeasurementLabel> labels = labelsOf(words, picture.width() / picture.height());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const QPointF at = pixelOf(labels[i].at, picture);
+        const double left = at.x() + (labels[i].toTheRight ? gap : -words[i].width * picture.height());
+        paintRimmedText(painter, {left, at.y() + (metrics.ascent() - metrics.descent()) / 2.0},
+                        texts[static_cast<qsizetype>(i)], measurementColour, 1.5 * scale);
+    }
 }
 
 }  // namespace
@@ -71,8 +77,7 @@ void paintMeasurements(QPainter& painter, const std::vector<PlacedMeasurement>& 
         for (const QPointF& at : places) paintMark(painter, at, scale);
     }
     // Words lie over the lines of all.
-    for (const PlacedMeasurement& measurement : measurements)
-        if (!measurement.text.empty() && !measurement.places.empty()) paintText(painter, measurement, picture, scale);
+    paintTexts(painter, measurements, picture, scale);
     painter.restore();
 }
 

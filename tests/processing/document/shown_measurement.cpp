@@ -6,6 +6,7 @@
 #include <clocale>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace echolucent {
 namespace {
@@ -111,13 +112,49 @@ TEST(ShownMeasurement, IsSeenByACameraWhereThatSeesItsPlaces) {
 }
 
 TEST(ShownMeasurement, WordsStandBesideTheLinesAndWithinThePicture) {
-    const PlacedMeasurement measurement{.places = {{0.1, 0.2}, {-0.3, 0.0}, {0.4, -0.1}}};
-    const MeasurementLabel right = labelOf(measurement, 0.2, 1.5);
-    EXPECT_TRUE(right.toTheRight);
-    EXPECT_EQ(right.at, (PicturePlace{0.4, -0.1}));
-    const MeasurementLabel left = labelOf(measurement, 0.36, 1.5);
-    EXPECT_FALSE(left.toTheRight);
-    EXPECT_EQ(left.at, (PicturePlace{-0.3, 0.0}));
+    const std::vector<PicturePlace> places{{0.1, 0.2}, {-0.3, 0.0}, {0.4, -0.1}};
+    const auto label = [](const std::vector<PicturePlace>& beside, double width) {
+        return labelsOf({{beside, width, 0.05}}, 1.5).at(0);
+    };
+    EXPECT_TRUE(label(places, 0.2).toTheRight);
+    EXPECT_EQ(label(places, 0.2).at, (PicturePlace{0.4, -0.1}));
+    EXPECT_FALSE(label(places, 0.36).toTheRight);
+    EXPECT_EQ(label(places, 0.36).at, (PicturePlace{-0.3, 0.0}));
+    EXPECT_DOUBLE_EQ(label({{0.0, 0.49}}, 0.2).at[1], 0.475);
+    EXPECT_DOUBLE_EQ(label({{0.0, -0.5}}, 0.2).at[1], -0.475);
+    EXPECT_DOUBLE_EQ(label({{0.0, 0.7}}, 0.2).at[1], 0.7);  // beside the picture, as its place is
+}
+
+TEST(ShownMeasurement, WordsOfMeasurementsThatLieCloseTogetherAvoidEachOther) {
+    constexpr double width = 0.2, height = 0.05, aspect = 1.5;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> nearly(-0.04, 0.04);
+    for (const double middle : {0.0, 0.47, -0.47, 0.7}) {
+        std::vector<MeasurementWords> words;
+        for (int i = 0; i < 8; ++i)
+            words.push_back({{{middle + nearly(random), std::clamp(middle, -0.47, 0.47) + nearly(random) / 2.0}},
+                             width + nearly(random),
+                             height});
+        const auto labels = labelsOf(words, aspect);
+        ASSERT_EQ(labels.size(), words.size());
+        EXPECT_EQ(labels[0].at[1], std::clamp(words[0].places[0][1], -0.475, 0.475));  // the first stays
+        const auto left = [&](std::size_t i) {
+            return labels[i].at[0] - (labels[i].toTheRight ? 0.0 : words[i].width);
+        };
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            EXPECT_EQ(labels[i].at[0], words[i].places[0][0]);
+            EXPECT_LE(std::abs(labels[i].at[1]), 0.5 - height / 2.0 + 1e-12);
+            for (std::size_t other = 0; other < i; ++other) {
+                const bool beside = left(i) >= left(other) + words[other].width - 1e-9 ||
+                                    left(other) >= left(i) + words[i].width - 1e-9;
+                EXPECT_TRUE(beside || std::abs(labels[i].at[1] - labels[other].at[1]) >= height - 1e-8)
+                    << middle << ": " << i << " over " << other;
+            }
+        }
+    }
+    // Words with nothing in their way stand where they would alone.
+    const std::vector<MeasurementWords> apart{{{{0.0, 0.0}}, width, height}, {{{0.0, 0.06}}, width, height}};
+    EXPECT_EQ(labelsOf(apart, aspect)[1].at, (PicturePlace{0.0, 0.06}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "processing/document/shown_measurement.h"
 #include "widgets/volume_view/scene/annotation/annotation_style.h"
@@ -60,27 +61,36 @@ void OverlayLines::layOutTexts(int viewportWidth, int viewportHeight, double sca
         m_texts.back()->GetTextProperty()->SetVerticalJustificationToCentered();
         m_renderer->AddActor2D(m_texts.back());
     }
+    const double height = viewportHeight;
+    std::vector<vtkTextActor*> shown;
+    std::vector<MeasurementWords> words;
+    std::vector<double> gaps;
     for (std::size_t i = 0; i < m_texts.size(); ++i) {
         vtkTextActor& actor = *m_texts[i];
         actor.SetVisibility(false);
         if (i >= m_overlay.texts.size() || !m_visible) continue;
-        const SpaceText& words = m_overlay.texts[i];
-        PlacedMeasurement placed;
-        for (const Vec3& place : words.beside)
-            if (const auto at = placeInPicture(camera, place)) placed.places.push_back(*at);
-        if (placed.places.size() < words.beside.size()) continue;  // a place lies behind the eye
-        styleAnnotation(actor, words.colour);
-        actor.SetInput(words.text.c_str());
+        const SpaceText& text = m_overlay.texts[i];
+        std::vector<PicturePlace> places;
+        for (const Vec3& place : text.beside)
+            if (const auto at = placeInPicture(camera, place)) places.push_back(*at);
+        if (places.size() < text.beside.size()) continue;  // a place lies behind the eye
+        styleAnnotation(actor, text.colour);
+        actor.SetInput(text.text.c_str());
         std::array<double, 2> size{};
         actor.GetSize(m_renderer, size.data());
-        const double gap = words.gap * scale, height = viewportHeight;
-        const MeasurementLabel label = labelOf(placed, (size[0] + gap) / height, viewportWidth / height);
-        label.toTheRight ? actor.GetTextProperty()->SetJustificationToLeft()
-                         : actor.GetTextProperty()->SetJustificationToRight();
-        const double x = viewportWidth / 2.0 + label.at[0] * height + (label.toTheRight ? gap : -gap);
-        actor.SetDisplayPosition(static_cast<int>(std::lround(x)),
-                                 static_cast<int>(std::lround(height / 2.0 - label.at[1] * height)));
-        actor.SetVisibility(true);
+        gaps.push_back(text.gap * scale);
+        words.push_back({places, (size[0] + gaps.back()) / height, size[1] / height});
+        shown.push_back(&actor);
+    }
+    const std::vector<MeasurementLabel> labels = labelsOf(words, viewportWidth / height);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const MeasurementLabel& label = labels[i];
+        label.toTheRight ? shown[i]->GetTextProperty()->SetJustificationToLeft()
+                         : shown[i]->GetTextProperty()->SetJustificationToRight();
+        const double x = viewportWidth / 2.0 + label.at[0] * height + (label.toTheRight ? gaps[i] : -gaps[i]);
+        shown[i]->SetDisplayPosition(static_cast<int>(std::lround(x)),
+                                     static_cast<int>(std::lround(height / 2.0 - label.at[1] * height)));
+        shown[i]->SetVisibility(true);
     }
 }
 
