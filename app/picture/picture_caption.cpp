@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "processing/document/view_caster.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -47,6 +48,14 @@ QString lightLine(const Look& look) {
     return look.lighting == Lighting::depth ? tr("light tells depth") : tr("light on surfaces");
 }
 
+/// Where the phases move the line stands in every frame: else it would go for the one whose OTF it is.
+QString otfLine(const Document& document, int view) {
+    const MotionChoice& motion = document.motion;
+    if (motion.otf != MotionOtf::oneOtf || !needsAdaptiveOtf(document, view)) return {};
+    if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, view)) return {};
+    return tr("OTF of phase %1").arg(motion.otfPhase + 1);
+}
+
 }  // namespace
 
 bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf) {
@@ -60,7 +69,9 @@ QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
     QStringList lines{beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
                       cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
-                      speckleLine(look.reduction, facts.speckle), lightLine(look),
+                      speckleLine(look.reduction, facts.speckle),
+                      lightLine(look),
+                      otfLine(facts.document, facts.view),
                       facts.curveOfAnotherView ? tr("curve of another view (A computes it for this one)") : QString()};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));

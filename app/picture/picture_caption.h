@@ -29,7 +29,8 @@ struct CaptionFacts {
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf);
 
 /// One line for each of these that is true: which way round and how that is known, what is cut off and who cut it, how
-/// much speckle was taken away, which light falls, that the curve was computed for another view.
+/// much speckle was taken away, which light falls, which phase the one OTF of all phases is of, that the curve was
+/// computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent

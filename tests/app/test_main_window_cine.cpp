@@ -136,6 +136,31 @@ private slots:
         waitUntilIdle();
     }
 
+    void theCaptionSaysOfWhichPhaseTheOneOtfIs() {
+        open(m_moving);
+        const auto said = [this] { return window().volumeView().caption().contains("OTF of phase 1"); };
+        QVERIFY(said());  // as in every frame of the motion
+        QTest::keyClick(&window(), Qt::Key_Period);
+        waitUntilIdle();
+        QVERIFY2(said(), qPrintable(window().volumeView().caption()));
+        QTest::keyClick(&window(), Qt::Key_2);  // another curve
+        QVERIFY(!said());
+        QTest::keyClick(&window(), Qt::Key_1);
+        QVERIFY(said());
+        Document next = document();
+        next.motion.scenario = MotionScenario::probe;
+        window().document().edit(next, "what moves");
+        QVERIFY(said());
+        window().document().showPhase(1, 0);
+        QVERIFY(!said());  // it is that of the phase shown
+        window().document().showPhase(1, 1);
+        next = document();
+        next.motion.otf = MotionOtf::eachView;
+        window().document().edit(next, "each phase's OTF");
+        QVERIFY(!said());
+        waitUntilIdle();
+    }
+
     void keysAndSliderStepThroughThePhases() {
         open(m_moving);
         const int steps = window().document().steps().count();
