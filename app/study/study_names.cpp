@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/window/settings.h"
+#include "io/document/session_file.h"
 
 namespace echolucent {
 
@@ -13,21 +14,33 @@ namespace {
 
 const QString leftOut = QStringLiteral("…");
 
-bool isWordOfLanguage(const QString& name) {
-    return std::ranges::all_of(name, [](QChar letter) { return letter.isLower(); });
+/// Whether what stands there is no part of a longer word or number: in "0.20240131" the digits stand for nobody.
+bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
+    const auto isDigit = [&](qsizetype place) { return place >= 0 && place < text.size() && text[place].isDigit(); };
+    const auto isPoint = [&](qsizetype place) {
+        return place >= 0 && place < text.size() && QStringLiteral(".,").contains(text[place]);
+    };
+    const qsizetype end = at + length;
+    const bool begins = at == 0 || !text[at - 1].isLetterOrNumber();
+    const bool ends = end == text.size() || !text[end].isLetterOrNumber();
+    const bool afterPoint = isDigit(at) && isPoint(at - 1) && isDigit(at - 2);
+    const bool beforePoint = isDigit(end - 1) && isPoint(end) && isDigit(end + 1);
+    return begins && ends && !afterPoint && !beforePoint;
 }
 
-bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
-    const bool begins = at == 0 || !text[at - 1].isLetterOrNumber();
-    const bool ends = at + length == text.size() || !text[at + length].isLetterOrNumber();
-    return begins && ends;
+/// Whether a folder or a file of this name stands there within a path: "10" in "slices/10", "US" in "US/1.dcm".
+bool isPartOfPath(const QString& text, qsizetype at, qsizetype length) {
+    const auto isSlash = [&](qsizetype place) {
+        return place >= 0 && place < text.size() && text[place] == QLatin1Char('/');
+    };
+    return isSlash(at - 1) || isSlash(at + length);
 }
 
 /// Whether what stands there is part of the name of a file: "heart-adaptive.json", "slices/heart".
 bool isPartOfName(const QString& text, qsizetype at, qsizetype length) {
     const bool continues = at + length + 1 < text.size() && QStringLiteral("._-").contains(text[at + length]) &&
                            text[at + length + 1].isLetterOrNumber();
-    return continues || (at > 0 && text[at - 1] == QLatin1Char('/'));
+    return continues || isPartOfPath(text, at, length);
 }
 
 }  // namespace
@@ -71,9 +84,18 @@ const std::vector<StudyNames::Known>& StudyNames::known() const {
     }
     m_known.emplace();
     for (auto name = names.begin(); name != names.end(); ++name)
-        m_known->push_back({name.key(), name.value(), isWordOfLanguage(name.key())});
+        m_known->push_back({name.key(), name.value(), standingOf(name.key())});
     std::ranges::sort(*m_known, std::ranges::greater{}, [](const Known& each) { return each.name.size(); });
     return *m_known;
+}
+
+StudyNames::Standing StudyNames::standingOf(const QString& name) {
+    constexpr qsizetype longWord = 4, longNumber = 6;  // of a date, or of a person's number
+    if (std::ranges::none_of(name, [](QChar letter) { return letter.isLetter(); }))
+        return name.size() >= longNumber ? Standing::anywhere : Standing::inPaths;
+    if (name.size() < longWord) return Standing::inPaths;
+    const bool word = std::ranges::all_of(name, [](QChar letter) { return letter.isLower(); });
+    return word ? Standing::inNames : Standing::anywhere;
 }
 
 QString StudyNames::nameOf(const QString& path) const {
@@ -81,8 +103,9 @@ QString StudyNames::nameOf(const QString& path) const {
 }
 
 QString StudyNames::beginningFor(const QString& path) const {
+    if (path.isEmpty()) return tr("simulated-scan");
     return m_numbers ? tr("study-%1").arg(m_settings.studyNumber(path))
-                     : QFileInfo(QDir::cleanPath(path)).completeBaseName();
+                     : QString::fromStdString(stemOfStudy(path.toStdString()));
 }
 
 QString StudyNames::nameOfOther(const QString& path) const {
@@ -96,8 +119,10 @@ QString StudyNames::numbered(QString text) const {
         const QString number = tr("Study %1").arg(known.study);
         for (qsizetype at = 0; (at = text.indexOf(known.name, at)) >= 0;) {
             const qsizetype length = known.name.size();
-            const bool meant =
-                standsAlone(text, at, length) && (!known.wordOfLanguage || isPartOfName(text, at, length));
+            const bool stands = known.standing == Standing::anywhere  ? true
+                                : known.standing == Standing::inNames ? isPartOfName(text, at, length)
+                                                                      : isPartOfPath(text, at, length);
+            const bool meant = stands && standsAlone(text, at, length);
             if (meant) text.replace(at, length, number);
             at += meant ? number.size() : length;
         }

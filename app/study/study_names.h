@@ -32,7 +32,8 @@ public:
 
     /// The name of a study's file or folder, or "Study 3".
     [[nodiscard]] QString nameOf(const QString& path) const;
-    /// What names of files that belong to a study begin with: the file's own name without its ending, or "study-3".
+    /// What names of files that belong to a study begin with: the file's own name without its ending, or "study-3";
+    /// "simulated-scan" where the path is empty.
     [[nodiscard]] QString beginningFor(const QString& path) const;
     /// The name of a file that is no study, a curve for example; or nothing of it but the ending, "*.json".
     [[nodiscard]] QString nameOfOther(const QString& path) const;
@@ -50,11 +51,15 @@ signals:
     void changed();
 
 private:
+    /// Where a piece of text is a name: what may stand in a sentence for something else, as words, short ones and
+    /// numbers do, is one only where names of files stand.
+    enum class Standing { anywhere, inNames, inPaths };
+    [[nodiscard]] static Standing standingOf(const QString& name);
     /// A piece of text that names a study.
     struct Known {
         QString name;
         int study = 0;
-        bool wordOfLanguage = false;  ///< it may stand in a sentence for something else
+        Standing standing = Standing::anywhere;
     };
     [[nodiscard]] const std::vector<Known>& known() const;
     [[nodiscard]] QString numbered(QString text) const;

@@ -68,13 +68,25 @@ std::string studyPathFrom(const std::string& file, const std::string& path) {
     return fromWorkingFolder ? path : beside.string();
 }
 
-std::string proposedSessionFile(const std::string& study) {
-    fs::path path = fs::path(study).lexically_normal();
-    if (!path.has_filename()) path = path.parent_path();
-    std::string stem = isFolder(study) ? path.filename().string() : path.stem().string();
+namespace {
+
+/// Without a slash at its end.
+fs::path plainPath(const std::string& study) {
+    const fs::path path = fs::path(study).lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
+}  // namespace
+
+std::string stemOfStudy(const std::string& study) {
+    const fs::path path = plainPath(study);
+    if (isFolder(study)) return path.filename().string();
     // "heart.nii.gz" is packed "heart.nii".
-    if (path.extension() == ".gz" && !isFolder(study)) stem = fs::path(stem).stem().string();
-    return (path.parent_path() / (stem + ".session.json")).string();
+    return path.extension() == ".gz" ? path.stem().stem().string() : path.stem().string();
+}
+
+std::string proposedSessionFile(const std::string& study) {
+    return (plainPath(study).parent_path() / (stemOfStudy(study) + ".session.json")).string();
 }
 
 Result<void> refuseSessionInside(const std::string& study, const std::vector<std::string>& files,

@@ -173,6 +173,7 @@ TEST(SessionFile, LiesBesideTheStudyAndNeverInIt) {
     EXPECT_EQ(proposedSessionFile(folder.file("slices")), folder.file("slices.session.json"));
     EXPECT_EQ(proposedSessionFile(folder.file("slices/")), folder.file("slices.session.json"));
     EXPECT_EQ(proposedSessionFile("/data/a.b.mha"), "/data/a.b.session.json");
+    EXPECT_EQ(stemOfStudy("/data/heart.nii.gz"), "heart");
     const auto allowed = [&](const std::string& study, const std::string& file) {
         return refuseSessionInside(study, {slice, volume}, file).has_value();
     };

@@ -1,0 +1,52 @@
+// What of a text are names of files, and what are words and numbers that must stay as they are.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/study/study_names.h"
+#include "app/window/settings.h"
+
+using namespace echolucent;
+
+class TestStudyNames : public QObject {
+    Q_OBJECT
+
+private slots:
+    void numbersStandForNamesAndForNothingElse_data() {
+        QTest::addColumn<QString>("study");
+        QTest::addColumn<QStringList>("files");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("shown");
+        const QStringList slices{"/data/3D/10.dcm", "/data/3D/100"};
+        QTest::newRow("numbers") << "/data/3D" << slices << "spacing 0.10 mm, 10 slices, 100 x 10 x 10.5"
+                                 << "spacing 0.10 mm, 10 slices, 100 x 10 x 10.5";
+        QTest::newRow("short words") << "/data/US" << QStringList{"/data/US/MR.1.dcm"} << "US, 3D, MR: modality US"
+                                     << "US, 3D, MR: modality US";
+        QTest::newRow("words") << "/data/spacing.mha" << QStringList{} << "spacing 0.1 mm"
+                               << "spacing 0.1 mm";
+        QTest::newRow("a slice") << "/data/3D" << slices << "10.dcm cannot be read"
+                                 << "Study 1 cannot be read";
+        QTest::newRow("its folder") << "/data/3D" << slices << "3D/7 cannot be read"
+                                    << "Study 1/7 cannot be read";
+        QTest::newRow("a short name") << "/data/Doe" << QStringList{} << "Doe/7.dcm is short"
+                                      << "Study 1/7.dcm is short";
+        QTest::newRow("a name") << "/data/Muster.mha" << QStringList{} << "Muster, Muster-1.json"
+                                << "Study 1, Study 1-1.json";
+        QTest::newRow("a person's number") << "/data/20240131.mha" << QStringList{} << "20240131 and 0.20240131"
+                                           << "Study 1 and 0.20240131";
+    }
+    void numbersStandForNamesAndForNothingElse() {
+        QFETCH(QString, study);
+        QFETCH(QStringList, files);
+        QFETCH(QString, text);
+        const QTemporaryDir folder;
+        Settings settings(folder.filePath("settings.ini"));
+        StudyNames names(settings);
+        names.know(study, files);
+        QCOMPARE(names.shown(text), text);
+        names.showNumbers(true);
+        QTEST(names.shown(text), "shown");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStudyNames)
+#include "test_study_names.moc"
