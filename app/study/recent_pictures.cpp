@@ -3,10 +3,10 @@
 #include <QDir>
 #include <QSet>
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "app/picture/picture_image.h"
-#include "app/study/session.h"
 #include "app/window/settings.h"
 #include "io/output/picture_file.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -34,10 +34,8 @@ void removeOthers(const QString& folder, const QStringList& recent) {
 
 }  // namespace
 
-RecentPictures::RecentPictures(const Session& session, const Settings& settings, VolumeViewWidget& view,
-                               QObject* parent)
+RecentPictures::RecentPictures(const Settings& settings, VolumeViewWidget& view, QObject* parent)
     : QObject(parent),
-      m_session(session),
       m_settings(settings),
       m_view(view),
       m_folder(settings.recentPicturesFolder()),
@@ -48,7 +46,7 @@ RecentPictures::RecentPictures(const Session& session, const Settings& settings,
 void RecentPictures::setAtRest(bool atRest) {
     const bool cameToRest = atRest && !m_atRest;
     m_atRest = atRest;
-    const QString path = m_session.path();
+    const QString path = m_opened;
     if (!atRest || path.isEmpty() || !m_view.volume() || !m_view.pictureIsFine() || !m_view.pictureIsCurrent()) return;
     if (!m_settings.keptRecentFiles().contains(path)) return;
     const std::shared_ptr<const Picture> picture = m_view.picture();
@@ -67,12 +65,15 @@ void RecentPictures::keep(const QString& path, std::function<QImage()> make) {
         [folder = m_folder, path, recent = m_settings.keptRecentFiles(),
          make = std::move(make)](const Progress&) -> NewestWinsThread::Deliver {
             removeOthers(folder, recent);
-            const QImage image = make();
-            if (image.isNull() || !QDir().mkpath(folder)) return {};
-            const QImage small = smallSquare(image);
-            // Where it cannot be written, the list does without.
-            (void)writePng(QDir(folder).filePath(nameOf(path)).toStdString(), small.width(), small.height(),
-                           rgbBytesOf(small));
+            // Where it cannot be made or written, the list does without.
+            try {
+                const QImage image = make();
+                if (image.isNull() || !QDir().mkpath(folder)) return {};
+                const QImage small = smallSquare(image);
+                (void)writePng(QDir(folder).filePath(nameOf(path)).toStdString(), small.width(), small.height(),
+                               rgbBytesOf(small));
+            } catch (const std::exception&) {
+            }
             return {};
         },
         NewestWinsThread::WhenSuperseded::finish);

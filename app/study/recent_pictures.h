@@ -12,7 +12,6 @@
 
 namespace echolucent {
 
-class Session;
 class Settings;
 class VolumeViewWidget;
 
@@ -26,8 +25,11 @@ public:
     static constexpr int edge = 96;
 
     /// All must outlive this. The folder of the pictures is made with the first of them.
-    RecentPictures(const Session& session, const Settings& settings, VolumeViewWidget& view, QObject* parent = nullptr);
+    RecentPictures(const Settings& settings, VolumeViewWidget& view, QObject* parent = nullptr);
 
+    /// The path under which what is open now stands in the list of recent files, a session's where one was opened;
+    /// empty where it does not stand there.
+    void setOpened(const QString& path) { m_opened = path; }
     /// Whether nothing loads, computes or renders, so that the 3D view shows the study that is open. Its picture is
     /// kept each time it is another one; none is cast for it. Pictures of studies that have left the list go.
     void setAtRest(bool atRest);
@@ -44,10 +46,10 @@ signals:
 private:
     void keep(const QString& path, std::function<QImage()> make);
 
-    const Session& m_session;
     const Settings& m_settings;
     VolumeViewWidget& m_view;
     QString m_folder;
+    QString m_opened;
     bool m_atRest = false;
     std::weak_ptr<const Picture> m_kept;  ///< the 3D view's picture that was kept last
     // Last, so that its thread has ended before anything above is destroyed.

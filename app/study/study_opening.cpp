@@ -60,6 +60,7 @@ void StudyOpening::noteOpened() {
     // What the program kept by itself is no file of the person's.
     if (QFileInfo(opened).absolutePath() == QFileInfo(m_parts.settings.autosaveFolder()).absoluteFilePath())
         opened = saved->session.file.empty() ? m_parts.session.path() : QString::fromStdString(saved->session.file);
+    m_parts.pictures.setOpened(opened);
     if (opened.isEmpty()) return;
     m_parts.settings.addRecentFile(opened);
     m_parts.settings.setLastFolder(QFileInfo(opened).absolutePath());

@@ -95,7 +95,7 @@ void MainWindow::createUnits() {
                           *m_widgets.status, *m_widgets.messages, m_names});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
         NearCutFinder::Parts{m_document, mainView, *m_session, *m_computing, *m_widgets.messages});
-    m_recentPictures = std::make_unique<RecentPictures>(*m_session, m_settings, *m_widgets.picture);
+    m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);
     m_opening = std::make_unique<StudyOpening>(
         StudyOpening::Parts{*this, *m_session, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(

@@ -71,6 +71,10 @@ private slots:
         emit recent->aboutToShow();
         QVERIFY2(recent->actions().first()->text().contains("heart.session.json"),
                  qPrintable(recent->actions().first()->text()));
+        // Its small picture stands beside it.
+        waitUntilIdle();
+        QVERIFY(
+            QFile::exists(Settings(settingsFile()).dataFolder() + "/recent/" + Settings::hashOf(proposed) + ".png"));
     }
 
     void aVolumeThatMovedIsFoundByItsBytes() {
