@@ -32,8 +32,9 @@ PictureLabels labelsOf(const FrameOrder& order, const ViewFrames& frames, int fr
     const Document shown = frames.documentOf(frame);
     const bool known = picture.voxels->geometry().spacingKnown;
     const MotionChoice& motion = order.document.motion;
-    const bool ofAnotherView = needsAdaptiveOtf(shown, order.view) && !movesProbe(motion.scenario) &&
-                               shown.method.direction != poseOf(shown, order.view).direction;
+    // A frame of a probe that moves is no view of its own, not even the one in the middle.
+    const bool ofAnotherView =
+        !movesProbe(motion.scenario) && curveIsOfAnotherView(shown, order.view, otfViewpointOf(shown, order.view));
     return {.caption = pictureCaption({.document = shown,
                                        .view = order.view,
                                        .speckle = ShownSpeckle::reduced,

@@ -31,10 +31,11 @@ struct FrameOrder {
                                            const std::vector<std::string>& study);
 
 /// Writes every frame of one turn (ViewFrames), over black, with labels and measurements where the choice wants them.
-/// Files appear once the last frame is made, and none of them before: where it fails, or is cancelled
-/// (Failure::cancelled, within a frame), what was there before is as it was. Without labels a picture of a series is
-/// that of `render --document`, to the bit. Needs no GUI thread; the movie's encoder is loaded by the thread that calls
-/// it.
+/// Files appear once the last frame is made, and none of them before: where it fails until then, or is cancelled
+/// (Failure::cancelled, within a frame), what was there before is as it was. Where a picture of a series cannot take
+/// its place then, those before it that are new are removed, and those that replaced others stay. Without labels a
+/// picture of a series is that of `render --document`, to the bit. Needs no GUI thread; the movie's encoder is loaded
+/// by the thread that calls it.
 [[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
 
 }  // namespace echolucent

@@ -59,7 +59,7 @@ void MovieFiles::ask(FrameOutput output) {
 int MovieFiles::frameCount() const {
     const Document& document = m_parts.model.document();
     const int phases = static_cast<int>(m_parts.session.study()->phases.size());
-    return static_cast<int>(framesOfTurn(document.motion, phases, phaseOf(document, m_parts.view)).size());
+    return static_cast<int>(turnOf(document, m_parts.view, phases).size());
 }
 
 QString MovieFiles::whatPlays() const {

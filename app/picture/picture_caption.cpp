@@ -59,10 +59,14 @@ QString otfLine(const Document& document, int view) {
 }  // namespace
 
 bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf) {
-    if (otf == nullptr || document.motionAngle != 0.0) return false;
+    return otf != nullptr && curveIsOfAnotherView(document, view, otf->view);
+}
+
+bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf) {
+    if (document.motionAngle != 0.0) return false;
     if (lookOf(document, view).mode != RenderMode::direct || viewOf(document, view).curve != CurveKind::adaptive)
         return false;
-    return directionOf(otf->view) != poseOf(document, view).direction;
+    return directionOf(ofOtf) != poseOf(document, view).direction;
 }
 
 QString pictureCaption(const CaptionFacts& facts) {

@@ -27,6 +27,8 @@ struct CaptionFacts {
 /// Whether the picture's curve is adaptive and was computed for another direction than the picture is seen along: the
 /// hand has turned the view since. The frames of a motion are no views of their own in this. `otf` may be null.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf);
+/// The same of an OTF that was computed, or will be, for this viewpoint.
+[[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf);
 
 /// One line for each of these that is true: which way round and how that is known, what is cut off and who cut it, how
 /// much speckle was taken away, which light falls, which phase the one OTF of all phases is of, that the curve was

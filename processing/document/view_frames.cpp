@@ -1,6 +1,7 @@
 #include "processing/document/view_frames.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace echolucent {
 
@@ -20,11 +21,17 @@ std::optional<OtfSmoothing> smoothingOf(MotionOtf otf) {
 
 }  // namespace
 
+std::vector<MotionPosition> turnOf(const Document& document, int view, int phases) {
+    const MotionPosition at{.angle = static_cast<int>(std::lround(document.motionAngle)),
+                            .phase = phaseOf(document, view)};
+    return framesOfTurn(document.motion, phases, at);
+}
+
 ViewFrames::ViewFrames(Document document, int view, StudyPhases phases)
     : m_document(std::move(document)),
       m_view(view),
       m_caster(std::move(phases)),
-      m_turn(framesOfTurn(m_document.motion, m_caster.phaseCount(), phaseOf(m_document, view))) {}
+      m_turn(turnOf(m_document, view, m_caster.phaseCount())) {}
 
 Document ViewFrames::documentOf(int frame) const {
     const MotionPosition& at = position(frame);

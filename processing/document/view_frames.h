@@ -12,7 +12,11 @@
 
 namespace echolucent {
 
-/// One turn of a motion (framesOfTurn()), which can be shown over and over. Its frames are those of the document's
+/// framesOfTurn() of a document's motion in a study of `phases` phases (>= 1): what does not move stays as the view
+/// shows it.
+[[nodiscard]] std::vector<MotionPosition> turnOf(const Document& document, int view, int phases);
+
+/// One turn of a motion (turnOf()), which can be shown over and over. Its frames are those of the document's
 /// view: turned by the frame's angle, of the frame's phase, in the converged quality of viewPicture(), and with the OTF
 /// that MotionChoice::otf names where the adaptive one plays a part:
 ///   oneOtf      that of otfPhaseOf() along the method's direction, for every frame;

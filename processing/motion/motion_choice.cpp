@@ -50,10 +50,10 @@ MotionPosition nextFrame(const MotionPosition& position, const MotionChoice& mot
     return after;
 }
 
-std::vector<MotionPosition> framesOfTurn(const MotionChoice& motion, int phases, int phase) {
+std::vector<MotionPosition> framesOfTurn(const MotionChoice& motion, int phases, const MotionPosition& at) {
     MotionPosition first;
-    first.angle = movesProbe(motion.scenario) ? firstMotionAngle : 0;
-    first.phase = movesObject(motion.scenario) ? playedPhases(motion, phases).first : phase;
+    first.angle = movesProbe(motion.scenario) ? firstMotionAngle : at.angle;
+    first.phase = movesObject(motion.scenario) ? playedPhases(motion, phases).first : at.phase;
     const auto begins = [&](const MotionPosition& position) {
         return movesProbe(motion.scenario) ? position.angle == first.angle : position.phase == first.phase;
     };

@@ -56,9 +56,10 @@ struct MotionPosition {
 [[nodiscard]] MotionPosition nextFrame(const MotionPosition& position, const MotionChoice& motion, int phases);
 
 /// The frames of one turn of a motion, from its first angle and its first phase on, each as often as it is shown until
-/// the first of them comes again; a still probe stands at 0 degrees, and a still object shows `phase`. Where probe and
-/// object move, a turn is one of the probe.
-[[nodiscard]] std::vector<MotionPosition> framesOfTurn(const MotionChoice& motion, int phases, int phase);
+/// the first of them comes again; a still probe stands at the angle of `at`, and a still object shows its phase. Where
+/// probe and object move, a turn is one of the probe.
+[[nodiscard]] std::vector<MotionPosition> framesOfTurn(const MotionChoice& motion, int phases,
+                                                       const MotionPosition& at);
 
 /// What is wrong with choices that were read from a file, lower case, no full stop; an empty text where nothing is.
 [[nodiscard]] std::string problemOf(const MotionChoice& motion);

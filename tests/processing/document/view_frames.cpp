@@ -72,6 +72,17 @@ TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
         }
 }
 
+TEST(ViewFrames, AStillProbeStaysAsTheHandTurnedIt) {
+    const StudyPhases phases = phasesOf(2);
+    Document document = documentOf(MotionScenario::object, MotionOtf::oneOtf);
+    document.motionAngle = 30;
+    ViewFrames frames(document, 1, phases);
+    Document alone = document;
+    phaseOf(alone, 1) = 1;
+    EXPECT_EQ(frames.documentOf(1), alone);
+    EXPECT_TRUE(pixels(frames.picture(1, width, height)) == pixels(viewPicture(alone, 1, phases.scans, width, height)));
+}
+
 TEST(ViewFrames, PhasesComeBackWithTheSameBits) {
     const StudyPhases phases = phasesOf(3);
     Document document = documentOf(MotionScenario::object, MotionOtf::eachView);

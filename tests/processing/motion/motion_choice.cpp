@@ -13,31 +13,38 @@ std::vector<int> phasesOf(const std::vector<MotionPosition>& frames) {
 
 TEST(MotionChoice, PhasesLoopOrGoBackAndForthAndShowTheirEndsOnce) {
     MotionChoice motion{.scenario = MotionScenario::object};
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, 2)), (std::vector{0, 1, 2, 3}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, {.phase = 2})), (std::vector{0, 1, 2, 3}));
     motion.phasesPingPong = true;
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, 2)), (std::vector{0, 1, 2, 3, 2, 1}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, {.phase = 2})), (std::vector{0, 1, 2, 3, 2, 1}));
     motion.phaseRange = PhaseRange{1, 3};
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, 2)), (std::vector{1, 2, 3, 2}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, {.phase = 2})), (std::vector{1, 2, 3, 2}));
     motion.phaseRange = PhaseRange{3, 9};  // as of another study
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, 2)), (std::vector{3}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 4, {.phase = 2})), (std::vector{3}));
     motion.phaseRange.reset();
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 1, 0)), (std::vector{0}));
-    EXPECT_EQ(phasesOf(framesOfTurn(motion, 2, 0)), (std::vector{0, 1}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 1, {.phase = 0})), (std::vector{0}));
+    EXPECT_EQ(phasesOf(framesOfTurn(motion, 2, {.phase = 0})), (std::vector{0, 1}));
 }
 
 TEST(MotionChoice, AProbeTurnsThroughAllAnglesAndAStillObjectStays) {
     MotionChoice motion{.scenario = MotionScenario::probe, .pingPong = false};
-    const auto once = framesOfTurn(motion, 4, 2);
+    const auto once = framesOfTurn(motion, 4, {.phase = 2});
     ASSERT_EQ(once.size(), 91u);
     EXPECT_EQ(once.front().angle, firstMotionAngle);
     EXPECT_EQ(once.back().angle, lastMotionAngle);
     for (const MotionPosition& frame : once) EXPECT_EQ(frame.phase, 2);
     motion.pingPong = true;
-    EXPECT_EQ(framesOfTurn(motion, 4, 2).size(), 180u);
+    EXPECT_EQ(framesOfTurn(motion, 4, {.phase = 2}).size(), 180u);
     motion.scenario = MotionScenario::both;
-    const auto both = framesOfTurn(motion, 4, 2);
+    const auto both = framesOfTurn(motion, 4, {.phase = 2});
     ASSERT_EQ(both.size(), 180u);
     for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both[i].phase, static_cast<int>(i % 4));
+}
+
+TEST(MotionChoice, AStillProbeStaysWhereItStands) {
+    const MotionChoice motion{.scenario = MotionScenario::object};
+    const auto turn = framesOfTurn(motion, 3, {.angle = 30, .phase = 2});
+    ASSERT_EQ(turn.size(), 3u);
+    for (const MotionPosition& frame : turn) EXPECT_EQ(frame.angle, 30);
 }
 
 TEST(MotionChoice, APhaseOutsideTheRangeGoesOnWithItsFirst) {
