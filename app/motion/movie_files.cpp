@@ -1,37 +1,29 @@
 #include "app/motion/movie_files.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QWidget>
 #include <algorithm>
-#include <new>
 #include <utility>
 
+#include "app/study/study_names.h"
+#include "app/window/save_dialog.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
-namespace {
-
-/// "heart.mp4", or "heart-0001.png to heart-0020.png".
-QString namesOf(const std::vector<std::string>& files) {
-    const auto name = [](const std::string& path) { return QFileInfo(QString::fromStdString(path)).fileName(); };
-    return files.size() == 1 ? name(files.front())
-                             : QObject::tr("%1 to %2").arg(name(files.front()), name(files.back()));
-}
-
-}  // namespace
-
 MovieFiles::MovieFiles(Parts parts)
-    : QObject(&parts.window), m_parts(std::move(parts)), m_thread(QStringLiteral("movie")) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &MovieFiles::busyChanged);
-    connect(&m_thread, &NewestWinsThread::progressed, this, &MovieFiles::progressed);
+    : QObject(&parts.window), m_parts(std::move(parts)), m_writing(QStringLiteral("movie")) {
+    connect(&m_writing, &FileWriting::busyChanged, this, &MovieFiles::busyChanged);
+    connect(&m_writing, &FileWriting::progressed, this, &MovieFiles::progressed);
 }
 
-MovieFiles::~MovieFiles() {
-    if (m_cancel) *m_cancel = true;
+/// "heart.mp4", or "heart-0001.png to heart-0020.png"; where names are not shown, "*.png" for all of them.
+QString MovieFiles::namesOf(const std::vector<std::string>& files) const {
+    const QString first = m_parts.names.nameOfOther(QString::fromStdString(files.front())),
+                  last = m_parts.names.nameOfOther(QString::fromStdString(files.back()));
+    return first == last ? first : tr("%1 to %2").arg(first, last);
 }
 
 void MovieFiles::ask(FrameOutput output) {
@@ -46,6 +38,7 @@ void MovieFiles::ask(FrameOutput output) {
                          .frames = frameCount(),
                          .ofView = m_parts.viewPixels(),
                          .choice = proposal(output),
+                         .folderShown = !m_parts.names.showsNumbers(),
                          .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
                          .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},
                         &m_parts.window);
@@ -95,7 +88,7 @@ MovieHindrance MovieFiles::hindrance(FrameOutput output, const MovieChoice& choi
     if (!m_parts.session.study() || choice.path.isEmpty()) return {tr("Give the file a name."), false};
     const int frames = frameCount();
     if (const auto possible = checkFrameFiles(output, choice, frames, m_parts.session.study()->files); !possible)
-        return {QString::fromStdString(possible.error().sentence()), false};
+        return {m_parts.names.sentenceOf(possible.error()), false};
     const std::vector<std::string> files = filesOf(output, choice, frames);
     const auto there = std::ranges::count_if(
         files, [](const std::string& file) { return QFileInfo::exists(QString::fromStdString(file)); });
@@ -107,15 +100,14 @@ MovieHindrance MovieFiles::hindrance(FrameOutput output, const MovieChoice& choi
 
 QString MovieFiles::choosePath(FrameOutput output, const QString& present) const {
     const bool movie = output == FrameOutput::movie;
-    QFileDialog dialog(&m_parts.window, movie ? tr("Save movie") : tr("Save picture series"),
-                       QFileInfo(present).absolutePath(),
-                       movie ? tr("Movies (*.mp4 *.avi *.mkv)") : tr("Pictures (*.png)"));
-    dialog.setObjectName("saveFile");
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setOption(QFileDialog::DontConfirmOverwrite);  // that is asked where the choice is made
-    dialog.setDefaultSuffix(movie ? QStringLiteral("mp4") : QStringLiteral("png"));
-    dialog.selectFile(QFileInfo(present).fileName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
+    const QFileInfo proposed(present);
+    return chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+                            {.title = movie ? tr("Save movie") : tr("Save picture series"),
+                             .filter = movie ? tr("Movies (*.mp4 *.avi *.mkv)") : tr("Pictures (*.png)"),
+                             .name = proposed.completeBaseName(),
+                             .suffix = movie ? QStringLiteral("mp4") : QStringLiteral("png"),
+                             .folder = proposed.absolutePath(),
+                             .asksBeforeReplacing = false});  // the dialog of the movie asks
 }
 
 FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) const {
@@ -139,37 +131,28 @@ void MovieFiles::begin(FrameOutput output, const MovieChoice& choice) {
     m_last = choice;
     m_output = output;
     m_parts.settings.setLastSaveFolder(QFileInfo(choice.path).absolutePath());
-    m_cancel = std::make_shared<std::atomic<bool>>(false);
-    const QString names = namesOf(filesOf(output, choice, frameCount()));
-    const auto order = std::make_shared<const FrameOrder>(orderOf(output, choice));
-    // A flag of its own: of a movie that was whole before it was cancelled it is told that it was written.
-    m_thread.submit([this, order, names, cancel = m_cancel](const Progress& progress) -> NewestWinsThread::Deliver {
-        bool done = false;
-        QString sentence =
-            (order->output == FrameOutput::movie ? tr("%1 was saved.") : tr("%1 were saved.")).arg(names);
-        try {
-            const auto written = writeFrames(*order, {progress.report, cancel.get()});
-            done = written.has_value();
-            if (!done && written.error().kind == FailureKind::cancelled)
-                sentence = tr("Writing %1 was cancelled; no file is left of it.").arg(names);
-            else if (!done)
-                sentence = QString::fromStdString(written.error().sentence());
-        } catch (const std::bad_alloc&) {
-            sentence = tr("Writing %1 needs more memory than this machine has.").arg(names);
-        }
-        const bool byHand = *cancel;
-        return
-            [this, done, byHand, sentence] { tell(done, byHand ? MessageKind::info : MessageKind::error, sentence); };
-    });
+    m_writing.begin(
+        choice.path,
+        [order = std::make_shared<const FrameOrder>(orderOf(output, choice))](const Progress& progress) {
+            return writeFrames(*order, progress);
+        },
+        [this, names = namesOf(filesOf(output, choice, frameCount()))](const Result<void>& written) {
+            tell(names, written);
+        });
 }
 
-void MovieFiles::tell(bool written, MessageKind ofTrouble, const QString& sentence) {
-    m_parts.messages.showMessage(written ? MessageKind::info : ofTrouble, sentence);
+void MovieFiles::tell(const QString& names, const Result<void>& written) {
+    if (written) {
+        const QString sentence = m_output == FrameOutput::movie ? tr("%1 was saved.") : tr("%1 were saved.");
+        return tell(true, MessageKind::info, sentence.arg(names));
+    }
+    if (written.error().kind == FailureKind::cancelled) return tell(false, MessageKind::info, cancelledSentence(names));
+    tell(false, MessageKind::error, m_parts.names.sentenceOf(written.error()));
+}
+
+void MovieFiles::tell(bool written, MessageKind kind, const QString& sentence) {
+    m_parts.messages.showMessage(kind, sentence);
     emit ended(written, sentence);
-}
-
-void MovieFiles::cancel() {
-    if (m_cancel) *m_cancel = true;
 }
 
 QString MovieFiles::activity() const {

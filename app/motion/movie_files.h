@@ -3,15 +3,13 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <functional>
-#include <memory>
 
 #include "app/document/document_model.h"
 #include "app/motion/frame_files.h"
 #include "app/study/session.h"
+#include "app/window/file_writing.h"
 #include "app/window/settings.h"
-#include "widgets/newest_wins_thread.h"
 #include "widgets/panels/movie_dialog.h"
 
 class QWidget;
@@ -19,6 +17,7 @@ class QWidget;
 namespace echolucent {
 
 class MessageBar;
+class StudyNames;
 enum class MessageKind;
 
 /// Writes one movie or series at a time, of the document and the phases as they were when it was begun; the window
@@ -34,20 +33,20 @@ public:
         Session& session;
         Settings& settings;
         MessageBar& messages;
+        const StudyNames& names;
         std::function<QSize()> viewPixels;                         ///< of the 3D view, device pixels
         std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
     };
     /// All outlive this, which belongs to the window.
     explicit MovieFiles(Parts parts);
-    ~MovieFiles() override;
 
     /// Opens the dialog (movieDialog). Where nothing is open nothing happens; while one is being written, it says so.
     void ask(FrameOutput output);
     /// Begins to write. What was chosen is checked once more.
     void begin(FrameOutput output, const MovieChoice& choice);
-    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+    [[nodiscard]] bool busy() const { return m_writing.busy(); }
     /// Ends what is being written, within a frame.
-    void cancel();
+    void cancel() { m_writing.cancel(); }
     /// "writing the movie".
     [[nodiscard]] QString activity() const;
 
@@ -64,14 +63,15 @@ private:
     [[nodiscard]] MovieHindrance hindrance(FrameOutput output, const MovieChoice& choice) const;
     [[nodiscard]] QString whatPlays() const;
     [[nodiscard]] QString choosePath(FrameOutput output, const QString& present) const;
-    void tell(bool written, MessageKind ofTrouble, const QString& sentence);
+    [[nodiscard]] QString namesOf(const std::vector<std::string>& files) const;
+    void tell(const QString& names, const Result<void>& written);
+    void tell(bool written, MessageKind kind, const QString& sentence);
 
     Parts m_parts;
-    FrameOutput m_output = FrameOutput::movie;    ///< of what is being written
-    std::shared_ptr<std::atomic<bool>> m_cancel;  ///< of the same; null before the first
-    MovieChoice m_last;                           ///< what was chosen last: size and labels are proposed again
+    FrameOutput m_output = FrameOutput::movie;  ///< of what is being written
+    MovieChoice m_last;                         ///< what was chosen last: size and labels are proposed again
     // Last, so that its thread has ended before anything above is destroyed.
-    NewestWinsThread m_thread;
+    FileWriting m_writing;
 };
 
 }  // namespace echolucent

@@ -164,8 +164,11 @@ void PresetControls::chooseAndExport(int preset) {
     QString name = textOf(all().at(static_cast<std::size_t>(preset)).name);
     for (QChar& character : name)
         if (QStringLiteral("/\\:*?\"<>|").contains(character) || !character.isPrint()) character = '-';
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Export preset"), tr("Presets (*.json)"),
-                                          name, QStringLiteral("json"));
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+                                          {.title = tr("Export preset"),
+                                           .filter = tr("Presets (*.json)"),
+                                           .name = name,
+                                           .suffix = QStringLiteral("json")});
     if (!path.isEmpty()) exportTo(path, preset);
 }
 

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDateTime>
-#include <new>
 #include <utility>
 
 #include "app/picture/picture_to_keep.h"
@@ -55,9 +54,14 @@ QImage imageOfPane(PlanePane& pane) {
 }  // namespace
 
 ReportSaving::ReportSaving(const Parts& parts)
-    : QObject(&parts.window), m_parts(parts), m_thread(QStringLiteral("case report")) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &ReportSaving::busyChanged);
-    connect(&m_thread, &NewestWinsThread::progressed, this, &ReportSaving::progressed);
+    : QObject(&parts.window), m_parts(parts), m_writing(QStringLiteral("case report")) {
+    connect(&m_writing, &FileWriting::busyChanged, this, &ReportSaving::busyChanged);
+    connect(&m_writing, &FileWriting::progressed, this, &ReportSaving::progressed);
+    connect(&m_parts.session, &Session::studyOpened, this, [this] {
+        if (m_wanted)
+            endUnwritten(tr("The case report %1 was not written, since another study was opened before it was taken.")
+                             .arg(m_parts.names.nameOfOther(m_wanted->path)));
+    });
     connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, [this](const PictureReport& made) {
         if (made.converged) m_converged = made;
     });
@@ -67,16 +71,22 @@ void ReportSaving::choose() {
     const Study* study = m_parts.session.study();
     if (study == nullptr) return;
     ReportDialog dialog(areDicomFiles(study->files), &m_parts.window);
+    connect(&m_parts.session, &Session::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return;
-    const QString beginning =
-        m_parts.session.isSimulatedScan() ? tr("simulated-scan") : m_parts.names.beginningFor(m_parts.session.path());
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Save case report"),
-                                          tr("Pages (*.html)"), tr("%1-report").arg(beginning), QStringLiteral("html"));
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+                                          {.title = tr("Save case report"),
+                                           .filter = tr("Pages (*.html)"),
+                                           .name = m_parts.proposedName(QStringLiteral("report")),
+                                           .suffix = QStringLiteral("html")});
     if (!path.isEmpty()) save(path, dialog.withPatient());
 }
 
 void ReportSaving::save(const QString& path, bool withPatient) {
     if (m_parts.session.study() == nullptr) return;
+    if (busy()) {
+        m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."));
+        return;
+    }
     m_parts.player.pause();
     m_wanted = Wanted{path, withPatient};
     m_taken.reset();
@@ -85,9 +95,15 @@ void ReportSaving::save(const QString& path, bool withPatient) {
 }
 
 void ReportSaving::cancel() {
+    m_writing.cancel();
+    if (m_wanted) endUnwritten(cancelledSentence(m_parts.names.nameOfOther(m_wanted->path)));
+}
+
+/// Ends what waits for its panes.
+void ReportSaving::endUnwritten(const QString& sentence) {
     m_wanted.reset();
     m_taken.reset();
-    m_thread.cancel();
+    m_parts.messages.showMessage(MessageKind::info, sentence);
     emit busyChanged();
 }
 
@@ -110,12 +126,12 @@ void ReportSaving::takeNextSoon() {
 void ReportSaving::takeNext() {
     m_takesSoon = false;
     if (!m_wanted || !m_taken) return;
-    if (m_taken->panes == paneCount) return submit();
+    if (m_taken->panes == paneCount) return write();
     if (auto taken = pane(m_taken->panes++)) m_taken->report.panes.push_back(std::move(*taken));
     takeNextSoon();
 }
 
-void ReportSaving::submit() {
+void ReportSaving::write() {
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
     CaseReport taken = std::move(std::exchange(m_taken, std::nullopt)->report);
     const Study& study = *m_parts.session.study();
@@ -124,18 +140,11 @@ void ReportSaving::submit() {
         const auto* file = std::get_if<StudyFile>(&m_parts.session.reference());
         source = PatientSource{study.files, file ? file->options.series : std::string()};
     }
-    m_thread.submit([this, wanted, source, report = std::move(taken),
-                     inputs = study.files](const Progress& progress) -> NewestWinsThread::Deliver {
-        Result<void> written;
-        try {
-            written = writeReport(report, source, inputs, wanted.path.toStdString(), progress);
-        } catch (const std::bad_alloc&) {
-            written = fail(FailureKind::unwritable, wanted.path.toStdString(), {},
-                           "needs more memory than this machine has", "Make the window smaller.");
-        }
-        if (progress.cancelled()) return {};
-        return [this, path = wanted.path, written] { tell(path, written); };
-    });
+    m_writing.begin(
+        wanted.path,
+        [source, report = std::move(taken), inputs = study.files, path = wanted.path.toStdString()](
+            const Progress& progress) { return writeReport(report, source, inputs, path, progress); },
+        [this, path = wanted.path](const Result<void>& written) { tell(path, written); });
 }
 
 CaseReport ReportSaving::snapshot() const {
@@ -191,9 +200,11 @@ std::vector<ReportTime> ReportSaving::times() const {
 }
 
 void ReportSaving::tell(const QString& path, const Result<void>& written) {
+    const QString name = m_parts.names.nameOfOther(path);
     if (written)
-        m_parts.messages.showMessage(MessageKind::info,
-                                     tr("The case report was saved as %1.").arg(m_parts.names.nameOfOther(path)));
+        m_parts.messages.showMessage(MessageKind::info, tr("The case report was saved as %1.").arg(name));
+    else if (written.error().kind == FailureKind::cancelled)
+        m_parts.messages.showMessage(MessageKind::info, cancelledSentence(name));
     else
         m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()));
 }

@@ -10,7 +10,7 @@
 #include "app/motion/motion_frames.h"
 #include "app/report/case_report.h"
 #include "app/study/session.h"
-#include "widgets/newest_wins_thread.h"
+#include "app/window/file_writing.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 class QWidget;
@@ -23,8 +23,10 @@ class PlanePane;
 class Settings;
 class StudyNames;
 
-/// Takes the panes as they stand on the screen once nothing moves there any more, one in each turn of the event loop,
-/// so that nothing waits for all of them; the page is made and written in a thread of its own.
+/// Takes the panes once nothing moves there any more, one in each turn of the event loop, so that nothing waits for all
+/// of them: planes as they stand on the screen, and of the 3D view the picture that is saved by itself
+/// (pictureToKeep()), without the lines of the render box and of the planes. The page is made and written in a thread
+/// of its own.
 class ReportSaving : public QObject {
     Q_OBJECT
 
@@ -42,7 +44,8 @@ public:
         Settings& settings;
         MessageBar& messages;
         const StudyNames& names;
-        std::function<QString()> explanation;  ///< of the 3D view, paragraphs
+        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
+        std::function<QString()> explanation;                      ///< of the 3D view, paragraphs
     };
     /// All outlive this, which belongs to the window.
     explicit ReportSaving(const Parts& parts);
@@ -50,14 +53,15 @@ public:
     /// Asks what the report is to hold and where it is to go. Does nothing where no study is open.
     void choose();
     /// Saves a report of the window as it will be at rest, with the patient read from the study's files or without. A
-    /// motion that plays is paused.
+    /// motion that plays is paused. While one is being made, it says so and does nothing. Where another study opens
+    /// before all panes were taken, there is no report.
     void save(const QString& path, bool withPatient);
-    /// Ends what save() began; no file is left.
+    /// Ends what save() began, and says so; where it was not whole before, no file is left.
     void cancel();
     /// Whether nothing loads, computes or renders, so that the panes show what they are to show.
     void setAtRest(bool atRest);
     /// True from save() until the file is written.
-    [[nodiscard]] bool busy() const { return m_wanted || m_thread.busy(); }
+    [[nodiscard]] bool busy() const { return m_wanted || m_writing.busy(); }
 
 signals:
     void busyChanged();
@@ -77,7 +81,8 @@ private:
     void begin();
     void takeNextSoon();
     void takeNext();
-    void submit();
+    void write();
+    void endUnwritten(const QString& sentence);
     [[nodiscard]] CaseReport snapshot() const;
     [[nodiscard]] std::optional<ReportPane> pane(std::size_t index) const;
     [[nodiscard]] std::vector<ReportTime> times() const;
@@ -90,7 +95,7 @@ private:
     std::optional<Wanted> m_wanted;            ///< until the panes are at rest
     std::optional<PictureReport> m_converged;  ///< how the newest converged picture was made
     // Last, so that its thread has ended before anything above is destroyed.
-    NewestWinsThread m_thread;
+    FileWriting m_writing;
 };
 
 }  // namespace echolucent

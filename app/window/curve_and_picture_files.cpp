@@ -78,18 +78,15 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
 }
 
 QString CurveAndPictureFiles::proposedName(const QString& what) const {
-    const Session& session = m_parts.session;
-    // The study's file as the window calls it, and nothing of what stands in it.
-    const QString study = session.isSimulatedScan() || session.path().isEmpty()
-                              ? tr("simulated-scan")
-                              : m_parts.names.beginningFor(session.path());
-    return study + '-' + what;
+    return m_parts.names.beginningFor(m_parts.session.path()) + '-' + what;
 }
 
 bool CurveAndPictureFiles::chooseAndSaveCurve(CurveKind kind) {
-    const QString path =
-        chooseFileToSave(m_parts.window, m_parts.settings, tr("Save the %1 curve").arg(curveName(kind)),
-                         tr("Opacity curves (*.json)"), proposedName(curveKey(kind)), QStringLiteral("json"));
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+                                          {.title = tr("Save the %1 curve").arg(curveName(kind)),
+                                           .filter = tr("Opacity curves (*.json)"),
+                                           .name = proposedName(curveKey(kind)),
+                                           .suffix = QStringLiteral("json")});
     return !path.isEmpty() && saveCurve(path, kind);
 }
 
@@ -108,8 +105,11 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
 }
 
 void CurveAndPictureFiles::chooseAndSavePicture() {
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, tr("Save picture"), tr("Pictures (*.png)"),
-                                          proposedName(QStringLiteral("picture")), QStringLiteral("png"));
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+                                          {.title = tr("Save picture"),
+                                           .filter = tr("Pictures (*.png)"),
+                                           .name = proposedName(QStringLiteral("picture")),
+                                           .suffix = QStringLiteral("png")});
     if (!path.isEmpty()) savePicture(path);
 }
 

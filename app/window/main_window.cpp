@@ -102,7 +102,7 @@ void MainWindow::createUnits() {
         CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_session, *m_widgets.editor, *m_widgets.picture,
                                     m_settings, *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
-        *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages,
+        *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
@@ -110,7 +110,8 @@ void MainWindow::createUnits() {
         *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, mainView, *m_session, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
-        *m_widgets.editor, m_settings, *m_widgets.messages, m_names, [this] { return explanation(); }});
+        *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
+        [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
         *this, m_document, *m_session, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
     m_history =
@@ -310,6 +311,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     m_motionPlayer.pause();
     m_movies->cancel();
+    m_report->cancel();
     m_fullScreen->leave();  // what it hides is to be there again at the next start
     keepSettings();
     event->accept();

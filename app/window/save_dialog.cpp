@@ -3,17 +3,20 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "app/study/session.h"
 #include "app/window/settings.h"
 
 namespace echolucent {
 
-QString chooseFileToSave(QWidget& window, Settings& settings, const QString& title, const QString& filter,
-                         const QString& name, const QString& suffix) {
-    QFileDialog dialog(&window, title, settings.lastSaveFolder(), filter);
+QString chooseFileToSave(QWidget& window, Settings& settings, const Session& session, const FileToSave& file) {
+    QFileDialog dialog(&window, file.title, file.folder.isEmpty() ? settings.lastSaveFolder() : file.folder,
+                       file.filter);
     dialog.setObjectName("saveFile");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(name + '.' + suffix);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite, !file.asksBeforeReplacing);
+    dialog.setDefaultSuffix(file.suffix);
+    dialog.selectFile(file.name + '.' + file.suffix);
+    QObject::connect(&session, &Session::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return {};
     const QString path = dialog.selectedFiles().first();
     settings.setLastSaveFolder(QFileInfo(path).absolutePath());

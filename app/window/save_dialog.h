@@ -7,11 +7,22 @@ class QWidget;
 
 namespace echolucent {
 
+class Session;
 class Settings;
 
-/// Asks for a file in the folder of the last one, which is remembered; `name` is proposed for it, and `suffix` is added
-/// where the person types none. An empty text where the person does not want to. The dialog's object name is saveFile.
-[[nodiscard]] QString chooseFileToSave(QWidget& window, Settings& settings, const QString& title, const QString& filter,
-                                       const QString& name, const QString& suffix);
+/// What is asked of the person.
+struct FileToSave {
+    QString title;
+    QString filter;                   ///< of the dialog's list, as QFileDialog takes it
+    QString name;                     ///< proposed, without its suffix
+    QString suffix;                   ///< added where the person types none
+    QString folder = {};              ///< proposed; that of the file saved last where it is empty
+    bool asksBeforeReplacing = true;  ///< else whoever calls asks what is to become of a file that is there
+};
+
+/// Asks for a file; its folder is remembered. An empty text where the person does not want to, and where another study
+/// opens in `session` meanwhile, since what was to be saved is gone then. The dialog's object name is saveFile.
+[[nodiscard]] QString chooseFileToSave(QWidget& window, Settings& settings, const Session& session,
+                                       const FileToSave& file);
 
 }  // namespace echolucent

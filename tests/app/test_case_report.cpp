@@ -1,4 +1,4 @@
-// The case report that the window saves: what it holds, what it leaves out, and that the window goes on meanwhile.
+// The case report that the window saves: what it holds, what it leaves out, and what ends it.
 #include <QCheckBox>
 #include <QDir>
 #include <QElapsedTimer>
@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "app/picture/picture_image.h"
+#include "app/report/report_saving.h"
 #include "app/window/review_room.h"
 #include "io/output/enhanced_us_writer.h"
 #include "processing/picture/look.h"
@@ -194,6 +195,70 @@ private slots:
         waitUntilIdle();
         QVERIFY(!QFile::exists(reportPath()));
         QVERIFY(!saved().isEmpty());
+    }
+
+    void cancelIsToldWheneverItComes() {
+        for (const bool writing : {false, true}) {
+            QFile::remove(reportPath());
+            lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = writing ? 30.0 : 70.0});
+            window().saveReport(reportPath(), false);
+            auto* report = window().findChild<ReportSaving*>();
+            if (writing) {
+                QSignalSpy progressed(report, &ReportSaving::progressed);
+                QVERIFY(progressed.wait(30000));
+            }
+            emit child<RunStatus>("status")->cancelRequested();
+            waitUntilIdle();
+            const QString said = child<MessageBar>("message")->text();
+            if (QFile::exists(reportPath())) {
+                QVERIFY(writing);
+                QCOMPARE(said, "The case report was saved as report.html.");
+            } else {
+                QCOMPARE(said, "Writing report.html was cancelled; no file is left of it.");
+            }
+        }
+    }
+
+    void anotherStudyEndsAReportThatWaits() {
+        // The report of one study must not be made of the panes of the next.
+        lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = 70, .elevationDegrees = 0});
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        window().open(m_dicom);
+        window().saveReport(reportPath(), false);
+        QVERIFY(opened.count() == 1 || opened.wait(30000));
+        waitUntilIdle();
+        QVERIFY(!QFile::exists(reportPath()));
+        QVERIFY2(child<MessageBar>("message")->text().contains("report.html was not written"),
+                 qPrintable(child<MessageBar>("message")->text()));
+        QVERIFY(saved().contains("Case report: visit.dcm"));
+    }
+
+    void anotherStudyClosesTheDialogs() {
+        for (const bool ofFiles : {false, true}) {
+            const QString other = window().session().path() == m_file ? m_dicom : m_file;
+            QTimer::singleShot(0, this, [&, ofFiles] {
+                auto* dialog = window().findChild<ReportDialog*>("report");
+                if (dialog == nullptr) qFatal("no dialog");
+                if (ofFiles) {
+                    QTimer::singleShot(0, this, [&] { window().open(other); });
+                    QTest::mouseClick(dialog->findChild<QPushButton*>("report.save"), Qt::LeftButton);
+                } else {
+                    window().open(other);
+                }
+            });
+            child<QAction>("file.saveReport")->trigger();  // it comes back once the dialogs are closed
+            QCOMPARE(window().session().path(), other);
+            waitUntilIdle();
+        }
+        QVERIFY(!QFile::exists(reportPath()));
+    }
+
+    void closingTheWindowEndsTheReport() {
+        lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = 70, .elevationDegrees = 0});
+        window().saveReport(reportPath(), false);
+        QVERIFY(window().close());
+        waitUntilIdle();
+        QVERIFY(!QFile::exists(reportPath()));
     }
 
     void aReportWaitsForThePictureThatIsOnItsWay() {

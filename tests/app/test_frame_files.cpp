@@ -11,6 +11,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/motion/frame_files.h"
+#include "app/picture/picture_image.h"
 #include "io/study.h"
 #include "processing/document/view_picture.h"
 
@@ -51,7 +52,7 @@ private slots:
         Document thirteenth = order.document;
         phaseOf(thirteenth, 1) = 13;
         const auto alone = viewPicture(thirteenth, 1, study->phases, edge, edge);
-        QCOMPARE(bytesOf(QImage(QString::fromStdString(paths[13]))), overBackground(alone->picture, {0, 0, 0}));
+        QCOMPARE(rgbBytesOf(QImage(QString::fromStdString(paths[13]))), overBackground(alone->picture, {0, 0, 0}));
         order.output = FrameOutput::movie;
         for (const auto& [ending, bound] : {std::pair(".avi", 8.0), {".mp4", 10.0}, {".mkv", 0.0}}) {
             order.choice.path = m_out.filePath(QStringLiteral("heart") + ending);
@@ -66,7 +67,7 @@ private slots:
             std::size_t count = 0;
             for (; movie.read(frame); ++count) {
                 QVERIFY(count < paths.size() && frame.size() == cv::Size(edge, edge));
-                std::vector<std::uint8_t> rgb = bytesOf(QImage(QString::fromStdString(paths[count])));
+                std::vector<std::uint8_t> rgb = rgbBytesOf(QImage(QString::fromStdString(paths[count])));
                 cv::Mat expected(edge, edge, CV_8UC3, rgb.data());
                 cv::cvtColor(expected, expected, cv::COLOR_RGB2BGR);
                 cv::absdiff(frame, expected, apart);
@@ -85,14 +86,6 @@ private slots:
     }
 
 private:
-    static std::vector<std::uint8_t> bytesOf(const QImage& image) {
-        const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
-        std::vector<std::uint8_t> bytes;
-        for (int y = 0; y < rgb.height(); ++y)
-            bytes.insert(bytes.end(), rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype{3} * rgb.width());
-        return bytes;
-    }
-
     QTemporaryDir m_out;
 };
 

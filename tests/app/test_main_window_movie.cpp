@@ -23,7 +23,9 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/motion/movie_files.h"
+#include "app/picture/picture_image.h"
 #include "processing/document/view_picture.h"
+#include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/run_status.h"
@@ -118,7 +120,7 @@ private slots:
         for (int frame = 0; frame < phaseCount; ++frame) {
             const QImage written(m_out->filePath(files[frame]));
             QCOMPARE(written.size(), QSize(51, 37));
-            QCOMPARE(bytesOf(written), alone(frame, QSize(51, 37)));
+            QCOMPARE(rgbBytesOf(written), alone(frame, QSize(51, 37)));
         }
     }
 
@@ -223,6 +225,44 @@ private slots:
         QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"old.mp4"});
     }
 
+    void numbersStandForNamesInTheDialogAndInWhatIsSaid() {
+        // In a folder and a study that are called after a person.
+        QVERIFY(QDir(m_out->path()).mkdir("Anna Muster"));
+        const QString folder = m_out->filePath("Anna Muster");
+        const QString study = folder + "/Anna Muster.mha";
+        QVERIFY(QFile::copy(m_moving, study));
+        open(study);
+        playThePhases();
+        child<QAction>("view.numbersForNames")->trigger();
+        const auto told = [&] { return allWords().filter("Anna") + allWords().filter("Muster"); };
+        const auto choiceOf = [&](const QString& name) {
+            return MovieChoice{.path = folder + '/' + name, .size = {32, 32}};
+        };
+        window().movieFiles().begin(FrameOutput::movie, choiceOf("Anna Muster.mp4"));
+        QVERIFY(ended());
+        QCOMPARE(message()->text(), "*.mp4 was saved.");
+        window().movieFiles().begin(FrameOutput::series, choiceOf("Anna Muster.png"));
+        QVERIFY(ended());
+        QCOMPARE(message()->text(), "*.png were saved.");
+        QCOMPARE(told(), QStringList());
+        // The dialog proposes that folder, and tells of what stands in the way there.
+        child<QAction>("file.saveMovie")->trigger();
+        QDialog* dialog = theDialog();
+        QCOMPARE(in<QLineEdit>(dialog, "path")->text(), "study-1-movie.mp4");
+        QCOMPARE(told(), QStringList());
+        QVERIFY(QFile::link(study, folder + "/link.mp4"));
+        write(in<QLineEdit>(dialog, "path"), "link.mp4");
+        QVERIFY(in<QLabel>(dialog, "sentence")->text().contains("would overwrite"));
+        QCOMPARE(told(), QStringList());
+        write(in<QLineEdit>(dialog, "path"), "heart.mp4");
+        QVERIFY(save(dialog));
+        QVERIFY(QFile::exists(folder + "/heart.mp4"));
+        // Nor is the folder told where something cannot be written.
+        window().movieFiles().begin(FrameOutput::movie, choiceOf("none of it/Anna Muster.mp4"));
+        QVERIFY(!message()->text().isEmpty());
+        QCOMPARE(told(), QStringList());
+    }
+
     void aSeriesReplacesOnlyWhereThatIsWanted() {
         open(m_moving);
         playThePhases();
@@ -299,7 +339,7 @@ private slots:
         window().open(m_still);                 // and another study
         QVERIFY(ended());
         const auto picture = viewPicture(frameOf(asked, 3), 1, m_phases, 48, 48);
-        QCOMPARE(bytesOf(QImage(m_out->filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
+        QCOMPARE(rgbBytesOf(QImage(m_out->filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
         waitUntilIdle();
     }
 
@@ -391,14 +431,6 @@ private:
                                          window().session().study()->phases, size.width(), size.height());
         return overBackground(picture->picture, {0, 0, 0});
     }
-    static std::vector<std::uint8_t> bytesOf(const QImage& image) {
-        const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
-        std::vector<std::uint8_t> bytes;
-        for (int y = 0; y < rgb.height(); ++y)
-            bytes.insert(bytes.end(), rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype{3} * rgb.width());
-        return bytes;
-    }
-
     std::vector<std::shared_ptr<const Volume>> m_phases;
     QString m_moving, m_still;
     std::unique_ptr<QTemporaryDir> m_out;

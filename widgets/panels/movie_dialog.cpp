@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -75,7 +76,7 @@ void MovieDialog::createControls() {
     m_choosePath = named(new QPushButton(tr("Choose…")), "movieDialog.choosePath", tr("Choose a file"));
     m_choosePath->setAutoDefault(false);
     connect(m_choosePath, &QPushButton::clicked, this, [this] {
-        if (const QString path = m_facts.choosePath(m_path->text()); !path.isEmpty()) m_path->setText(path);
+        if (const QString path = m_facts.choosePath(choice().path); !path.isEmpty()) showPath(path);
     });
     m_sentence = named(new QLabel, "movieDialog.sentence", tr("What stands in the way"));
     m_sentence->setTextFormat(Qt::PlainText);  // names of files may hold anything
@@ -138,8 +139,14 @@ void MovieDialog::showChoice(const MovieChoice& choice) {
     m_height->setValue(choice.size.height());
     m_rate->setValue(choice.framesPerSecond);
     m_labels->setChecked(choice.labels);
-    m_path->setText(choice.path);
+    showPath(choice.path);
     look();
+}
+
+void MovieDialog::showPath(const QString& path) {
+    const QFileInfo file(path);
+    m_folder = file.absoluteDir();
+    m_path->setText(m_facts.folderShown ? path : file.fileName());
 }
 
 void MovieDialog::takePreset(int index) {
@@ -153,7 +160,8 @@ void MovieDialog::takePreset(int index) {
 MovieChoice MovieDialog::choice() const {
     const bool movie = m_output == FrameOutput::movie;
     const QSize size(m_width->value(), m_height->value());
-    return {.path = m_path->text(),
+    const QString path = m_path->text();
+    return {.path = path.isEmpty() ? path : m_folder.filePath(path),
             .size = movie ? QSize(even(size.width()), even(size.height())) : size,
             .framesPerSecond = m_rate->value(),
             .labels = m_labels->isChecked(),

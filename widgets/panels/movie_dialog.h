@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QDir>
 #include <QSize>
 #include <QString>
 #include <functional>
@@ -51,6 +52,8 @@ public:
         int frames = 1;        ///< how many they are
         QSize ofView{};        ///< pixels of the view, which are offered too
         MovieChoice choice{};  ///< what is proposed
+        /// Whether folders may be seen: else movieDialog.path shows the file's name alone.
+        bool folderShown = true;
         /// Says of a choice, while it is being made, what stands in its way.
         std::function<MovieHindrance(const MovieChoice&)> hindrance;
         /// Lets the person point at a file; an empty text where they do not want to.
@@ -67,11 +70,13 @@ private:
     void createControls();
     void arrange();
     void showChoice(const MovieChoice& choice);
+    void showPath(const QString& path);
     void takePreset(int index);
     void look();
 
     FrameOutput m_output;
     Facts m_facts;
+    QDir m_folder;  ///< of a file whose name is typed without one
     QComboBox* m_preset = nullptr;
     QSpinBox *m_width = nullptr, *m_height = nullptr;
     QDoubleSpinBox* m_rate = nullptr;
