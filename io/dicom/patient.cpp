@@ -38,7 +38,7 @@ struct Said {
     std::string series;
 };
 
-/// The file's bytes of these attributes in UTF-8 where its character set is known; else as they are stored.
+/// The names come in UTF-8 where the file's character set is known, and else as they are stored.
 Said saidIn(DcmDataset& dataset) {
     // DCMTK was built without a library of character sets on some systems: then names stay as they are stored.
     (void)dataset.convertToUTF8();

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -13,6 +12,7 @@
 #include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/picture_labels/picture_labels.h"
 
 namespace echolucent {
 
@@ -88,9 +88,7 @@ void PhaseSlider::setPhase(int phase) {
 }
 
 QString PhaseSlider::textOf(int phase) const {
-    const QString text = tr("phase %1 of %2").arg(phase + 1).arg(m_slider->maximum() + 1);
-    if (!m_phaseSeconds) return text;
-    return tr("%1 · %2 ms").arg(text, QLocale().toString(1000.0 * phase * *m_phaseSeconds, 'f', 0));
+    return frameWords({.phase = phase}, MotionScenario::object, m_slider->maximum() + 1, m_phaseSeconds);
 }
 
 void PhaseSlider::showPhase() { m_readOut->setText(textOf(phase())); }
