@@ -3,12 +3,18 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTextStream>
+#include <cstdio>
 
+#include "app/motion/movie_files.h"
+#include "app/sessions/session_keeping.h"
 #include "io/output/enhanced_us_writer.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
@@ -136,6 +142,28 @@ QStringList foundIn(const QByteArray& bytes, const QList<Marker>& markers, const
 
 }  // namespace
 
+/// What this process writes to its standard error goes into a file for as long as this lives.
+class ErrorsInFile {
+public:
+    explicit ErrorsInFile(const QString& path)
+        : m_before(dup(STDERR_FILENO)), m_handler(qInstallMessageHandler(nullptr)) {
+        const int file = ::open(qPrintable(path), O_WRONLY | O_CREAT | O_APPEND, 0600);
+        if (m_before < 0 || file < 0 || dup2(file, STDERR_FILENO) < 0) qFatal("errors cannot be kept");
+        ::close(file);
+    }
+    ~ErrorsInFile() {
+        std::fflush(stderr);
+        dup2(m_before, STDERR_FILENO);
+        ::close(m_before);
+        qInstallMessageHandler(m_handler);
+    }
+
+private:
+    Q_DISABLE_COPY_MOVE(ErrorsInFile)
+    int m_before;
+    QtMessageHandler m_handler;  ///< the test's own
+};
+
 class TestPrivacy : public QObject, private WindowFixture {
     Q_OBJECT
 
@@ -163,12 +191,34 @@ class TestPrivacy : public QObject, private WindowFixture {
             {"picture.png", [this] { QVERIFY(window().savePicture(path("picture.png"))); }},
             {"curve.json", [this] { QVERIFY(window().saveCurve(path("curve.json"))); }},
             {"report.html", [this] { window().saveReport(path("report.html"), false); }},
+            {"movie.mp4",
+             [this] {
+                 window().movieFiles().begin(FrameOutput::movie, {.path = path("movie.mp4"), .size = {64, 64}});
+             }},
+            {"frame-0001.png",
+             [this] {
+                 window().movieFiles().begin(FrameOutput::series, {.path = path("frame.png"), .size = {64, 64}});
+             }},
+            {QFileInfo(window().sessionKeeping().autosave().file()).fileName(),
+             [this] {
+                 // A snapshot, a measurement, and the file that keeps both by itself.
+                 Document next = window().document().document();
+                 next.measurements.push_back({.id = 1, .placesMm = {{10, 10, 10}, {20, 20, 10}}});
+                 window().document().edit(next, "measure");
+                 QVERIFY(window().sessionKeeping().snapshots().keep("mine", next).isEmpty());
+                 QTRY_VERIFY(QFile::exists(window().sessionKeeping().autosave().file()));
+             }},
+            {"scan.session.json", [this] { window().sessionKeeping().saveAs(path("scan.session.json")); }},
             {"settings-presets.json", [this] { emit child<PresetsPanel>("presets")->saveRequested(); }},
         };
+        window().sessionKeeping().autosave().setInterval(1);
         for (const auto& [name, write] : writers) {
             write();
             waitUntilIdle();
-            QVERIFY2(QFile::exists(path(name)), qPrintable(name));
+            QDirIterator below(m_home.path(), {name}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+            QVERIFY2(below.hasNext(), qPrintable(name));
+            const QStringList found = foundAtHome();  // some files go with the window
+            QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         }
     }
 
@@ -196,6 +246,8 @@ private slots:
     void cleanup() { close(); }
 
     void theWindowWritesNothingOfThePatient() {
+        const ErrorsInFile errors(path("errors.txt"));
+        qWarning("This line is searched as well.");
         showWithSettings(path("settings.ini"));
         useLook(Look{});
         open(m_study);
@@ -206,7 +258,8 @@ private slots:
         int files = 0;
         const QStringList found = foundAtHome(&files);
         QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
-        QVERIFY2(files >= 6, qPrintable(QString::number(files)));
+        QVERIFY2(files >= 10, qPrintable(QString::number(files)));
+        QVERIFY(QFileInfo(path("errors.txt")).size() > 0);
         QVERIFY(QFile::exists(path("settings.ini")));
         QVERIFY(!QDir(path("settings-data/recent")).isEmpty());
         // A start with what was written leads to the same.
@@ -243,6 +296,8 @@ private slots:
         QTest::newRow("files") << QStringList{"files", m_scans.path()};
         QTest::newRow("otf") << QStringList{"otf", m_study, "--json", path("otf.json")};
         QTest::newRow("render") << QStringList{"render", m_study, "-o", path("render.png"), "--size", "64x64"};
+        QTest::newRow("sweep") << QStringList{
+            "sweep", m_study, "--movie", path("sweep.mp4"), "--size", "64x64", "--from", "0", "--to", "2"};
     }
     void theCommandLineTellsNothingOfThePatient() {
         QFETCH(QStringList, arguments);
