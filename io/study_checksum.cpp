@@ -82,7 +82,7 @@ public:
             return hasItsBytes(filesBelow(path, static_cast<std::size_t>(m_study.files)));
         }
         if (!fs::is_regular_file(status)) return false;
-        if (m_study.files > 1) return path.filename() == m_name;
+        if (m_study.files > 1) return path.filename() == m_name && isHeaderOfStudy(path);
         return hasItsBytes({path.string()});
     }
 
@@ -109,10 +109,25 @@ private:
              !error && only != fs::directory_iterator() && only->is_directory(error);
              only = fs::directory_iterator(path, error)) {
             const fs::path inner = only->path();
-            if (++only != fs::directory_iterator()) break;
+            if (only.increment(error) != fs::directory_iterator() || error) break;
             path = inner;
         }
         return path.string();
+    }
+
+    /// Whether a header, together with its voxels, is the study.
+    bool isHeaderOfStudy(const fs::path& header) const {
+        std::vector<std::string> ofItsStem{header.string()};
+        std::error_code error;
+        fs::directory_iterator entry(header.parent_path(), fs::directory_options::skip_permission_denied, error);
+        for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+            std::error_code unknown;
+            const fs::path& path = entry->path();
+            if (path.filename() == header.filename() || !entry->is_regular_file(unknown)) continue;
+            if (hasItsBytes({header.string(), path.string()})) return true;  // of two, each is named as it likes
+            if (path.filename().string().starts_with(header.stem().string())) ofItsStem.push_back(path.string());
+        }
+        return hasItsBytes(ofItsStem);
     }
 
     bool hasItsBytes(const std::vector<std::string>& files) const {

@@ -41,9 +41,9 @@ struct StudySearch {
 
 /// A file or folder with the bytes of a study whose checksum is known. Only what has its number of bytes is read, and
 /// of one folder at most 20,000 entries are looked at. A study of several files that is no folder (a header with its
-/// voxels) is found where a file of its header's name is, with the other files of that folder that begin with its stem;
-/// its bytes are compared when it is read. No value where it is not found, where its checksum is not known, or where
-/// the person ended it.
+/// voxels) is found where a file of its header's name is: with one other file of that folder or, where it was read from
+/// more than two, with all those that begin with the header's stem. No value where it is not found, where its checksum
+/// is not known, or where the person ended it.
 [[nodiscard]] std::optional<std::string> findStudy(const StudyFile& study, const StudySearch& search,
                                                    const Progress& progress = {});
 

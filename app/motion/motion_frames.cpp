@@ -85,6 +85,7 @@ void MotionFrames::beginAtRest() {
     m_frameWaits = false;
     takeAngle();
     takeChoices();
+    m_parts.panel.setPhase(phaseOf(m_parts.model.document(), m_parts.view.view()));
 }
 
 void MotionFrames::stepPhase(int step) {

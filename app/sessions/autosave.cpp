@@ -4,11 +4,26 @@
 #include <QDir>
 #include <QFile>
 #include <QUuid>
+#include <exception>
 #include <utility>
 
 #include "io/document/session_file.h"
 
 namespace echolucent {
+
+namespace {
+
+/// Gives an empty text, or a sentence that says what went wrong.
+QString writeWhole(const QString& file, const SavedSession& session) {
+    try {
+        const auto done = writeSession(file.toStdString(), session);
+        return done ? QString() : QString::fromStdString(done.error().sentence());
+    } catch (const std::exception& problem) {
+        return Autosave::tr("%1 could not be written: %2.").arg(file, QString::fromUtf8(problem.what()));
+    }
+}
+
+}  // namespace
 
 Autosave::Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent)
     : QObject(parent),
@@ -24,10 +39,12 @@ Autosave::Autosave(const QString& folder, std::function<SavedSession()> present,
 
 Autosave::~Autosave() {
     m_thread.reset();  // what is being written is whole first
-    if (m_keep && ownFile())
-        (void)writeSession(m_file.toStdString(), m_present());
-    else if (m_lock && m_lock->isLocked())
+    if (m_keep && ownFile()) {
+        if (!writeWhole(m_file, m_present()).isEmpty()) return;
+    } else if (m_lock && m_lock->isLocked()) {
         QFile::remove(m_file);
+    }
+    if (m_earlier) QFile::remove(m_earlier->file);
 }
 
 void Autosave::beginFile() {
@@ -37,6 +54,7 @@ void Autosave::beginFile() {
                  .arg(QUuid::createUuid().toString(QUuid::Id128).left(8));
     m_lock.reset();
     m_written.reset();
+    m_earlier.reset();
 }
 
 /// Made with the first change: a program in which nobody does anything leaves no trace.
@@ -56,7 +74,11 @@ void Autosave::noteChange() {
 
 void Autosave::write() {
     SavedSession present = m_present();
-    if (m_written == present) return;
+    if (m_written) {
+        SavedSession written = *m_written;
+        written.document = withShown(std::move(written.document), present.document);
+        if (written == present) return;
+    }
     if (!ownFile()) {
         m_lock.reset();  // the folder may be there next time
         if (!std::exchange(m_failed, true))
@@ -65,17 +87,18 @@ void Autosave::write() {
     }
     m_written = present;
     m_thread->submit(
-        [this, file = m_file.toStdString(),
+        [this, file = m_file, earlier = m_earlier,
          session = std::move(present)](const Progress&) -> NewestWinsThread::Deliver {
-            const auto done = writeSession(file, session);
-            if (done) {
+            const QString problem = writeWhole(file, session);
+            if (problem.isEmpty()) {
+                if (earlier) QFile::remove(earlier->file);
                 return [this] {
                     m_failed = false;
                     emit written();
                 };
             }
-            return [this, sentence = QString::fromStdString(done.error().sentence())] {
-                m_written.reset();
+            return [this, file, sentence = problem] {
+                if (file == m_file) m_written.reset();
                 if (!std::exchange(m_failed, true)) emit failed(sentence);
             };
         },
@@ -84,11 +107,13 @@ void Autosave::write() {
 
 void Autosave::forget() {
     m_timer.stop();
-    if (!m_written) return;
+    if (!m_written && !m_earlier) return;
     m_written.reset();
     m_thread->submit(
-        [file = m_file](const Progress&) -> NewestWinsThread::Deliver {
+        [file = m_file,
+         earlier = std::exchange(m_earlier, std::nullopt)](const Progress&) -> NewestWinsThread::Deliver {
             QFile::remove(file);
+            if (earlier) QFile::remove(earlier->file);
             return {};
         },
         NewestWinsThread::WhenSuperseded::finish);

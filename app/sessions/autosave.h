@@ -33,22 +33,29 @@ public:
     ~Autosave() override;
 
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
-    /// What `present` gives is other than before, or is to be written in any case.
+    /// What `present` gives may be other than before. The phase shown and the frame of the motion alone are not written
+    /// anew.
     void noteChange();
-    /// There is nothing to keep: what was written is removed.
-    void forget();
-    /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives the
-    /// file's path; its lock stays held.
+    /// A file that is kept, whose lock is held.
     struct Left {
         QString file;
         std::shared_ptr<QLockFile> lock;
     };
+    /// The session is what an earlier run left: its file goes once the session is in this one's, and not before, so
+    /// that a program that dies in between finds one of the two; also where forget() says that nothing is to be kept.
+    void replace(const Left& earlier) { m_earlier = earlier; }
+    /// There is nothing to keep: what was written is removed.
+    void forget();
+    /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives
+    /// what is left.
     Left leaveBehind();
     /// Whether the file stays when this ends.
     void keepAtEnd(bool keep) { m_keep = keep; }
     [[nodiscard]] QString file() const { return m_file; }
     /// Whether something of the session is on disk, or about to be.
     [[nodiscard]] bool keeps() const { return m_written.has_value() || m_timer.isActive(); }
+    /// Whether a change waits to be written.
+    [[nodiscard]] bool waits() const { return m_timer.isActive(); }
     [[nodiscard]] bool busy() const { return m_thread->busy(); }
 
     static QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
@@ -69,6 +76,7 @@ private:
     std::function<SavedSession()> m_present;
     QString m_file;
     std::shared_ptr<QLockFile> m_lock;
+    std::optional<Left> m_earlier;          ///< what this session's file takes the place of
     std::optional<SavedSession> m_written;  ///< newest that was handed to the thread
     QTimer m_timer;                         ///< runs while a change waits
     bool m_keep = false;

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "app/study/study_names.h"
@@ -44,11 +45,13 @@ SessionKeeping::SessionKeeping(const Parts& parts)
     connect(m_autosave.get(), &Autosave::failed, this, [this](const QString& sentence) {
         m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
     });
-    connect(m_autosave.get(), &Autosave::written, this, [this] {
-        // Not before: a program that dies in between finds one of the two.
-        if (m_taken) QFile::remove(m_taken->file);
-        m_taken.reset();
+    connect(&m_parts.session, &Session::takingChecksumChanged, this, [this](bool taking) {
+        if (!taking) writeWaiting();
     });
+    constexpr int lookEvery = 100;  // ms
+    m_looking.setSingleShot(true);
+    m_looking.setInterval(lookEvery);
+    connect(&m_looking, &QTimer::timeout, this, &SessionKeeping::look);
     connect(&m_taking, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
     connect(&m_saving, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
     m_taking.submit([this, folder = m_parts.settings.autosaveFolder()](const Progress&) -> NewestWinsThread::Deliver {
@@ -61,6 +64,7 @@ SessionKeeping::SessionKeeping(const Parts& parts)
 }
 
 SessionKeeping::~SessionKeeping() {
+    look();
     // The document is still there, the window's other parts are not.
     m_autosave->keepAtEnd(m_changed && m_parts.session.study() != nullptr);
     m_autosave.reset();
@@ -83,20 +87,34 @@ bool SessionKeeping::holdsWork() const {
 
 void SessionKeeping::noteChange() {
     if (m_between || m_parts.session.study() == nullptr) return;
+    if (!m_looking.isActive()) m_looking.start();
+}
+
+void SessionKeeping::look() {
+    if (m_between || m_parts.session.study() == nullptr) return;
+    m_looking.stop();
     const Document& document = m_parts.model.document();
     const bool changed =
         m_inFile ? m_inFile->snapshots != m_snapshots.list() || comparable(m_inFile->document, document) != document
-                 : !m_file.isEmpty() || holdsWork();
+                 : m_left || !m_file.isEmpty() || holdsWork();
     const bool touched =
-        changed || m_taken || comparable(m_inFile ? m_inFile->document : m_parts.shown.opened(), document) != document;
+        changed || comparable(m_inFile ? m_inFile->document : m_parts.shown.opened(), document) != document;
     if (touched || m_autosave->keeps()) m_autosave->noteChange();
     m_changed = changed;
     m_parts.window.setWindowModified(m_changed);
 }
 
 void SessionKeeping::leave() {
+    look();
     m_between = true;
-    if (!m_changed) return m_autosave->forget();
+    writeWaiting();  // of the study that is left there will be no checksum
+    // Another study takes over curves, look and method; a session brings its own.
+    const Document& document = m_parts.model.document();
+    const Document& opened = m_parts.shown.opened();
+    const bool replaced = m_parts.session.saved() && !m_inFile &&
+                          (m_parts.editor.isManualModified() || document.curves != opened.curves ||
+                           document.looks != opened.looks || document.method != opened.method);
+    if (!m_changed && !replaced) return m_autosave->forget();
     const Autosave::Left left = m_autosave->leaveBehind();
     m_leftovers.push_back(
         {left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}});
@@ -106,6 +124,7 @@ void SessionKeeping::begin() {
     const auto& saved = m_parts.session.saved();
     m_between = false;
     m_changed = false;
+    m_left = false;
     m_file.clear();
     m_inFile.reset();
     const QString opened = saved ? QString::fromStdString(saved->file) : QString();
@@ -113,15 +132,16 @@ void SessionKeeping::begin() {
         std::find_if(m_leftovers.begin(), m_leftovers.end(), [&](const Leftover& each) { return each.file == opened; });
     if (left != m_leftovers.end()) {
         m_file = QString::fromStdString(saved->session.file);
-        m_taken = *left;
+        m_left = true;
+        m_autosave->replace({left->file, left->lock});
         m_leftovers.erase(left);
     } else if (saved) {
         m_file = opened;
         m_inFile = saved->session;
     }
     m_snapshots.begin(saved ? saved->session.snapshots : std::vector<Snapshot>{});
-    if (saved) m_parts.editor.setManualSaved();
-    noteChange();
+    if (m_inFile) m_parts.editor.setManualSaved();
+    look();
     offerLeftovers();
 }
 
@@ -150,55 +170,76 @@ void SessionKeeping::chooseAndSave() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("session.json"));
     dialog.selectFile(QFileInfo(proposed).fileName());
-    if (dialog.exec() == QDialog::Accepted)
-        saveAs(dialog.selectedFiles().first());
-    else
-        m_closing = false;
+    if (dialog.exec() == QDialog::Accepted) saveAs(dialog.selectedFiles().first());
 }
 
-void SessionKeeping::saveAs(const QString& file) {
+void SessionKeeping::saveAs(const QString& file, Then then) {
     const Study* study = m_parts.session.study();
     if (study == nullptr) return;
     const QString whole = QFileInfo(file).absoluteFilePath();
     if (auto allowed = refuseSessionInside(m_parts.session.path().toStdString(), study->files, whole.toStdString());
         !allowed)
         return offerAnotherPlace(m_parts.names.sentenceOf(allowed.error()));
-    SavedSession session = present();
-    session.file.clear();
+    Order order{whole, present(), then};
+    order.session.file.clear();
+    if (!m_parts.session.takingChecksum()) return write(std::move(order));
+    m_waiting = std::move(order);
+    emit busyChanged();
+}
+
+void SessionKeeping::cancelSaving() {
+    if (!m_waiting) return;
+    const QString file = std::exchange(m_waiting, std::nullopt)->file;
+    m_parts.messages.showMessage(MessageKind::info,
+                                 tr("Saving %1 was cancelled; it is as it was.").arg(m_parts.names.nameOfOther(file)));
+    emit busyChanged();
+}
+
+void SessionKeeping::writeWaiting() {
+    if (!m_waiting) return;
+    Order order = *std::exchange(m_waiting, std::nullopt);
+    if (nameTheSame(order.session.document.study, m_parts.session.reference()))
+        order.session.document.study = m_parts.session.reference();
+    write(std::move(order));
+}
+
+void SessionKeeping::write(Order order) {
     m_saving.submit(
-        [this, whole, session = std::move(session),
-         files = study->files](const Progress& progress) -> NewestWinsThread::Deliver {
-            SavedSession named = session;
-            if (auto* studyFile = std::get_if<StudyFile>(&named.document.study);
-                studyFile && studyFile->checksum.empty())
-                if (const auto checksum = checksumOf(files, progress)) *studyFile = withChecksum(*studyFile, *checksum);
-            const auto written = writeSession(whole.toStdString(), asNamedFrom(whole.toStdString(), std::move(named)));
-            if (written) return [this, whole, session] { takeSaved(whole, session); };
-            return [this, failure = written.error()] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
+        [this, order = std::move(order)](const Progress&) -> NewestWinsThread::Deliver {
+            const std::string file = order.file.toStdString();
+            try {
+                const auto written = writeSession(file, asNamedFrom(file, order.session));
+                if (written) return [this, order] { takeSaved(order); };
+                return [this, failure = written.error()] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
+            } catch (const std::exception& problem) {
+                const Failure failure{.kind = FailureKind::unwritable,
+                                      .file = file,
+                                      .problem = std::string("could not be written: ") + problem.what()};
+                return [this, failure] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
+            }
         },
         NewestWinsThread::WhenSuperseded::finish);
 }
 
-void SessionKeeping::takeSaved(const QString& file, const SavedSession& session) {
-    // Meanwhile another study may have been opened.
-    if (!nameTheSame(session.document.study, m_parts.model.document().study)) return;
-    m_file = file;
-    m_inFile = session;
-    m_parts.settings.addRecentFile(file);
-    m_parts.settings.setLastSaveFolder(QFileInfo(file).absolutePath());
-    m_parts.editor.setManualSaved();
-    noteChange();
-    if (!m_changed) m_autosave->forget();
-    if (m_taken) QFile::remove(m_taken->file);
-    m_taken.reset();
+void SessionKeeping::takeSaved(const Order& order) {
+    m_parts.settings.addRecentFile(order.file);
+    m_parts.settings.setLastSaveFolder(QFileInfo(order.file).absolutePath());
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("The session was saved as %1.").arg(m_parts.names.nameOfOther(file)));
+                                 tr("The session was saved as %1.").arg(m_parts.names.nameOfOther(order.file)));
+    // Meanwhile another study may have been opened.
+    if (nameTheSame(order.session.document.study, m_parts.model.document().study)) {
+        m_file = order.file;
+        m_inFile = order.session;
+        m_left = false;
+        m_parts.editor.setManualSaved();
+        look();
+        if (!m_changed) m_autosave->forget();
+    }
     emit saved();
-    if (std::exchange(m_closing, false)) m_parts.window.close();
+    if (order.then == Then::closeWindow && !m_changed) m_parts.window.close();
 }
 
 void SessionKeeping::offerAnotherPlace(const QString& sentence) {
-    m_closing = false;
     m_parts.messages.showMessage(
         MessageKind::error, sentence,
         {{tr("Save it elsewhere…"), [this] {
@@ -207,11 +248,12 @@ void SessionKeeping::offerAnotherPlace(const QString& sentence) {
               const QString name = QFileInfo(m_file.isEmpty() ? proposedFile() : m_file).fileName();
               const QString before = std::exchange(m_file, QDir(folder).filePath(name));
               chooseAndSave();
-              if (!m_saving.busy()) m_file = before;
+              if (!saving()) m_file = before;
           }}});
 }
 
 bool SessionKeeping::mayClose() {
+    look();
     if (m_file.isEmpty() || !m_changed) return true;
     QMessageBox box(QMessageBox::NoIcon, tr("Changed session"),
                     tr("The session %1 was changed and is not saved.").arg(m_parts.names.nameOfOther(m_file)),
@@ -221,15 +263,17 @@ bool SessionKeeping::mayClose() {
     QPushButton* discard = box.addButton(tr("Discard the changes"), QMessageBox::DestructiveRole);
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(save);
+    // The question is about the session that is open.
+    connect(&m_parts.session, &Session::studyOpened, &box, &QDialog::reject);
     box.exec();
     if (static_cast<QAbstractButton*>(save) == box.clickedButton()) {
-        m_closing = true;
-        this->save();
+        saveAs(m_file, Then::closeWindow);
         return false;
     }
     if (static_cast<QAbstractButton*>(discard) != box.clickedButton()) return false;
     m_inFile = present();  // nothing of it is to be kept
-    noteChange();
+    m_left = false;
+    look();
     m_autosave->forget();
     m_parts.editor.setManualSaved();
     return true;

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -25,8 +26,9 @@ class StudyNames;
 
 /// A session has a file once a person saved it or opened it from one, and is *changed* where it differs from that file;
 /// without a file it is changed where it holds what a person made: strokes, measurements, snapshots, a box, a cut.
-/// Every change is kept by Autosave, whatever a person does. What was changed and is left, because another study is
-/// opened or the window closes, stays behind and is offered again.
+/// What an earlier run left is changed until it is saved. Every change is kept by Autosave, whatever a person does.
+/// What was changed and is left, because another study is opened or the window closes, stays behind and is offered
+/// again; so does whatever a person set, where the session that is opened has its own instead.
 class SessionKeeping : public QObject {
     Q_OBJECT
 
@@ -48,18 +50,24 @@ public:
     [[nodiscard]] Autosave& autosave() { return *m_autosave; }
     /// The file of the session; empty where it has none.
     [[nodiscard]] QString file() const { return m_file; }
-    [[nodiscard]] bool changed() const { return m_changed; }
-
     /// Saves into the session's file, or asks for one where it has none.
     void save();
     void chooseAndSave();
-    /// Begins to save; refused, with a sentence, in the study's folder and over its files.
-    void saveAs(const QString& file);
+    /// What follows once the session is in its file.
+    enum class Then { goOn, closeWindow };
+    /// Begins to save, once the study's checksum is there; refused, with a sentence, in the study's folder and over its
+    /// files.
+    void saveAs(const QString& file, Then then = Then::goOn);
+    /// What waits for the study's checksum is not saved; what is being written is.
+    void cancelSaving();
+    [[nodiscard]] bool saving() const { return m_waiting.has_value() || m_saving.busy(); }
     /// Asks where a session with a file was changed. False where the window stays, or closes by itself once the session
     /// is saved.
     [[nodiscard]] bool mayClose();
 
-    [[nodiscard]] bool busy() const { return m_saving.busy() || m_autosave->busy() || m_taking.busy(); }
+    /// Whether nothing is written, nor about to be.
+    [[nodiscard]] bool atRest() const { return !busy() && !m_looking.isActive() && !m_autosave->waits(); }
+    [[nodiscard]] bool busy() const { return saving() || m_autosave->busy() || m_taking.busy(); }
 
 signals:
     void busyChanged();
@@ -71,7 +79,17 @@ private:
     void begin();
     void leave();
     void noteChange();
-    void takeSaved(const QString& file, const SavedSession& session);
+    /// Finds out what changed.
+    void look();
+    /// A session on its way to its file.
+    struct Order {
+        QString file;
+        SavedSession session;
+        Then then = Then::goOn;
+    };
+    void write(Order order);
+    void writeWaiting();
+    void takeSaved(const Order& order);
     void offerAnotherPlace(const QString& sentence);
     void offerLeftovers();
     void openLeftover();
@@ -84,9 +102,10 @@ private:
     std::optional<SavedSession> m_inFile;  ///< what the file holds; none where there is no file
     bool m_changed = false;
     bool m_between = false;  ///< another study's document takes the place of the present one
-    bool m_closing = false;  ///< the window closes once the session is saved
+    bool m_left = false;     ///< what is open was left by an earlier run, and not saved since
+    QTimer m_looking;        ///< runs while a change was not looked at: the document may change with every frame
+    std::optional<Order> m_waiting;  ///< for the study's checksum
     std::deque<Leftover> m_leftovers;
-    std::optional<Leftover> m_taken;  ///< what is open now, until it is kept anew
     std::unique_ptr<Autosave> m_autosave;
     NewestWinsThread m_taking, m_saving;
 };

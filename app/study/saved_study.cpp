@@ -41,6 +41,13 @@ Result<void> requireShowable(const SavedSession& session, const std::string& fil
     return {};
 }
 
+/// A study of one phase has no motion of its own.
+void keepToPhases(SavedSession& session, std::size_t phases) {
+    if (phases > 1) return;
+    session.document.motion.scenario = MotionScenario::probe;
+    for (Snapshot& snapshot : session.snapshots) snapshot.document.motion.scenario = MotionScenario::probe;
+}
+
 void nameStudy(SavedSession& session, const StudyReference& study) {
     session.document.study = study;
     for (Snapshot& snapshot : session.snapshots) snapshot.document.study = study;
@@ -81,6 +88,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
         if (auto shown = requireShowable(*session, file, 1); !shown) return tl::unexpected<Failure>(shown.error());
         auto study = simulatedStudy(*scan, progress);
         if (!study) return tl::unexpected(study.error());
+        keepToPhases(*session, study->phases.size());
         return ReadSession{{file, std::move(*session)}, std::move(*study)};
     }
     const auto* named = std::get_if<StudyFile>(&session->document.study);
@@ -106,6 +114,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     const fs::path absolute = fs::absolute(place, error).lexically_normal();
     found.path = error ? place : absolute.string();
     nameStudy(*session, found);
+    keepToPhases(*session, study->phases.size());
     return ReadSession{{file, std::move(*session)}, std::move(*study)};
 }
 

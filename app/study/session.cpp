@@ -1,6 +1,7 @@
 #include "app/study/session.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +20,7 @@ Session::Session(QObject* parent)
     : QObject(parent),
       m_pipeline(&adaptOpacity),
       m_nearCutSearch(&findNearCut),
+      m_checksum(&checksumOf),
       m_loader(QStringLiteral("study loader")),
       m_checksumThread(QStringLiteral("study checksum")),
       m_otfThread(QStringLiteral("adaptive OTF")) {
@@ -147,6 +149,9 @@ void Session::load(const StudyReference& reference, Read read) {
             } catch (const std::bad_alloc&) {
                 return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
                             "Close other programs, or reduce the volume.");
+            } catch (const std::filesystem::filesystem_error& problem) {
+                return fail(FailureKind::unreadable, path.toStdString(), {},
+                            "could not be read: " + problem.code().message());
             }
         }();
         if (progress.cancelled()) return {};
@@ -188,15 +193,21 @@ void Session::takeChecksum() {
     m_checksumThread.cancel();
     const auto* file = std::get_if<StudyFile>(&m_reference);
     if (file == nullptr || !file->checksum.empty()) return;
-    m_checksumThread.submit([this, study = m_study](const Progress& progress) -> NewestWinsThread::Deliver {
-        const auto checksum = checksumOf(study->files, progress);
-        if (!checksum) return {};  // a session is saved without it
-        return [this, study, taken = *checksum] {
-            if (study != m_study) return;
-            m_reference = withChecksum(std::get<StudyFile>(m_reference), taken);
-            emit studyNamed();
-        };
-    });
+    m_checksumThread.submit(
+        [this, take = m_checksum, study = m_study](const Progress& progress) -> NewestWinsThread::Deliver {
+            // A session is saved without it.
+            try {
+                const auto checksum = take(study->files, progress);
+                if (!checksum) return {};
+                return [this, study, taken = *checksum] {
+                    if (study != m_study) return;
+                    m_reference = withChecksum(std::get<StudyFile>(m_reference), taken);
+                    emit studyNamed();
+                };
+            } catch (const std::exception&) {
+                return {};
+            }
+        });
 }
 
 void Session::setPhase(int phase) {

@@ -146,6 +146,9 @@ public:
     using NearCutSearch =
         std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
     void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }
+    /// What takes the checksum of a study's files; tests put one in its place that ends on command.
+    using Checksum = std::function<Result<StudyChecksum>(const std::vector<std::string>& files, const Progress&)>;
+    void setChecksum(Checksum checksum) { m_checksum = std::move(checksum); }
 
 signals:
     void loadingChanged(bool loading);
@@ -205,6 +208,7 @@ private:
 
     Pipeline m_pipeline;
     NearCutSearch m_nearCutSearch;
+    Checksum m_checksum;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
     std::shared_ptr<const SeriesList> m_seriesBeside;

@@ -148,6 +148,7 @@ void ShownStudy::beginDocument() {
         m_parts.model.begin(opened);
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
     }
+    takeStrokes();  // the session has forgotten those that the document before had too
     m_parts.motion.beginAtRest();
     m_parts.computing.begin();
     showNearCutRange();

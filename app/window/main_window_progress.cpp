@@ -42,6 +42,10 @@ void MainWindow::createLongWorks() {
     const std::size_t report = m_works->add({.busy = [this] { return m_report->busy(); },
                                              .words = [] { return tr("making the report"); },
                                              .cancel = [this] { m_report->cancel(); }});
+    m_works->add({.busy = [this] { return m_sessions->saving(); },
+                  .words = [] { return tr("saving the session"); },
+                  .cancel = [this] { m_sessions->cancelSaving(); }});
+    connect(m_sessions.get(), &SessionKeeping::busyChanged, this, changed);
     connect(m_session.get(), &Session::loadingChanged, this, changed);
     connect(m_session.get(), &Session::loadingProgressed, m_works.get(),
             [this, loading](double share) { m_works->setProgress(loading, share); });
@@ -86,7 +90,6 @@ void MainWindow::connectProgress() {
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
-    connect(m_sessions.get(), &SessionKeeping::busyChanged, this, &MainWindow::updateIdle);
     connect(m_session.get(), &Session::takingChecksumChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);

@@ -10,8 +10,7 @@ namespace echolucent {
 namespace {
 
 constexpr std::int64_t largestId = 1'000'000;
-/// So many values a list that views refer to may hold, and so many measurements and strokes there may be: what is asked
-/// of each pair of them stays quick.
+/// So many values a list that views refer to may hold: what is asked of each pair of them stays quick.
 constexpr std::size_t mostEntries = 1000;
 constexpr std::size_t mostPlaces = 200'000;                    // of one stroke
 constexpr std::size_t longestChecksum = 200;                   // bytes
@@ -124,7 +123,7 @@ Camera cameraIn(JsonFields fields) {
 
 Strokes strokesIn(JsonFields& fields) {
     Strokes strokes;
-    for (JsonFields& each : fields.list("strokes", mostEntries)) {
+    for (JsonFields& each : fields.list("strokes", mostStrokes)) {
         ScalpelStroke stroke;
         stroke.tool = each.choice("tool", &scalpelToolFromName);
         stroke.side = each.choice("side", &scalpelSideFromName);
@@ -173,7 +172,7 @@ MotionChoice motionIn(JsonFields& fields) {
 
 std::vector<Measurement> measurementsIn(JsonFields& root) {
     std::vector<Measurement> measurements;
-    for (JsonFields& fields : root.list("measurements", mostEntries))
+    for (JsonFields& fields : root.list("measurements", mostMeasurements))
         measurements.push_back({idIn(fields), fields.choice("kind", &measurementKindFromName),
                                 fields.choice("ground", &measurementGroundFromName), fields.vectors("places_mm"),
                                 phaseIn(fields)});

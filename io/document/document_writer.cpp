@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -202,6 +204,19 @@ ordered_json sessionJson(const SavedSession& session) {
     return object;
 }
 
+/// What the reader would refuse for its number is not written.
+Result<void> requireReadable(const std::string& path, const Document& document) {
+    const auto tooMany = [&](const char* what, std::size_t most) {
+        return fail(FailureKind::unwritable, path, what,
+                    fmt::format("are more than {}, so that the file could not be opened again", most),
+                    "Remove some of them, and save again.");
+    };
+    if (document.measurements.size() > mostMeasurements) return tooMany("measurements", mostMeasurements);
+    for (const auto& strokes : document.strokes)
+        if (strokes.value.list.size() > mostStrokes) return tooMany("strokes", mostStrokes);
+    return {};
+}
+
 Result<void> writeJson(const std::string& path, const std::function<ordered_json()>& make) {
     try {
         const std::string text = make().dump(2) + "\n";
@@ -223,10 +238,14 @@ std::string jsonOf(const Document& document) { return documentJson(document).dum
 std::string jsonOf(const SavedSession& session) { return sessionJson(session).dump(2) + "\n"; }
 
 Result<void> writeDocument(const std::string& path, const Document& document) {
+    if (auto readable = requireReadable(path, document); !readable) return readable;
     return writeJson(path, [&] { return documentJson(document); });
 }
 
 Result<void> writeSession(const std::string& path, const SavedSession& session) {
+    if (auto readable = requireReadable(path, session.document); !readable) return readable;
+    for (const Snapshot& snapshot : session.snapshots)
+        if (auto readable = requireReadable(path, snapshot.document); !readable) return readable;
     return writeJson(path, [&] { return sessionJson(session); });
 }
 

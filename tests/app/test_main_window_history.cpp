@@ -60,7 +60,7 @@ private slots:
         QTest::keyClicks(name, "four chambers");
         QTest::keyClick(name, Qt::Key_Return);
         QTRY_COMPARE(QString::fromStdString(keeping().snapshots().list().front().name), QString("four chambers"));
-        QVERIFY(window().isWindowModified());
+        QTRY_VERIFY(window().isWindowModified());
         lookFrom(window(), Viewpoint{.azimuthDegrees = 90});
         const Document later = document();
         const int steps = window().document().steps().count();
@@ -79,7 +79,8 @@ private slots:
 
     void nothingIsWrittenWhileNothingChanges() {
         QSignalSpy written(&keeping().autosave(), &Autosave::written);
-        QVERIFY(!written.wait(300));
+        QTRY_VERIFY(window().sessionKeeping().atRest());  // so that nothing is about to be written
+        QVERIFY(written.isEmpty());
         QVERIFY(files().isEmpty());
         Document next = document();
         poseOf(next, 1).magnification = 1.5;
@@ -88,9 +89,80 @@ private slots:
         QCOMPARE(files().size(), 1);
         const auto kept = readSession(path(files().first()).toStdString());
         QVERIFY(kept && kept->document.poses == next.poses);
-        QVERIFY(!written.wait(300));
+        QTRY_VERIFY(keeping().atRest());
+        QCOMPARE(written.count(), 1);
         window().document().cancelPreview();
         waitUntilIdle();
+    }
+
+    void theFrameOfAMotionAloneIsNotWrittenAgain() {
+        QSignalSpy written(&keeping().autosave(), &Autosave::written);
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        QTRY_COMPARE(written.count(), 1);
+        window().motionPlayer().setAngle(9);
+        QCOMPARE(document().motionAngle, 9);
+        QTRY_VERIFY(keeping().atRest());
+        QCOMPARE(written.count(), 1);
+        waitUntilIdle();
+    }
+
+    /// What is opened is on disk until it is kept anew, whatever else is written meanwhile.
+    void aLeftoverStaysUntilItIsKeptAnew() {
+        leave("100-dead");
+        close();
+        startAgain();
+        open(m_file);
+        QTRY_VERIFY(message()->text().startsWith("A session of"));
+        keeping().autosave().setInterval(600'000);
+        measure();
+        QSignalSpy written(&keeping().autosave(), &Autosave::written);
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE(written.count(), 1);  // what was left for it
+        QCOMPARE(files().size(), 2);
+        QVERIFY(files().contains("100-dead.autosave.json"));
+        waitUntilIdle();
+    }
+
+    void aCurveDrawnByHandIsWorkOfALeftover() {
+        Document next = document();
+        next.curves.manual.nodes = {{0.1, 0}, {0.4, 0.7}, {1, 0.2}};
+        QVERIFY(QDir().mkpath(folder()));
+        QVERIFY(writeSession(path("100-dead.autosave.json").toStdString(), SavedSession{.document = next}).has_value());
+        close();
+        startAgain();
+        open(m_file);
+        QTRY_VERIFY(message()->text().startsWith("A session of"));
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        waitUntilIdle();
+        QVERIFY(document().curves.manual == next.curves.manual);
+        QVERIFY(window().otfEditor().isManualModified());
+        QVERIFY(window().isWindowModified());
+        QTRY_VERIFY(!files().contains("100-dead.autosave.json") && files().size() == 1);
+        close();
+        QCOMPARE(files().size(), 1);
+        QVERIFY(readSession(path(files().first()).toStdString()).value().document.curves.manual == next.curves.manual);
+        show();
+    }
+
+    void whatASessionTakesThePlaceOfIsLeftBehind() {
+        const QString session = temporaryFolder().filePath("plain.session.json");
+        QVERIFY(writeSession(session.toStdString(), SavedSession{.document = document()}).has_value());
+        Document next = document();
+        next.curves.manual.nodes = {{0.1, 0}, {0.4, 0.7}, {1, 0.2}};
+        window().document().edit(next, "draw");
+        open(session);
+        QVERIFY(document().curves.manual != next.curves.manual);
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
+                     qPrintable(message()->text()));
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        click("message.action.0");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        waitUntilIdle();
+        QVERIFY(document().curves.manual == next.curves.manual);
     }
 
     void whatACrashLeftIsOfferedAndOpens() {
@@ -196,6 +268,11 @@ private:
     QString folder() { return temporaryFolder().filePath("settings-data/autosaves"); }
     QString path(const QString& name) { return folder() + '/' + name; }
     QStringList files() { return QDir(folder()).entryList({"*.autosave.json"}, QDir::Files); }
+    void measure() {
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        window().document().edit(next, "distance");
+    }
     void openHistory() {
         QTest::keyClick(&window(), Qt::Key_H, Qt::ControlModifier);
         QTRY_VERIFY(child<QWidget>("history.list")->isVisible());

@@ -1,11 +1,15 @@
 // Sessions in the real window: saved beside the volume, opened again, found where they moved, refused where they are
 // wrong.
 #include <QFileDialog>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QTimer>
+#include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
@@ -35,7 +39,7 @@ private slots:
 
     void aSessionIsSavedBesideTheVolumeAndOpensAsItWas() {
         work();
-        QVERIFY(window().isWindowModified());
+        QTRY_VERIFY(window().isWindowModified());
         QString proposed;
         answerDialog([&](QFileDialog& dialog) { proposed = dialog.selectedFiles().value(0); }, true);
         QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
@@ -75,6 +79,102 @@ private slots:
         waitUntilIdle();
         QVERIFY(
             QFile::exists(Settings(settingsFile()).dataFolder() + "/recent/" + Settings::hashOf(proposed) + ".png"));
+    }
+
+    void inTheSameWindowItsStrokesCutAgain() {
+        work();
+        const QString session = savedSession();
+        QVERIFY(window().session().volume()->isCut());
+        const std::vector<std::uint8_t> left = window().session().volume()->dataMask();
+        Document next = document();
+        next.curves.linear.lower = 0.4;
+        window().document().edit(next, "curve");
+        waitUntilIdle();
+        open(session);
+        QVERIFY(window().session().strokes() == strokesOf(document(), 1));
+        QCOMPARE(document().curves.linear.lower, 0.2);
+        QVERIFY(window().session().volume()->isCut());
+        QVERIFY(window().session().volume()->dataMask() == left);
+    }
+
+    void aSessionOfFourDimensionsOpensInItsPhase() {
+        const QString study = fourPhases();
+        open(study);
+        Document next = document();
+        phaseOf(next, 1) = 2;
+        next.motion.scenario = MotionScenario::object;
+        next.motion.phaseRange = PhaseRange{1, 3};
+        next.motion.otf = MotionOtf::oneOtf;
+        next.motion.otfPhase = 1;
+        window().document().edit(next, "motion");
+        waitUntilIdle();
+        const QString session = savedSession();
+        const Document saved = document();
+        for (const bool inSameWindow : {true, false}) {
+            if (!inSameWindow) {
+                close();
+                show();
+            }
+            open(session);
+            QVERIFY(document() == saved);
+            QCOMPARE(window().session().phase(), 2);
+            QCOMPARE(window().session().phaseOfOtf(), 1);
+            QCOMPARE(child<QSlider>("motion.phase")->value(), 3);
+        }
+    }
+
+    void aSessionThatMovesTheObjectOpensWithoutPhases() {
+        const QString session = savedSession();
+        SavedSession changed = readSession(session.toStdString()).value();
+        changed.document.motion.scenario = MotionScenario::object;
+        changed.snapshots.push_back({"moves", changed.document});
+        QVERIFY(writeSession(session.toStdString(), changed).has_value());
+        again(session);
+        QCOMPARE(document().motion.scenario, MotionScenario::probe);
+        QCOMPARE(window().sessionKeeping().snapshots().list().front().document.motion.scenario, MotionScenario::probe);
+    }
+
+    void savingWaitsForTheChecksumAndCanBeCancelled() {
+        holdChecksum();
+        const QString session = m_folder->filePath("held.session.json");
+        QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
+        window().sessionKeeping().saveAs(session);
+        QTRY_COMPARE(child<QLabel>("status.activity")->text().contains("saving the session"), true);
+        QTRY_VERIFY(child<QAbstractButton>("status.cancel")->isVisible());
+        click("status.cancel");
+        QTRY_VERIFY(message()->text().startsWith("Saving held.session.json was cancelled"));
+        QVERIFY(!QFile::exists(session));
+        window().sessionKeeping().saveAs(session);
+        QVERIFY(window().sessionKeeping().saving());
+        m_held = false;
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY(!std::get<StudyFile>(readSession(session.toStdString()).value().document.study).checksum.empty());
+        waitUntilIdle();
+    }
+
+    void anotherStudyEndsTheWaitAndTheWindowStays() {
+        const QString session = savedSession();
+        holdChecksum();
+        open(session);
+        // The session's reading takes the checksum by itself: another file is what is held.
+        window().open(file("third.mha", {smallPhantom(PhantomScene::fetus, 4)}));
+        QTRY_VERIFY(window().session().path().endsWith("third.mha") && window().session().takingChecksum());
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        window().document().edit(next, "distance");
+        const QString third = m_folder->filePath("third.session.json");
+        QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
+        window().sessionKeeping().saveAs(third, SessionKeeping::Then::closeWindow);
+        QVERIFY(window().sessionKeeping().saving());
+        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        window().open(session);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY(window().isVisible());
+        QCOMPARE(window().sessionKeeping().file(), session);
+        QVERIFY(readSession(third.toStdString()).value().document.measurements == next.measurements);
+        m_held = false;
+        waitUntilIdle();
     }
 
     void aVolumeThatMovedIsFoundByItsBytes() {
@@ -140,7 +240,7 @@ private slots:
         QTRY_VERIFY(message()->text().contains("could not be written"));
         QCOMPARE(message()->kind(), MessageKind::error);
         QVERIFY(document() == before);
-        QVERIFY(window().isWindowModified());
+        QTRY_VERIFY(window().isWindowModified());
         const QString elsewhere = m_folder->filePath("elsewhere.session.json");
         QString proposed;
         answerDialog(
@@ -255,6 +355,24 @@ private slots:
     }
 
 private:
+    QString fourPhases() {
+        std::vector<std::shared_ptr<const Volume>> phases;
+        for (int phase = 0; phase < 4; ++phase)
+            phases.push_back(smallPhantom(PhantomScene::shapes, static_cast<std::uint64_t>(phase)));
+        return file("four.mha", phases);
+    }
+    /// Another study is opened whose checksum is there once m_held is false.
+    void holdChecksum() {
+        m_held = true;
+        window().session().setChecksum([this](const auto& files, const Progress& progress) {
+            while (m_held && !progress.cancelled()) std::this_thread::yield();
+            return checksumOf(files, progress);
+        });
+        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        window().open(file("held.mha", {smallPhantom(PhantomScene::fetus, 3)}));
+        QVERIFY(computed.wait(20000));
+        QTRY_VERIFY(window().session().takingChecksum());
+    }
     [[nodiscard]] const Document& document() { return window().document().document(); }
     MessageBar* message() { return child<MessageBar>("message"); }
     static QByteArray bytesOf(const QString& path) {
@@ -312,6 +430,7 @@ private:
     std::shared_ptr<const Volume> m_small;
     std::unique_ptr<QTemporaryDir> m_folder;
     QString m_file;
+    std::atomic<bool> m_held = false;
 };
 
 int main(int count, char** arguments) {

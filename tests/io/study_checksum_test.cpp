@@ -92,6 +92,26 @@ TEST(StudySearch, FindsAFileUnderAnotherNameAndAFolderBelow) {
     EXPECT_EQ(findStudy(slices, {.folders = {folder.file("x")}, .paths = {}}), folder.file("x/elsewhere"));
 }
 
+TEST(StudySearch, TellsAHeaderWithItsVoxelsFromAnothersOfThatName) {
+    const TemporaryFolder folder;
+    const std::string header = written(folder.file("own/volume.mhd"), "header"),
+                      voxels = written(folder.file("own/voxels.raw"), "voxels");
+    const StudyFile study = studyAt(folder.file("gone/volume.mhd"), {header, voxels});
+    written(folder.file("others/volume.mhd"), "HEADER");
+    written(folder.file("others/voxels.raw"), "voxels");
+    EXPECT_FALSE(findStudy(study, {.folders = {folder.file("others")}, .paths = {}}));
+    written(folder.file("own/volume.session.json"), "a session beside it");
+    EXPECT_EQ(findStudy(study, {.folders = {folder.file(".")}, .paths = {}}).value_or(""),
+              fs::path(folder.file("./own/volume.mhd")).string());
+
+    const std::string first = written(folder.file("more/scan.vol"), "1"),
+                      second = written(folder.file("more/scan.v00"), "2"),
+                      third = written(folder.file("more/scan.v01"), "3");
+    written(folder.file("more/notes.txt"), "of no study");
+    const StudyFile three = studyAt(folder.file("gone/scan.vol"), {first, second, third});
+    EXPECT_EQ(findStudy(three, {.folders = {folder.file("more")}, .paths = {}}), first);
+}
+
 TEST(StudySearch, LooksFourFoldersDeep) {
     const TemporaryFolder folder;
     const std::string file = written(folder.file("1/2/3/4/scan"), "bytes");

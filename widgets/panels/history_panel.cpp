@@ -55,10 +55,12 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     connect(m_snapshots, &QListWidget::itemClicked, this, choose);
     connect(m_snapshots, &QListWidget::itemActivated, this, choose);
     connect(m_snapshots, &QListWidget::currentRowChanged, this, &HistoryPanel::enableButtons);
-    connect(
-        m_snapshots, &QListWidget::itemChanged, this,
-        [this](QListWidgetItem* item) { emit renameRequested(m_snapshots->row(item), item->text()); },
-        Qt::QueuedConnection);  // the list is made anew, and its editor is still at work
+    connect(m_snapshots, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        // Told later, as the list is made anew then and its editor is still at work. The item may be gone by that time.
+        QMetaObject::invokeMethod(
+            this, [this, row = m_snapshots->row(item), name = item->text()] { emit renameRequested(row, name); },
+            Qt::QueuedConnection);
+    });
     connect(m_rename, &QToolButton::clicked, this, [this] { editName(m_snapshots->currentRow()); });
     connect(m_remove, &QToolButton::clicked, this, [this] { emit removeRequested(m_snapshots->currentRow()); });
     setSnapshots({});
