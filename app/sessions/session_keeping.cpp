@@ -226,8 +226,9 @@ void SessionKeeping::takeSaved(const Order& order) {
     m_parts.settings.setLastSaveFolder(QFileInfo(order.file).absolutePath());
     m_parts.messages.showMessage(MessageKind::info,
                                  tr("The session was saved as %1.").arg(m_parts.names.nameOfOther(order.file)));
-    // Meanwhile another study may have been opened.
-    if (nameTheSame(order.session.document.study, m_parts.model.document().study)) {
+    // Meanwhile another study may have been opened, with which the window stays.
+    const bool same = nameTheSame(order.session.document.study, m_parts.model.document().study);
+    if (same) {
         m_file = order.file;
         m_inFile = order.session;
         m_left = false;
@@ -236,7 +237,7 @@ void SessionKeeping::takeSaved(const Order& order) {
         if (!m_changed) m_autosave->forget();
     }
     emit saved();
-    if (order.then == Then::closeWindow && !m_changed) m_parts.window.close();
+    if (same && order.then == Then::closeWindow) m_parts.window.close();
 }
 
 void SessionKeeping::offerAnotherPlace(const QString& sentence) {

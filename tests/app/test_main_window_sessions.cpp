@@ -119,7 +119,7 @@ private slots:
             QVERIFY(document() == saved);
             QCOMPARE(window().session().phase(), 2);
             QCOMPARE(window().session().phaseOfOtf(), 1);
-            QCOMPARE(child<QSlider>("motion.phase")->value(), 3);
+            QCOMPARE(child<QSlider>("motion.phase")->value(), 2);  // counted from 0
         }
     }
 
