@@ -192,13 +192,13 @@ TEST(SessionFile, IsNotWrittenWhereItCouldNotBeReadAgain) {
     SavedSession many;
     many.document.measurements.resize(mostMeasurements + 1);
     for (std::size_t i = 0; i < many.document.measurements.size(); ++i)
-        many.document.measurements[i] = {.id = static_cast<int>(i), .placesMm = {{0, 0, 0}, {1, 0, 0}}};
+        many.document.measurements[i] = {.id = static_cast<int>(i) + 1, .placesMm = {{0, 0, 0}, {1, 0, 0}}};
     const auto refused = writeSession(path, many);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("measurements are more than 1000"), std::string::npos)
         << refused.error().sentence();
     many.document.measurements.pop_back();
-    strokesOf(many.document, 1).resize(1001);
+    strokesOf(many.document, 1).resize(1001, ScalpelStroke{.places = {{0, 0}, {0.1, 0}, {0, 0.1}}, .radius = 0.1});
     ASSERT_TRUE(writeSession(path, many));
     const auto read = readSession(path);
     ASSERT_TRUE(read) << read.error().sentence();
