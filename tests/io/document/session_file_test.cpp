@@ -198,7 +198,7 @@ TEST(SessionFile, IsNotWrittenWhereItCouldNotBeReadAgain) {
     EXPECT_NE(refused.error().sentence().find("measurements are more than 1000"), std::string::npos)
         << refused.error().sentence();
     many.document.measurements.pop_back();
-    strokesOf(many.document, 1).resize(1001, ScalpelStroke{.places = {{0, 0}, {0.1, 0}, {0, 0.1}}, .radius = 0.1});
+    strokesOf(many.document, 1).resize(1001, ScalpelStroke{.places = {{0, 0}, {0.1, 0}, {0, 0.1}}});
     ASSERT_TRUE(writeSession(path, many));
     const auto read = readSession(path);
     ASSERT_TRUE(read) << read.error().sentence();
