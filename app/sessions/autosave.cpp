@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QUuid>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -26,19 +27,17 @@ QString writeWhole(const QString& file, const SavedSession& session) {
 }  // namespace
 
 Autosave::Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent)
-    : QObject(parent),
-      m_folder(folder),
-      m_present(std::move(present)),
-      m_thread(std::make_unique<NewestWinsThread>(QStringLiteral("autosave"))) {
+    : QObject(parent), m_folder(folder), m_present(std::move(present)) {
     m_timer.setSingleShot(true);
     m_timer.setInterval(standardIntervalMilliseconds);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-    connect(m_thread.get(), &NewestWinsThread::busyChanged, this, &Autosave::busyChanged);
     beginFile();
 }
 
 Autosave::~Autosave() {
-    m_thread.reset();  // what is being written is whole first
+    // What is being written is whole first.
+    m_leaving.clear();
+    m_thread.reset();
     if (m_keep && ownFile()) {
         if (!writeWhole(m_file, m_present()).isEmpty()) return;
     } else if (m_lock && m_lock->isLocked()) {
@@ -55,6 +54,15 @@ void Autosave::beginFile() {
     m_lock.reset();
     m_written.reset();
     m_earlier.reset();
+    // Of one thread's jobs only the newest waits, and what was left behind must not make room for what follows.
+    std::erase_if(m_leaving, [](const auto& thread) { return !thread->busy(); });
+    if (m_thread) m_leaving.push_back(std::move(m_thread));
+    m_thread = std::make_unique<NewestWinsThread>(QStringLiteral("autosave"));
+    connect(m_thread.get(), &NewestWinsThread::busyChanged, this, [this] { emit busyChanged(busy()); });
+}
+
+bool Autosave::busy() const {
+    return m_thread->busy() || std::ranges::any_of(m_leaving, [](const auto& thread) { return thread->busy(); });
 }
 
 /// Made with the first change: a program in which nobody does anything leaves no trace.

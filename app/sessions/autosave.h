@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "processing/document/saved_session.h"
 #include "widgets/newest_wins_thread.h"
@@ -56,7 +57,7 @@ public:
     [[nodiscard]] bool keeps() const { return m_written.has_value() || m_timer.isActive(); }
     /// Whether a change waits to be written.
     [[nodiscard]] bool waits() const { return m_timer.isActive(); }
-    [[nodiscard]] bool busy() const { return m_thread->busy(); }
+    [[nodiscard]] bool busy() const;
 
     static QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
 
@@ -81,7 +82,8 @@ private:
     QTimer m_timer;                         ///< runs while a change waits
     bool m_keep = false;
     bool m_failed = false;
-    std::unique_ptr<NewestWinsThread> m_thread;
+    std::unique_ptr<NewestWinsThread> m_thread;                ///< writes the present file
+    std::vector<std::unique_ptr<NewestWinsThread>> m_leaving;  ///< those of files that were left behind
 };
 
 }  // namespace echolucent

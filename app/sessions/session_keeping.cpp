@@ -212,9 +212,8 @@ void SessionKeeping::write(Order order) {
                 if (written) return [this, order] { takeSaved(order); };
                 return [this, failure = written.error()] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
             } catch (const std::exception& problem) {
-                const Failure failure{.kind = FailureKind::unwritable,
-                                      .file = file,
-                                      .problem = std::string("could not be written: ") + problem.what()};
+                const Failure failure{
+                    FailureKind::unwritable, file, {}, std::string("could not be written: ") + problem.what(), {}};
                 return [this, failure] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
             }
         },
