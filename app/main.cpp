@@ -6,7 +6,7 @@
 #include <QTextStream>
 #include <memory>
 
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -41,12 +41,12 @@ int main(int count, char** arguments) {
     if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
 
     // The study is being read while the window is made: neither waits for the other.
-    auto session = std::make_unique<Session>();
+    auto openStudy = std::make_unique<OpenStudy>();
     if (const QString file = parser.positionalArguments().value(0); !file.isEmpty())
-        session->open(QFileInfo(file).absoluteFilePath());
+        openStudy->open(QFileInfo(file).absoluteFilePath());
     else
-        session->openSimulatedScan();
-    MainWindow window({}, std::move(session));
+        openStudy->openSimulatedScan();
+    MainWindow window({}, std::move(openStudy));
     if (parser.isSet(firstPicture)) printStartTimes(window);
     window.show();
     return QApplication::exec();

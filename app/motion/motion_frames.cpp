@@ -89,7 +89,7 @@ void MotionFrames::beginAtRest() {
 }
 
 void MotionFrames::stepPhase(int step) {
-    const Study* study = m_parts.session.study();
+    const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     m_parts.player.pause();
     const Document& document = m_parts.model.document();
@@ -112,8 +112,8 @@ void MotionFrames::rewind() {
 void MotionFrames::showFrame(double angle, int phase) {
     m_parts.model.showMotionAngle(angle);
     showFrameRate();
-    if (!m_parts.session.volume()) return;
-    const bool sameVolume = phase == m_parts.session.phase();
+    if (!m_parts.openStudy.volume()) return;
+    const bool sameVolume = phase == m_parts.openStudy.phase();
     m_parts.model.showPhase(m_parts.view.view(), phase);
     if (mode() == MotionOtf::oneOtf) {
         showWithOneOtf();
@@ -128,14 +128,14 @@ void MotionFrames::showFrame(double angle, int phase) {
 void MotionFrames::showWithOneOtf() {
     m_frameWaits = true;
     // Else the frame comes with the OTF that is under way, or with the failure to compute it.
-    if (m_parts.session.otfUnderWay()) return;
-    m_parts.session.otf() ? showFrameWithItsOtf() : m_parts.computing.computeAgain();
+    if (m_parts.openStudy.otfUnderWay()) return;
+    m_parts.openStudy.otf() ? showFrameWithItsOtf() : m_parts.computing.computeAgain();
 }
 
 /// A frame of a motion with one OTF, which is there already.
 void MotionFrames::showFrameWithItsOtf() {
     m_frameWaits = false;
-    m_parts.view.showVolume(m_parts.session.newestVoxels(), m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), m_parts.openStudy.volume());
     keepCourseOf(m_otf->config);
     m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
     m_parts.coursePanel.showCourse();
@@ -146,7 +146,7 @@ void MotionFrames::showWaitingFrame() {
 }
 
 void MotionFrames::announceShownFrame() {
-    if (m_frameWaits || m_parts.session.computingOtf()) return;
+    if (m_frameWaits || m_parts.openStudy.computingOtf()) return;
     // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
     const VolumeViewWidget& picture = m_parts.picture;
     if (picture.isVisible() && !(picture.pictureIsCurrent() && picture.pictureIsOnScreen())) return;
@@ -156,7 +156,7 @@ void MotionFrames::announceShownFrame() {
 CourseFrame MotionFrames::courseFrame() const {
     return {.angle = static_cast<int>(m_parts.player.angle()),
             .phase = m_parts.player.phase(),
-            .phases = static_cast<int>(m_parts.session.study()->phases.size())};
+            .phases = static_cast<int>(m_parts.openStudy.study()->phases.size())};
 }
 
 void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
@@ -173,7 +173,7 @@ void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     const CourseKey key{start, strokesOf(document, view), document.motion.axis, config, rows, fixed};
     if (m_courseKey == key) return;
     m_courseKey = key;
-    m_parts.session.forgetKeptOtfs();
+    m_parts.openStudy.forgetKeptOtfs();
     m_parts.course.begin(rows, frame.phases);
 }
 
@@ -182,7 +182,7 @@ SampledCurve MotionFrames::curveToShow(std::shared_ptr<const AdaptiveOtf> otf) {
     keepCourseOf(m_otf->config);
     // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of the
     // course.
-    const bool ofFrame = m_otf->view == frameView() && m_parts.session.phaseOfOtf() == m_parts.player.phase();
+    const bool ofFrame = m_otf->view == frameView() && m_parts.openStudy.phaseOfOtf() == m_parts.player.phase();
     if (ofFrame) m_parts.course.add(courseFrame(), m_otf->curve);
     if (mode() == MotionOtf::oneOtf) m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
     m_parts.coursePanel.showCourse();
@@ -206,12 +206,13 @@ void MotionFrames::showFrameRate() {
 
 void MotionFrames::tellFrameRate() {
     if (m_parts.player.isPlaying() && m_frameSeconds > 0)
-        m_parts.panel.setFrameRate(1.0 / m_frameSeconds, {.frames = m_parts.picture.keptFrames(),
-                                                          .quietPhases = m_parts.session.quietPhases().madeCount(),
-                                                          .otfs = static_cast<int>(m_parts.session.keptOtfs().count()),
-                                                          .frameBytes = m_parts.picture.keptFrameBytes(),
-                                                          .quietBytes = m_parts.session.quietPhases().bytes(),
-                                                          .otfBytes = m_parts.session.keptOtfs().bytes()});
+        m_parts.panel.setFrameRate(1.0 / m_frameSeconds,
+                                   {.frames = m_parts.picture.keptFrames(),
+                                    .quietPhases = m_parts.openStudy.quietPhases().madeCount(),
+                                    .otfs = static_cast<int>(m_parts.openStudy.keptOtfs().count()),
+                                    .frameBytes = m_parts.picture.keptFrameBytes(),
+                                    .quietBytes = m_parts.openStudy.quietPhases().bytes(),
+                                    .otfBytes = m_parts.openStudy.keptOtfs().bytes()});
 }
 
 }  // namespace echolucent

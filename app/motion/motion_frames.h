@@ -25,7 +25,7 @@ class MotionFrames : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        Session& session;
+        OpenStudy& openStudy;
         OtfComputing& computing;
         DocumentView& view;
         VolumeViewWidget& picture;

@@ -27,7 +27,7 @@ QString MovieFiles::namesOf(const std::vector<std::string>& files) const {
 }
 
 void MovieFiles::ask(FrameOutput output) {
-    if (!m_parts.session.study()) return;
+    if (!m_parts.openStudy.study()) return;
     if (busy()) {
         m_parts.messages.showMessage(MessageKind::info, tr("A movie is being written. Wait for it, or cancel it."));
         return;
@@ -45,19 +45,19 @@ void MovieFiles::ask(FrameOutput output) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, output] { begin(output, dialog->choice()); });
     // Another study has other frames.
-    connect(&m_parts.session, &Session::studyOpened, dialog, &QDialog::reject);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, dialog, &QDialog::reject);
     dialog->open();
 }
 
 int MovieFiles::frameCount() const {
     const Document& document = m_parts.model.document();
-    const int phases = static_cast<int>(m_parts.session.study()->phases.size());
+    const int phases = static_cast<int>(m_parts.openStudy.study()->phases.size());
     return static_cast<int>(turnOf(document, m_parts.view, phases).size());
 }
 
 QString MovieFiles::whatPlays() const {
     const MotionChoice& motion = m_parts.model.document().motion;
-    const PhaseRange range = playedPhases(motion, static_cast<int>(m_parts.session.study()->phases.size()));
+    const PhaseRange range = playedPhases(motion, static_cast<int>(m_parts.openStudy.study()->phases.size()));
     const auto order = [](const QString& what, bool pingPong) {
         return pingPong ? tr("%1, and back").arg(what) : what;
     };
@@ -78,16 +78,16 @@ MovieChoice MovieFiles::proposal(FrameOutput output) const {
                                                       : m_parts.proposedName(QStringLiteral("frame")) + ".png";
     const QString folder = m_parts.settings.lastSaveFolder();
     choice.path = QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(name);
-    choice.framesPerSecond = std::clamp(1.0 / frameSeconds(motion, m_parts.session.study()->phaseSeconds),
+    choice.framesPerSecond = std::clamp(1.0 / frameSeconds(motion, m_parts.openStudy.study()->phaseSeconds),
                                         MovieDialog::leastRate, MovieDialog::largestRate);
     choice.replace = false;
     return choice;
 }
 
 MovieHindrance MovieFiles::hindrance(FrameOutput output, const MovieChoice& choice) const {
-    if (!m_parts.session.study() || choice.path.isEmpty()) return {tr("Give the file a name."), false};
+    if (!m_parts.openStudy.study() || choice.path.isEmpty()) return {tr("Give the file a name."), false};
     const int frames = frameCount();
-    if (const auto possible = checkFrameFiles(output, choice, frames, m_parts.session.study()->files); !possible)
+    if (const auto possible = checkFrameFiles(output, choice, frames, m_parts.openStudy.study()->files); !possible)
         return {m_parts.names.sentenceOf(possible.error()), false};
     const std::vector<std::string> files = filesOf(output, choice, frames);
     const auto there = std::ranges::count_if(
@@ -101,7 +101,7 @@ MovieHindrance MovieFiles::hindrance(FrameOutput output, const MovieChoice& choi
 QString MovieFiles::choosePath(FrameOutput output, const QString& present) const {
     const bool movie = output == FrameOutput::movie;
     const QFileInfo proposed(present);
-    return chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+    return chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                             {.title = movie ? tr("Save movie") : tr("Save picture series"),
                              .filter = movie ? tr("Movies (*.mp4 *.avi *.mkv)") : tr("Pictures (*.png)"),
                              .name = proposed.completeBaseName(),
@@ -111,8 +111,8 @@ QString MovieFiles::choosePath(FrameOutput output, const QString& present) const
 }
 
 FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) const {
-    const QuietPhases& quiet = m_parts.session.quietPhases();
-    const Study& study = *m_parts.session.study();
+    const QuietPhases& quiet = m_parts.openStudy.quietPhases();
+    const Study& study = *m_parts.openStudy.study();
     FrameOrder order{.document = m_parts.model.document(),
                      .view = m_parts.view,
                      .phases = {.scans = study.phases, .quiet = {}, .reduction = quiet.reduction()},
@@ -124,7 +124,7 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
 }
 
 void MovieFiles::begin(FrameOutput output, const MovieChoice& choice) {
-    if (busy() || !m_parts.session.study()) return;
+    if (busy() || !m_parts.openStudy.study()) return;
     const MovieHindrance inTheWay = hindrance(output, choice);
     if (!inTheWay.sentence.isEmpty() && !(inTheWay.replaces && choice.replace))
         return tell(false, MessageKind::error, inTheWay.sentence);

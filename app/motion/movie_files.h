@@ -7,7 +7,7 @@
 
 #include "app/document/document_model.h"
 #include "app/motion/frame_files.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/file_writing.h"
 #include "app/window/settings.h"
 #include "widgets/panels/movie_dialog.h"
@@ -30,7 +30,7 @@ public:
         QWidget& window;  ///< parent of the dialog
         DocumentModel& model;
         int view;  ///< of the document
-        Session& session;
+        OpenStudy& openStudy;
         Settings& settings;
         MessageBar& messages;
         const StudyNames& names;

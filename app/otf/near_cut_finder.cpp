@@ -6,11 +6,11 @@
 namespace echolucent {
 
 NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
-    connect(&m_parts.session, &Session::nearCutFound, this, &NearCutFinder::take);
-    connect(&m_parts.session, &Session::computingOtfChanged, this, [this](bool computing) {
+    connect(&m_parts.openStudy, &OpenStudy::nearCutFound, this, &NearCutFinder::take);
+    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, [this](bool computing) {
         if (!computing) m_looking = false;
     });
-    connect(&m_parts.session, &Session::otfFailed, this, [this] {
+    connect(&m_parts.openStudy, &OpenStudy::otfFailed, this, [this] {
         if (!std::exchange(m_looking, false)) return;
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
     });
@@ -18,10 +18,10 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(pare
 }
 
 void NearCutFinder::find() {
-    if (!m_parts.session.volume()) return;
+    if (!m_parts.openStudy.volume()) return;
     m_looksFrom = viewpointOf(m_parts.model.document(), m_parts.view);
     m_looking = true;
-    m_parts.session.requestNearCut(m_looksFrom);
+    m_parts.openStudy.requestNearCut(m_looksFrom);
     emit looking();
 }
 

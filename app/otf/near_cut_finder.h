@@ -16,7 +16,7 @@ public:
     struct Parts {
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         OtfComputing& computing;
         MessageBar& messages;
     };
@@ -30,7 +30,7 @@ public:
     void tellOpening(const NearCutFinding& finding);
 
 signals:
-    /// A search has begun; Session::lookingForNearCut() is true until it ends.
+    /// A search has begun; OpenStudy::lookingForNearCut() is true until it ends.
     void looking();
 
 private:

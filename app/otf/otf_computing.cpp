@@ -2,14 +2,14 @@
 
 namespace echolucent {
 
-OtfComputing::OtfComputing(DocumentModel& model, int view, Session& session, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_session(session) {
+OtfComputing::OtfComputing(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_openStudy(openStudy) {
     begin();
     connect(&m_model, &DocumentModel::changed, this, &OtfComputing::follow);
 }
 
 void OtfComputing::begin() {
-    m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
+    m_openStudy.setReduction(lookOf(m_model.document(), m_view).reduction);
     sayPhase();
     m_ofDocument = otfViewpointOf(m_model.document(), m_view);
     m_asked = m_ofDocument;
@@ -19,11 +19,11 @@ void OtfComputing::begin() {
 void OtfComputing::sayPhase() {
     const MotionChoice& motion = m_model.document().motion;
     m_phase = motion.otf == MotionOtf::oneOtf ? std::optional(motion.otfPhase) : std::nullopt;
-    m_session.setOtfPhase(m_phase);
+    m_openStudy.setOtfPhase(m_phase);
 }
 
 void OtfComputing::follow() {
-    m_session.setReduction(lookOf(m_model.document(), m_view).reduction);
+    m_openStudy.setReduction(lookOf(m_model.document(), m_view).reduction);
     const std::optional<int> before = m_phase;
     sayPhase();
     // Between one OTF and each frame's own, whoever shows the frames asks.
@@ -50,11 +50,11 @@ void OtfComputing::follow() {
 
 void OtfComputing::computeFor(const Viewpoint& viewpoint) {
     m_asked = viewpoint;
-    m_session.requestOtf(viewpoint, configOf(m_model.document()));
+    m_openStudy.requestOtf(viewpoint, configOf(m_model.document()));
 }
 
 void OtfComputing::computeForThisView() {
-    if (!m_session.volume()) return;
+    if (!m_openStudy.volume()) return;
     const Viewpoint shown = viewpointOf(m_model.document(), m_view);
     Document next = m_model.document();
     next.method.direction = directionOf(shown);

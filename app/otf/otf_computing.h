@@ -5,19 +5,19 @@
 #include <optional>
 
 #include "app/document/document_model.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 
 namespace echolucent {
 
-/// Asks the session for the adaptive OTF whenever something it depends on changes in the document: the method, the
+/// Asks the open study for the adaptive OTF whenever something it depends on changes in the document: the method, the
 /// curve that is its initial function, the cut, the beam, and where one OTF serves all frames of a motion the phase
 /// that it is of. The tubes begin where the picture begins.
 class OtfComputing : public QObject {
     Q_OBJECT
 
 public:
-    /// `view` is the id of the view whose cut and phase are taken. Model and session must outlive this.
-    OtfComputing(DocumentModel& model, int view, Session& session, QObject* parent = nullptr);
+    /// `view` is the id of the view whose cut and phase are taken. `model` and `openStudy` must outlive this.
+    OtfComputing(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent = nullptr);
 
     /// From where the newest OTF that was asked for looks.
     [[nodiscard]] const Viewpoint& viewpoint() const { return m_asked; }
@@ -37,7 +37,7 @@ private:
 
     DocumentModel& m_model;
     int m_view;
-    Session& m_session;
+    OpenStudy& m_openStudy;
     Viewpoint m_asked;
     // What the document said when it was followed last.
     Viewpoint m_ofDocument;

@@ -29,7 +29,7 @@ QString contentsOf(const Preset& preset) {
 }  // namespace
 
 PresetControls::PresetControls(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.view, parts.session) {
+    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.view, parts.openStudy) {
     const PresetsPanel* panel = &m_parts.panel;
     connect(panel, &PresetsPanel::seenChanged, &m_pictures, &PresetPictures::setSeen);
     connect(panel, &PresetsPanel::chosen, this, &PresetControls::choose);
@@ -164,7 +164,7 @@ void PresetControls::chooseAndExport(int preset) {
     QString name = textOf(all().at(static_cast<std::size_t>(preset)).name);
     for (QChar& character : name)
         if (QStringLiteral("/\\:*?\"<>|").contains(character) || !character.isPrint()) character = '-';
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Export preset"),
                                            .filter = tr("Presets (*.json)"),
                                            .name = name,
@@ -174,7 +174,8 @@ void PresetControls::chooseAndExport(int preset) {
 
 bool PresetControls::exportTo(const QString& path, int preset) {
     std::vector<std::string> kept{m_parts.settings.presetsFile().toStdString()};
-    if (const Study* study = m_parts.session.study()) kept.insert(kept.end(), study->files.begin(), study->files.end());
+    if (const Study* study = m_parts.openStudy.study())
+        kept.insert(kept.end(), study->files.begin(), study->files.end());
     if (!report(refuseToOverwrite(kept, {path.toStdString()}))) return false;
     const Preset exported = all().at(static_cast<std::size_t>(preset));
     if (!report(writePresets(path.toStdString(), {exported}))) return false;

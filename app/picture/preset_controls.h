@@ -7,7 +7,7 @@
 
 #include "app/document/document_model.h"
 #include "app/picture/preset_pictures.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/settings.h"
 #include "processing/document/preset.h"
 #include "processing/result.h"
@@ -31,7 +31,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         PresetsPanel& panel;
         Settings& settings;
         MessageBar& messages;

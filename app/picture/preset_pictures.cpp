@@ -29,12 +29,16 @@ Document pictured(Document document, int view) {
 
 }  // namespace
 
-PresetPictures::PresetPictures(DocumentModel& model, int view, Session& session, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_session(session), m_thread(QStringLiteral("preset pictures")) {
+PresetPictures::PresetPictures(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_view(view),
+      m_openStudy(openStudy),
+      m_thread(QStringLiteral("preset pictures")) {
     connect(&m_model, &DocumentModel::changed, this, &PresetPictures::follow);
-    connect(&m_session, &Session::volumeChanged, this, &PresetPictures::follow);
-    connect(&m_session, &Session::volumeCut, this, &PresetPictures::follow);
-    connect(&m_session, &Session::quietVoxelsMade, this, &PresetPictures::follow);
+    connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PresetPictures::follow);
+    connect(&m_openStudy, &OpenStudy::volumeCut, this, &PresetPictures::follow);
+    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &PresetPictures::follow);
 }
 
 void PresetPictures::setPresets(std::vector<Preset> presets) {
@@ -66,10 +70,10 @@ void PresetPictures::setAtRest(bool atRest) {
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
 std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& preset) const {
-    const std::shared_ptr<const Volume> raw = m_session.volume();
+    const std::shared_ptr<const Volume> raw = m_openStudy.volume();
     if (!raw) return std::nullopt;
-    const std::shared_ptr<const Volume> shown = m_session.newestVoxels();
-    const SpeckleReduction reduction = shown == raw ? SpeckleReduction::off : m_session.quietPhases().reduction();
+    const std::shared_ptr<const Volume> shown = m_openStudy.newestVoxels();
+    const SpeckleReduction reduction = shown == raw ? SpeckleReduction::off : m_openStudy.quietPhases().reduction();
     return Asked{pictured(withPreset(m_model.document(), m_view, preset), m_view), {raw, shown, reduction}};
 }
 
@@ -78,7 +82,7 @@ void PresetPictures::follow() {
     for (Entry& entry : m_entries) {
         entry.wanted = m_seen ? askedOf(entry.preset) : std::nullopt;
         // What nobody sees keeps no volume that is gone from the window.
-        if (!m_seen && entry.made && entry.made->voxels.shown != m_session.newestVoxels()) entry.made.reset();
+        if (!m_seen && entry.made && entry.made->voxels.shown != m_openStudy.newestVoxels()) entry.made.reset();
     }
     const bool current =
         std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });

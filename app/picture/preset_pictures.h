@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/document/document_model.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "processing/document/preset.h"
 #include "processing/document/preset_caster.h"
 #include "widgets/newest_wins_thread.h"
@@ -25,8 +25,8 @@ public:
     /// Pixels of a picture.
     static constexpr int width = 184, height = 138;
 
-    /// `model` and `session` must outlive this.
-    PresetPictures(DocumentModel& model, int view, Session& session, QObject* parent = nullptr);
+    /// `model` and `openStudy` must outlive this.
+    PresetPictures(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent = nullptr);
 
     /// Pictures of presets that were there before are kept.
     void setPresets(std::vector<Preset> presets);
@@ -69,7 +69,7 @@ private:
 
     DocumentModel& m_model;
     int m_view;
-    Session& m_session;
+    OpenStudy& m_openStudy;
     std::vector<Entry> m_entries;
     bool m_seen = false, m_atRest = false;
     std::optional<Asked> m_making;

@@ -47,10 +47,10 @@ std::vector<std::vector<BoxFace>> allGrips() {
 
 }  // namespace
 
-BoxIn3d::BoxIn3d(DocumentModel& model, int view, Session& session, VolumeViewWidget& picture, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_session(session), m_picture(picture) {
+BoxIn3d::BoxIn3d(DocumentModel& model, int view, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_openStudy(openStudy), m_picture(picture) {
     connect(&m_model, &DocumentModel::changed, this, &BoxIn3d::show);
-    connect(&m_session, &Session::volumeChanged, this, &BoxIn3d::show);
+    connect(&m_openStudy, &OpenStudy::volumeChanged, this, &BoxIn3d::show);
     GripPointer& grips = m_picture.grips();
     connect(&grips, &GripPointer::dragStarted, this, [this](std::size_t grip) {
         m_held = m_grips.at(grip);
@@ -81,7 +81,7 @@ void BoxIn3d::setMarking(const Overlay& marking) {
 
 void BoxIn3d::show() {
     Overlay overlay;
-    if (m_session.volume()) {
+    if (m_openStudy.volume()) {
         if (planesOf(m_model.document(), m_view).linesIn3d) addPlanes(overlay);
         addBox(overlay);
         addMeasurements(overlay);
@@ -93,13 +93,13 @@ void BoxIn3d::show() {
 void BoxIn3d::addMeasurements(Overlay& overlay) const {
     const Document& document = m_model.document();
     append(overlay, overlayOf(shownMeasurements(document.measurements, phaseOf(document, m_view),
-                                                m_session.volume()->geometry())));
+                                                m_openStudy.volume()->geometry())));
     append(overlay, m_marking);
 }
 
 void BoxIn3d::addPlanes(Overlay& overlay) const {
     const Document& document = m_model.document();
-    const DataBox data = m_session.volume()->dataBox();
+    const DataBox data = m_openStudy.volume()->dataBox();
     const OrientedBox whole = orientedBoxOf(data);
     const Planes& planes = planesOf(document, m_view);
     for (const PlaneName plane : allPlaneNames) {
@@ -164,7 +164,7 @@ void BoxIn3d::drag(const Vec3& mm) {
         const double squared = seen.dot(seen);
         constexpr double leastSeen = 0.02;
         if (squared < leastSeen) continue;
-        box = withFaceMoved(box, face, mm.dot(seen) / squared, m_session.volume()->geometry().unit());
+        box = withFaceMoved(box, face, mm.dot(seen) / squared, m_openStudy.volume()->geometry().unit());
     }
     // Only the box is the drag's: what else has changed since it began stays.
     const Document next = withBox(m_model.document(), m_view, movedBox(boxOf(before, m_view), box, before.beam.axis));

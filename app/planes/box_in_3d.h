@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/document_model.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "processing/box_section.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
@@ -20,7 +20,7 @@ class BoxIn3d : public QObject {
 
 public:
     /// All of them must outlive this.
-    BoxIn3d(DocumentModel& model, int view, Session& session, VolumeViewWidget& picture, QObject* parent = nullptr);
+    BoxIn3d(DocumentModel& model, int view, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent = nullptr);
 
     /// What the scalpel draws lies over all else.
     void setDrawing(const std::optional<PictureLine>& drawing);
@@ -38,7 +38,7 @@ private:
 
     DocumentModel& m_model;
     int m_view;
-    Session& m_session;
+    OpenStudy& m_openStudy;
     VolumeViewWidget& m_picture;
     std::vector<Grip> m_grips;
     std::optional<PictureLine> m_drawing;

@@ -9,9 +9,9 @@
 
 namespace echolucent {
 
-DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, Session& session, const Panes& panes,
-                               QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_session(session), m_panes(panes) {
+DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy,
+                               const Panes& panes, QObject* parent)
+    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_openStudy(openStudy), m_panes(panes) {
     for (PlanePane* pane : m_panes) {
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
             pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_hand.current());
@@ -30,17 +30,17 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand
                 [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
         connect(pane, &PlanePane::wantsOther, this, &DocumentPlanes::resample);
         connect(pane, &PlanePane::pointed, this, [this](const std::optional<Vec3>& gridMm) {
-            const std::shared_ptr<const Volume> read = m_session.volume();
+            const std::shared_ptr<const Volume> read = m_openStudy.volume();
             if (!gridMm || !read) return emit pointed(std::nullopt);
             const Vec3 voxel = read->geometry().voxelFromGridMm(*gridMm);
             emit pointed(inBox(read->geometry(), voxel) ? VolumeSampler(*read).intensityAt(voxel) : std::nullopt);
         });
     }
     connect(&m_model, &DocumentModel::changed, this, &DocumentPlanes::show);
-    connect(&m_session, &Session::volumeChanged, this, &DocumentPlanes::show);
-    connect(&m_session, &Session::quietVoxelsMade, this, &DocumentPlanes::show);
-    connect(&m_session, &Session::volumeCut, this, &DocumentPlanes::show);
-    connect(&m_session, &Session::studyOpened, this, [this] {
+    connect(&m_openStudy, &OpenStudy::volumeChanged, this, &DocumentPlanes::show);
+    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &DocumentPlanes::show);
+    connect(&m_openStudy, &OpenStudy::volumeCut, this, &DocumentPlanes::show);
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
         cancelDrag();
         // Nobody is to see one study's voxels under another one's lines.
         for (PlanePane* pane : m_panes) pane->clear();
@@ -55,7 +55,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand
 }
 
 void DocumentPlanes::show() {
-    const std::shared_ptr<const Volume> volume = m_session.volume();
+    const std::shared_ptr<const Volume> volume = m_openStudy.volume();
     for (PlanePane* pane : m_panes) volume ? pane->setScene(sceneFor(*volume, pane->plane())) : pane->clear();
     resample();
 }
@@ -92,7 +92,7 @@ BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
 
 void DocumentPlanes::resample() {
     const std::shared_ptr<const Volume> volume =
-        planesOf(m_model.document(), m_view).quiet ? m_session.newestVoxels() : m_session.volume();
+        planesOf(m_model.document(), m_view).quiet ? m_openStudy.newestVoxels() : m_openStudy.volume();
     std::array<std::optional<PlaneRequest>, 3> requests;
     for (const PlanePane* pane : m_panes) requests[indexOf(pane->plane())] = pane->wanted(volume);
     m_resampler.want(requests);
@@ -116,7 +116,8 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
             if (cutBefore.surface) {
                 cut = {.surface = dragged.start};
             } else {
-                const double deepest = depthAlongViewMm(otfViewpointOf(before, m_view), m_session.volume()->geometry());
+                const double deepest =
+                    depthAlongViewMm(otfViewpointOf(before, m_view), m_openStudy.volume()->geometry());
                 cut = {.nearCutMm = std::clamp(cutBefore.nearCutMm + dragged.startMm, 0.0, deepest)};
             }
             break;

@@ -6,7 +6,7 @@
 
 #include "app/document/document_model.h"
 #include "app/document/hand_gesture.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "widgets/planes/plane_pane.h"
 #include "widgets/planes/plane_resampler.h"
 
@@ -21,7 +21,7 @@ public:
     using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
 
     /// All of them must outlive this.
-    DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, Session& session, const Panes& panes,
+    DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
                    QObject* parent = nullptr);
 
     /// True while planes that are wanted are not there yet.
@@ -49,7 +49,7 @@ private:
     DocumentModel& m_model;
     int m_view;
     HandGesture& m_hand;
-    Session& m_session;
+    OpenStudy& m_openStudy;
     Panes m_panes;
     PlaneResampler m_resampler;
     std::optional<Document> m_beforeBoxDrag;

@@ -30,22 +30,22 @@ MeasurementControls::MeasurementControls(const Parts& parts, QObject* parent) : 
     connect(panel, &MeasurementsPanel::removed, this, &MeasurementControls::remove);
     connect(panel, &MeasurementsPanel::allRemoved, this, &MeasurementControls::removeAll);
     connect(&m_parts.model, &DocumentModel::measurementsChanged, this, &MeasurementControls::list);
-    connect(&m_parts.session, &Session::studyOpened, this, &MeasurementControls::list);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &MeasurementControls::list);
     list();
 }
 
 void MeasurementControls::list() {
     std::vector<MeasurementRow> rows;
-    if (const std::shared_ptr<const Volume> volume = m_parts.session.volume())
+    if (const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume())
         for (const Measurement& each : m_parts.model.document().measurements)
-            rows.push_back({each.id, rowText(each, volume->geometry(), m_parts.session.study()->phases.size() > 1)});
+            rows.push_back({each.id, rowText(each, volume->geometry(), m_parts.openStudy.study()->phases.size() > 1)});
     m_parts.panel.setRows(rows);
 }
 
 void MeasurementControls::show(int id) {
     const std::vector<Measurement>& all = m_parts.model.document().measurements;
     const auto found = std::ranges::find(all, id, &Measurement::id);
-    if (found == all.end() || !m_parts.session.volume()) return;
+    if (found == all.end() || !m_parts.openStudy.volume()) return;
     m_parts.player.pause();
     const Measurement measurement = *found;
     if (phaseOf(m_parts.model.document(), m_parts.view) != measurement.phase)
@@ -53,7 +53,7 @@ void MeasurementControls::show(int id) {
     if (measurement.ground != MeasurementGround::plane) return;
     Document next = m_parts.model.document();
     Planes& planes = planesOf(next, m_parts.view);
-    planes = planesHolding(planes, measurement.placesMm, next.beam.axis, m_parts.session.volume()->dataBox());
+    planes = planesHolding(planes, measurement.placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
     m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement.kind))).arg(id));
 }
 

@@ -6,7 +6,7 @@
 #include "app/document/document_model.h"
 #include "app/motion/motion_player.h"
 #include "app/planes/measuring_hand.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "widgets/panels/measurements_panel.h"
 
 namespace echolucent {
@@ -19,7 +19,7 @@ public:
     struct Parts {
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         MotionPlayer& player;
         MeasuringHand& hand;
         MeasurementsPanel& panel;

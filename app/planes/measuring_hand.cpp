@@ -35,7 +35,7 @@ MeasuringHand::MeasuringHand(const Parts& parts, QObject* parent) : QObject(pare
     for (PlanePane* pane : m_parts.planes) watchPlane(*pane);
     watchPicture();
     connect(&m_parts.model, &DocumentModel::studyChanged, this, [this] { setTool(std::nullopt); });
-    connect(&m_parts.session, &Session::studyOpened, this, [this] { setTool(std::nullopt); });
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] { setTool(std::nullopt); });
     connect(&m_parts.model, &DocumentModel::changed, this, &MeasuringHand::dropWhereItEnded);
 }
 
@@ -56,7 +56,7 @@ void MeasuringHand::watchPlane(PlanePane& pane) {
 void MeasuringHand::watchPicture() {
     MarkingPointer* pointer = m_parts.picture.createMarkingPointer(
         [this](const QPointF&) {
-            return m_tool && m_parts.session.volume() ? MarkingPointer::Take::click : MarkingPointer::Take::no;
+            return m_tool && m_parts.openStudy.volume() ? MarkingPointer::Take::click : MarkingPointer::Take::no;
         },
         this);
     connect(pointer, &MarkingPointer::clicked, this, &MeasuringHand::markOnSurface);
@@ -71,7 +71,7 @@ void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
     cancelDrag();
     dropMarked();
     tell({});
-    if (tool && m_parts.session.volume()) {
+    if (tool && m_parts.openStudy.volume()) {
         // What would hold of any measurement: a hand that has marked its places is not to learn it only then.
         const Measurement any{.placesMm = {{0, 0, 0}, {1, 0, 0}}};
         if (const auto value = measuredValue(any, geometry()); !value) {
@@ -79,7 +79,7 @@ void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
             tool.reset();
         }
     }
-    m_tool = m_parts.session.volume() ? tool : std::nullopt;
+    m_tool = m_parts.openStudy.volume() ? tool : std::nullopt;
     emit toolChanged();  // the scalpel is put away before the cursor is that of this tool
     for (PlanePane* pane : m_parts.planes) pane->setToolCursor(m_tool ? std::optional(Qt::CrossCursor) : std::nullopt);
     m_parts.picture.setToolCursor(m_tool.has_value());
@@ -128,7 +128,7 @@ void MeasuringHand::hoverInPlane(PlanePane& pane, const QPointF& pixel) {
 
 void MeasuringHand::markInPlane(PlanePane& pane, const QPointF& pixel) {
     const Vec3 place = pane.mapping().gridAt(pixel);
-    if (!holds(m_parts.session.volume()->dataBox(), place))
+    if (!holds(m_parts.openStudy.volume()->dataBox(), place))
         return tell(tr("There is no data where you clicked, so nothing was marked. Click within the volume."));
     const bool again = m_pane == &pane && length(place - m_places.back()) < samePlace * pane.mapping().mmPerPixel();
     if (again) return;
@@ -142,7 +142,7 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
     if (m_parts.picture.look().mode == RenderMode::mean)
         return tell(tr("Means show no surface, so nothing was marked. Choose another mode."));
     // Until the OTF of a phase is there, the picture is the phase before's.
-    if (m_parts.picture.measured() != m_parts.session.volume() || !m_parts.picture.pictureIsCurrent())
+    if (m_parts.picture.measured() != m_parts.openStudy.volume() || !m_parts.picture.pictureIsCurrent())
         return tell(tr("The picture of this phase is not there yet, so nothing was marked. Click again once it is."));
     const std::optional<Vec3> place = m_parts.picture.shownAt(placeIn3d(pixel), surfaceStep);
     if (!place)
@@ -193,7 +193,7 @@ bool MeasuringHand::dropMarked() {
 /// Places were marked in one phase and one plane: where these are no longer shown, nobody could go on with them.
 void MeasuringHand::dropWhereItEnded() {
     if (m_places.empty()) return;
-    if (!m_parts.session.volume()) {
+    if (!m_parts.openStudy.volume()) {
         dropMarked();
         return;
     }
@@ -237,7 +237,7 @@ void MeasuringHand::moveMark(PlanePane& pane, const QPointF& pixel) {
     // A place beside the plane stays as far beside it.
     const Vec3 place = before->placesMm[m_held->place] + mapping.gridAt(pixel) - mapping.gridAt(m_pressedAt);
     moved->placesMm[m_held->place] = place;
-    if (!holds(m_parts.session.volume()->dataBox(), place) || !measuredValue(*moved, geometry())) return;
+    if (!holds(m_parts.openStudy.volume()->dataBox(), place) || !measuredValue(*moved, geometry())) return;
     m_parts.model.preview(next, tr("move %1").arg(stepName(*moved)));
 }
 
@@ -260,7 +260,7 @@ void MeasuringHand::showMarking() {
         begun.id = 0;
         // The line ends where a click would mark nothing.
         const std::optional<Vec3> next = m_pointer ? std::optional(pane->mapping().gridAt(*m_pointer)) : std::nullopt;
-        if (next && holds(m_parts.session.volume()->dataBox(), *next)) begun.placesMm.push_back(*next);
+        if (next && holds(m_parts.openStudy.volume()->dataBox(), *next)) begun.placesMm.push_back(*next);
         std::optional<ShownMeasurement> shown = shownMeasurement(begun, geometry());
         // With the pointer still on a place there is no value yet.
         if (!shown) shown = ShownMeasurement{.kind = begun.kind, .placesMm = m_places};
@@ -285,6 +285,6 @@ PicturePlace MeasuringHand::placeIn3d(const QPointF& pixel) const {
             (pixel.y() - m_parts.picture.height() / 2.0) / height};
 }
 
-const VolumeGeometry& MeasuringHand::geometry() const { return m_parts.session.volume()->geometry(); }
+const VolumeGeometry& MeasuringHand::geometry() const { return m_parts.openStudy.volume()->geometry(); }
 
 }  // namespace echolucent

@@ -9,7 +9,7 @@
 
 #include "app/document/document_model.h"
 #include "app/planes/box_in_3d.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "processing/document/shown_measurement.h"
 #include "widgets/marking_pointer.h"
 #include "widgets/panels/message_bar.h"
@@ -32,7 +32,7 @@ public:
     struct Parts {
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         Panes planes;
         VolumeViewWidget& picture;
         BoxIn3d& overlay;

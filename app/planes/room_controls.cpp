@@ -4,13 +4,13 @@
 
 namespace echolucent {
 
-RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session,
+RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy,
                            const VolumeViewWidget& picture, RoomPanel& panel, QObject* parent)
     : QObject(parent),
       m_model(model),
       m_view(view),
       m_hand(hand),
-      m_session(session),
+      m_openStudy(openStudy),
       m_picture(picture),
       m_panel(panel) {
     connect(&m_panel, &RoomPanel::planesChanged, this, [this](const Planes& planes, const QString& what) {
@@ -26,8 +26,8 @@ RoomControls::RoomControls(DocumentModel& model, int view, HandGesture& hand, Se
     connect(&m_model, &DocumentModel::planesChanged, this, &RoomControls::show);
     connect(&m_model, &DocumentModel::boxesChanged, this, &RoomControls::show);
     connect(&m_model, &DocumentModel::viewsChanged, this, &RoomControls::show);
-    connect(&m_session, &Session::studyOpened, this, [this] {
-        const VolumeGeometry& geometry = m_session.volume()->geometry();
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
+        const VolumeGeometry& geometry = m_openStudy.volume()->geometry();
         m_panel.setUnit(geometry.unit(), geometry.spacingKnown);
     });
     show();
@@ -44,19 +44,19 @@ void RoomControls::edit(const Document& next, const QString& what) {
 }
 
 void RoomControls::switchBox(bool on) {
-    if (!m_session.volume()) return show();
-    edit(withBoxSwitched(m_model.document(), m_view, on, m_session.volume()->dataBox()),
+    if (!m_openStudy.volume()) return show();
+    edit(withBoxSwitched(m_model.document(), m_view, on, m_openStudy.volume()->dataBox()),
          on ? tr("show the box") : tr("leave the box"));
 }
 
 void RoomControls::chooseFront(BoxSide front) {
-    if (!m_session.volume()) return show();
-    edit(fitted(withFront(m_model.document(), m_view, front, m_session.volume()->dataBox())), tr("front of the box"));
+    if (!m_openStudy.volume()) return show();
+    edit(fitted(withFront(m_model.document(), m_view, front, m_openStudy.volume()->dataBox())), tr("front of the box"));
 }
 
 /// The same with the whole box in the picture, seen as it is.
 Document RoomControls::fitted(Document document) const {
-    poseOf(document, m_view) = m_picture.wholeVolume(viewpointOf(document, m_view), m_session.volume()->dataBox());
+    poseOf(document, m_view) = m_picture.wholeVolume(viewpointOf(document, m_view), m_openStudy.volume()->dataBox());
     return document;
 }
 
@@ -67,17 +67,17 @@ void RoomControls::resizeBox(int axis, double mm) {
 }
 
 void RoomControls::makeWhole() {
-    if (!m_session.volume()) return;
+    if (!m_openStudy.volume()) return;
     const Document& document = m_model.document();
     Box box = boxOf(document, m_view);
     box.direction = {};
-    edit(withBox(document, m_view, wholeBox(box, document.beam.axis, m_session.volume()->dataBox())),
+    edit(withBox(document, m_view, wholeBox(box, document.beam.axis, m_openStudy.volume()->dataBox())),
          tr("box around all data"));
 }
 
 void RoomControls::makeSlab(PlaneName plane, double thicknessMm) {
-    if (!m_session.volume()) return;
-    edit(fitted(withSlab(m_model.document(), m_view, plane, thicknessMm, m_session.volume()->dataBox())),
+    if (!m_openStudy.volume()) return;
+    edit(fitted(withSlab(m_model.document(), m_view, plane, thicknessMm, m_openStudy.volume()->dataBox())),
          tr("slab around a plane"));
 }
 

@@ -5,7 +5,7 @@
 
 #include "app/document/document_model.h"
 #include "app/document/hand_gesture.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -16,8 +16,8 @@ class RoomControls : public QObject {
 
 public:
     /// All of them must outlive this. `picture` is the view's.
-    RoomControls(DocumentModel& model, int view, HandGesture& hand, Session& session, const VolumeViewWidget& picture,
-                 RoomPanel& panel, QObject* parent = nullptr);
+    RoomControls(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy,
+                 const VolumeViewWidget& picture, RoomPanel& panel, QObject* parent = nullptr);
 
     void switchBox(bool on);
     /// Looks in through a side of the box, which fills the picture.
@@ -34,7 +34,7 @@ private:
     DocumentModel& m_model;
     int m_view;
     HandGesture& m_hand;
-    Session& m_session;
+    OpenStudy& m_openStudy;
     const VolumeViewWidget& m_picture;
     RoomPanel& m_panel;
 };

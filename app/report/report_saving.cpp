@@ -57,7 +57,7 @@ ReportSaving::ReportSaving(const Parts& parts)
     : QObject(&parts.window), m_parts(parts), m_writing(QStringLiteral("case report")) {
     connect(&m_writing, &FileWriting::busyChanged, this, &ReportSaving::busyChanged);
     connect(&m_writing, &FileWriting::progressed, this, &ReportSaving::progressed);
-    connect(&m_parts.session, &Session::studyOpened, this, [this] {
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         if (m_wanted)
             endUnwritten(tr("The case report %1 was not written, since another study was opened before it was taken.")
                              .arg(m_parts.names.nameOfOther(m_wanted->path)));
@@ -68,12 +68,12 @@ ReportSaving::ReportSaving(const Parts& parts)
 }
 
 void ReportSaving::choose() {
-    const Study* study = m_parts.session.study();
+    const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     ReportDialog dialog(areDicomFiles(study->files), &m_parts.window);
-    connect(&m_parts.session, &Session::studyOpened, &dialog, &QDialog::reject);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return;
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save case report"),
                                            .filter = tr("Pages (*.html)"),
                                            .name = m_parts.proposedName(QStringLiteral("report")),
@@ -82,7 +82,7 @@ void ReportSaving::choose() {
 }
 
 void ReportSaving::save(const QString& path, bool withPatient) {
-    if (m_parts.session.study() == nullptr) return;
+    if (m_parts.openStudy.study() == nullptr) return;
     if (busy()) {
         m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."));
         return;
@@ -134,10 +134,10 @@ void ReportSaving::takeNext() {
 void ReportSaving::write() {
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
     CaseReport taken = std::move(std::exchange(m_taken, std::nullopt)->report);
-    const Study& study = *m_parts.session.study();
+    const Study& study = *m_parts.openStudy.study();
     std::optional<PatientSource> source;
     if (wanted.withPatient) {
-        const auto* file = std::get_if<StudyFile>(&m_parts.session.reference());
+        const auto* file = std::get_if<StudyFile>(&m_parts.openStudy.reference());
         source = PatientSource{study.files, file ? file->options.series : std::string()};
     }
     m_writing.begin(
@@ -148,21 +148,21 @@ void ReportSaving::write() {
 }
 
 CaseReport ReportSaving::snapshot() const {
-    const Session& session = m_parts.session;
-    const Study& study = *session.study();
+    const OpenStudy& openStudy = m_parts.openStudy;
+    const Study& study = *openStudy.study();
     const StudyNames& names = m_parts.names;
     const auto shown = [&](const std::string& text) { return names.shown(QString::fromStdString(text)).toStdString(); };
     CaseReport report;
-    report.study = session.isSimulatedScan() ? tr("simulated scan") : names.nameOf(session.path());
+    report.study = openStudy.isSimulatedScan() ? tr("simulated scan") : names.nameOf(openStudy.path());
     report.made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ');
     report.version = QApplication::applicationVersion();
     report.explanation = m_parts.explanation().split(QStringLiteral("\n\n"), Qt::SkipEmptyParts);
     report.document = m_parts.model.document();
     report.view = m_parts.view;
     report.adaptive = m_parts.editor.state().adaptive;
-    report.histogram = session.histogram();
-    report.geometry = session.volume()->geometry();
-    const auto& finds = session.finds();
+    report.histogram = openStudy.histogram();
+    report.geometry = openStudy.volume()->geometry();
+    const auto& finds = openStudy.finds();
     for (const ImportFact& fact : finds ? importReport(study, finds->beam) : study.facts)
         report.facts.push_back({fact.name, shown(fact.value), shown(fact.source)});
     for (const std::string& warning : study.warnings)
@@ -180,15 +180,15 @@ std::optional<ReportPane> ReportSaving::pane(std::size_t index) const {
     }
     if (!m_parts.picture.isVisible()) return std::nullopt;
     return ReportPane{captions[index], pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view,
-                                                     m_parts.session.volume()->geometry())};
+                                                     m_parts.openStudy.volume()->geometry())};
 }
 
 std::vector<ReportTime> ReportSaving::times() const {
     std::vector<ReportTime> times;
-    const Session& session = m_parts.session;
-    if (const auto loading = session.loadingMilliseconds())
+    const OpenStudy& openStudy = m_parts.openStudy;
+    if (const auto loading = openStudy.loadingMilliseconds())
         times.push_back({tr("opening: reading the files, looking for beam and cut"), *loading});
-    if (const auto quietening = session.quieteningMilliseconds())
+    if (const auto quietening = openStudy.quieteningMilliseconds())
         times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
     if (const AdaptiveOtf* otf = m_parts.motion.otf()) times.push_back({tr("adaptive OTF"), otf->times.total});
     if (m_converged)

@@ -9,7 +9,7 @@
 #include "app/document/document_model.h"
 #include "app/motion/motion_frames.h"
 #include "app/report/case_report.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/file_writing.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -35,7 +35,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         MotionFrames& motion;
         MotionPlayer& player;
         std::array<PlanePane*, 3> planes;

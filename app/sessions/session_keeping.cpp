@@ -38,14 +38,14 @@ SessionKeeping::SessionKeeping(const Parts& parts)
     connect(&m_parts.model, &DocumentModel::changed, this, &SessionKeeping::noteChange);
     connect(&m_snapshots, &Snapshots::changed, this, &SessionKeeping::noteChange);
     connect(&m_parts.shown, &ShownStudy::aboutToBegin, this, &SessionKeeping::leave);
-    connect(&m_parts.session, &Session::studyOpened, this, &SessionKeeping::begin);
-    connect(&m_parts.session, &Session::studyNamed, this,
-            [this] { m_parts.model.noteChecksum(m_parts.session.reference()); });
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &SessionKeeping::begin);
+    connect(&m_parts.openStudy, &OpenStudy::studyNamed, this,
+            [this] { m_parts.model.noteChecksum(m_parts.openStudy.reference()); });
     connect(m_autosave.get(), &Autosave::busyChanged, this, &SessionKeeping::busyChanged);
     connect(m_autosave.get(), &Autosave::failed, this, [this](const QString& sentence) {
         m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
     });
-    connect(&m_parts.session, &Session::takingChecksumChanged, this, [this](bool taking) {
+    connect(&m_parts.openStudy, &OpenStudy::takingChecksumChanged, this, [this](bool taking) {
         if (!taking) writeWaiting();
     });
     constexpr int lookEvery = 100;  // ms
@@ -58,7 +58,7 @@ SessionKeeping::SessionKeeping(const Parts& parts)
         auto found = takeLeftovers(folder);
         return [this, left = std::move(found)] {
             m_leftovers.insert(m_leftovers.end(), left.begin(), left.end());
-            if (m_parts.session.study() != nullptr) offerLeftovers();
+            if (m_parts.openStudy.study() != nullptr) offerLeftovers();
         };
     });
 }
@@ -66,7 +66,7 @@ SessionKeeping::SessionKeeping(const Parts& parts)
 SessionKeeping::~SessionKeeping() {
     look();
     // The document is still there, the window's other parts are not.
-    m_autosave->keepAtEnd(m_changed && m_parts.session.study() != nullptr);
+    m_autosave->keepAtEnd(m_changed && m_parts.openStudy.study() != nullptr);
     m_autosave.reset();
 }
 
@@ -86,12 +86,12 @@ bool SessionKeeping::holdsWork() const {
 }
 
 void SessionKeeping::noteChange() {
-    if (m_between || m_parts.session.study() == nullptr) return;
+    if (m_between || m_parts.openStudy.study() == nullptr) return;
     if (!m_looking.isActive()) m_looking.start();
 }
 
 void SessionKeeping::look() {
-    if (m_between || m_parts.session.study() == nullptr) return;
+    if (m_between || m_parts.openStudy.study() == nullptr) return;
     m_looking.stop();
     const Document& document = m_parts.model.document();
     const bool changed =
@@ -111,7 +111,7 @@ void SessionKeeping::leave() {
     // Another study takes over curves, look and method; a session brings its own.
     const Document& document = m_parts.model.document();
     const Document& opened = m_parts.shown.opened();
-    const bool replaced = m_parts.session.saved() && !m_inFile &&
+    const bool replaced = m_parts.openStudy.saved() && !m_inFile &&
                           (m_parts.editor.isManualModified() || document.curves != opened.curves ||
                            document.looks != opened.looks || document.method != opened.method);
     if (!m_changed && !replaced) return m_autosave->forget();
@@ -121,7 +121,7 @@ void SessionKeeping::leave() {
 }
 
 void SessionKeeping::begin() {
-    const auto& saved = m_parts.session.saved();
+    const auto& saved = m_parts.openStudy.saved();
     m_between = false;
     m_changed = false;
     m_left = false;
@@ -146,7 +146,7 @@ void SessionKeeping::begin() {
 }
 
 QString SessionKeeping::proposedFile() const {
-    const QString study = m_parts.session.path();
+    const QString study = m_parts.openStudy.path();
     if (study.isEmpty()) {
         const QString folder = m_parts.settings.lastSaveFolder();
         return QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(tr("simulated-scan") + ".session.json");
@@ -157,12 +157,12 @@ QString SessionKeeping::proposedFile() const {
 }
 
 void SessionKeeping::save() {
-    if (m_parts.session.study() == nullptr) return;
+    if (m_parts.openStudy.study() == nullptr) return;
     m_file.isEmpty() ? chooseAndSave() : saveAs(m_file);
 }
 
 void SessionKeeping::chooseAndSave() {
-    if (m_parts.session.study() == nullptr) return;
+    if (m_parts.openStudy.study() == nullptr) return;
     const QString proposed = m_file.isEmpty() ? proposedFile() : m_file;
     QFileDialog dialog(&m_parts.window, tr("Save session"), QFileInfo(proposed).absolutePath(),
                        tr("Sessions (*.session.json *.json);;All files (*)"));
@@ -174,15 +174,15 @@ void SessionKeeping::chooseAndSave() {
 }
 
 void SessionKeeping::saveAs(const QString& file, Then then) {
-    const Study* study = m_parts.session.study();
+    const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     const QString whole = QFileInfo(file).absoluteFilePath();
-    if (auto allowed = refuseSessionInside(m_parts.session.path().toStdString(), study->files, whole.toStdString());
+    if (auto allowed = refuseSessionInside(m_parts.openStudy.path().toStdString(), study->files, whole.toStdString());
         !allowed)
         return offerAnotherPlace(m_parts.names.sentenceOf(allowed.error()));
     Order order{whole, present(), then};
     order.session.file.clear();
-    if (!m_parts.session.takingChecksum()) return write(std::move(order));
+    if (!m_parts.openStudy.takingChecksum()) return write(std::move(order));
     m_waiting = std::move(order);
     emit busyChanged();
 }
@@ -198,8 +198,8 @@ void SessionKeeping::cancelSaving() {
 void SessionKeeping::writeWaiting() {
     if (!m_waiting) return;
     Order order = *std::exchange(m_waiting, std::nullopt);
-    if (nameTheSame(order.session.document.study, m_parts.session.reference()))
-        order.session.document.study = m_parts.session.reference();
+    if (nameTheSame(order.session.document.study, m_parts.openStudy.reference()))
+        order.session.document.study = m_parts.openStudy.reference();
     write(std::move(order));
 }
 
@@ -264,7 +264,7 @@ bool SessionKeeping::mayClose() {
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(save);
     // The question is about the session that is open.
-    connect(&m_parts.session, &Session::studyOpened, &box, &QDialog::reject);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, &box, &QDialog::reject);
     box.exec();
     if (static_cast<QAbstractButton*>(save) == box.clickedButton()) {
         saveAs(m_file, Then::closeWindow);
@@ -303,7 +303,7 @@ void SessionKeeping::offerLeftovers() {
 }
 
 void SessionKeeping::openLeftover() {
-    if (!m_leftovers.empty()) m_parts.session.openSaved(m_leftovers.front().file, {});
+    if (!m_leftovers.empty()) m_parts.openStudy.openSaved(m_leftovers.front().file, {});
 }
 
 }  // namespace echolucent

@@ -20,7 +20,7 @@ namespace echolucent {
 
 class MessageBar;
 class OtfEditor;
-class Session;
+class OpenStudy;
 class Settings;
 class StudyNames;
 
@@ -36,7 +36,7 @@ public:
     struct Parts {
         QMainWindow& window;
         DocumentModel& model;
-        Session& session;
+        OpenStudy& openStudy;
         ShownStudy& shown;
         Settings& settings;
         OtfEditor& editor;

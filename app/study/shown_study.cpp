@@ -18,14 +18,14 @@
 namespace echolucent {
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
-    connect(&m_parts.session, &Session::studyOpened, this, &ShownStudy::tellFacts);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
-    connect(&m_parts.session, &Session::volumeChanged, this, &ShownStudy::takeVolume);
-    connect(&m_parts.session, &Session::otfComputed, this, &ShownStudy::takeOtf);
-    connect(&m_parts.session, &Session::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
-    connect(&m_parts.session, &Session::volumeCut, this, &ShownStudy::takeCut);
+    connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &ShownStudy::takeVolume);
+    connect(&m_parts.openStudy, &OpenStudy::otfComputed, this, &ShownStudy::takeOtf);
+    connect(&m_parts.openStudy, &OpenStudy::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
+    connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, &ShownStudy::takeCut);
     connect(&m_parts.model, &DocumentModel::strokesChanged, this, &ShownStudy::takeStrokes);
-    connect(&m_parts.session, &Session::otfFailed, this, &ShownStudy::doWithoutOtf);
+    connect(&m_parts.openStudy, &OpenStudy::otfFailed, this, &ShownStudy::doWithoutOtf);
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.editor.setPlaying(playing);
         if (playing) return;
@@ -44,19 +44,19 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
 
 /// All that calls the study by its name, in the title and in the facts.
 void ShownStudy::nameStudy() {
-    const Study* study = m_parts.session.study();
+    const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     const StudyNames& names = m_parts.names;
-    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
-    const QString name =
-        m_parts.session.isSimulatedScan() ? QString::fromStdString(study->name) : names.nameOf(m_parts.session.path());
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
+    const QString name = m_parts.openStudy.isSimulatedScan() ? QString::fromStdString(study->name)
+                                                             : names.nameOf(m_parts.openStudy.path());
     QStringList title{tr("Echolucent"), name,
                       QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
     title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
     m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));
 
     QList<StudyFactRow> facts;
-    const auto& finds = m_parts.session.finds();
+    const auto& finds = m_parts.openStudy.finds();
     for (const ImportFact& fact : finds ? importReport(*study, finds->beam) : study->facts)
         facts << StudyFactRow{QString::fromStdString(fact.name), names.shown(QString::fromStdString(fact.value)),
                               names.shown(QString::fromStdString(fact.source))};
@@ -65,18 +65,18 @@ void ShownStudy::nameStudy() {
 
 QStringList ShownStudy::warnings() const {
     QStringList warnings;
-    for (const std::string& warning : m_parts.session.study()->warnings)
+    for (const std::string& warning : m_parts.openStudy.study()->warnings)
         warnings << m_parts.names.shownOfFile(QString::fromStdString(warning));
     return warnings;
 }
 
 void ShownStudy::tellFacts() {
-    const Study& study = *m_parts.session.study();
-    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
-    if (!m_parts.session.isSimulatedScan()) {
+    const Study& study = *m_parts.openStudy.study();
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
+    if (!m_parts.openStudy.isSimulatedScan()) {
         QStringList files;
         for (const std::string& file : study.files) files << QString::fromStdString(file);
-        m_parts.names.know(m_parts.session.path(), files);
+        m_parts.names.know(m_parts.openStudy.path(), files);
     }
     nameStudy();
 
@@ -87,7 +87,7 @@ void ShownStudy::tellFacts() {
     if (!geometry.spacingKnown) notes << tr("spacing unknown");
     m_parts.status.setNotes(notes);
 
-    if (m_parts.session.isSimulatedScan())
+    if (m_parts.openStudy.isSimulatedScan())
         m_parts.messages.showMessage(MessageKind::info,
                                      tr("Open a volume, or drop it here. This is a simulated scan."));
     else if (const QStringList words = warnings(); !words.isEmpty())
@@ -98,16 +98,16 @@ void ShownStudy::tellFacts() {
 
 void ShownStudy::takeVolume() {
     // A new study begins with its first phase; another phase keeps camera, cut and beam axis.
-    Session& session = m_parts.session;
-    const bool otherStudy = session.study() != m_study;
-    m_study = session.study();
-    m_parts.editor.setHistogram(session.histogram());
-    m_parts.editor.setWhiteLevel(session.volume()->whiteLevel());
+    OpenStudy& openStudy = m_parts.openStudy;
+    const bool otherStudy = openStudy.study() != m_study;
+    m_study = openStudy.study();
+    m_parts.editor.setHistogram(openStudy.histogram());
+    m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
     if (otherStudy)
         beginDocument();
-    else if (session.phase() == m_parts.player.phase())
+    else if (openStudy.phase() == m_parts.player.phase())
         return;  // a frame of the motion, which knows what follows
-    m_parts.player.setPhase(session.phase());
+    m_parts.player.setPhase(openStudy.phase());
     const Document& document = m_parts.model.document();
     const bool oneOtf = document.motion.otf == MotionOtf::oneOtf;
     if (oneOtf && !otherStudy) return m_parts.motion.showWithOneOtf();
@@ -117,7 +117,7 @@ void ShownStudy::takeVolume() {
 }
 
 void ShownStudy::beginDocument() {
-    Session& session = m_parts.session;
+    OpenStudy& openStudy = m_parts.openStudy;
     const int before = std::exchange(m_phases, static_cast<int>(m_study->phases.size()));
     m_parts.player.pause();  // first, as it shows the remark of the study before
     m_parts.messages.setRemark({});
@@ -126,8 +126,8 @@ void ShownStudy::beginDocument() {
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(*m_study);
     emit aboutToBegin();
-    Document opened = openedDocument(m_parts.model.document(), session.reference());
-    const DataBox& box = session.volume()->dataBox();
+    Document opened = openedDocument(m_parts.model.document(), openStudy.reference());
+    const DataBox& box = openStudy.volume()->dataBox();
     const auto showWhole = [&](Document& document) {
         const Viewpoint alongBeam = viewAlongBeam(document.beam);
         for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
@@ -138,17 +138,17 @@ void ShownStudy::beginDocument() {
     else if (before < 2)  // from one 4D study to the next, what was chosen to move stays
         opened.motion.scenario = MotionScenario::object;
     m_opened = opened;
-    if (session.finds()) {
-        m_opened = withFinds(opened, *session.finds());
+    if (openStudy.finds()) {
+        m_opened = withFinds(opened, *openStudy.finds());
         showWhole(m_opened);
     }
-    if (session.saved()) {
-        m_parts.model.begin(session.saved()->session.document);
+    if (openStudy.saved()) {
+        m_parts.model.begin(openStudy.saved()->session.document);
     } else {
         m_parts.model.begin(opened);
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
     }
-    takeStrokes();  // the session has forgotten those that the document before had too
+    takeStrokes();  // the open study has forgotten those that the document before had too
     m_parts.motion.beginAtRest();
     m_parts.computing.begin();
     showNearCutRange();
@@ -157,11 +157,11 @@ void ShownStudy::beginDocument() {
 void ShownStudy::takePhase() {
     const int phase = phaseOf(m_parts.model.document(), m_parts.view.view());
     m_parts.controls.setPhase(phase);
-    if (m_study && phase < static_cast<int>(m_study->phases.size())) m_parts.session.setPhase(phase);
+    if (m_study && phase < static_cast<int>(m_study->phases.size())) m_parts.openStudy.setPhase(phase);
 }
 
 void ShownStudy::takeOtf() {
-    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.session.otf();
+    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.openStudy.otf();
     // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
     const SampledCurve curve = m_parts.motion.curveToShow(otf);
     m_parts.view.setAdaptiveCurve(curve);
@@ -169,7 +169,7 @@ void ShownStudy::takeOtf() {
     // A drag of a box or a cut, as a motion, brings one OTF after another.
     m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
-    m_parts.view.showVolume(m_parts.session.voxelsForOtf(), m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.openStudy.voxelsForOtf(), m_parts.openStudy.volume());
     m_parts.motion.showWaitingFrame();
 }
 
@@ -183,28 +183,31 @@ void ShownStudy::showNumbers() {
 /// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
 /// with the phase's next turn.
 void ShownStudy::takeQuietVoxels() {
-    Session& session = m_parts.session;
-    if (m_parts.player.isPlaying() || !session.volume()) return;
-    if (session.lookingForNearCut()) return;  // it asks for the OTF itself once it has ended
-    if (session.otfIsOfNewestVoxels()) {
+    OpenStudy& openStudy = m_parts.openStudy;
+    if (m_parts.player.isPlaying() || !openStudy.volume()) return;
+    if (openStudy.lookingForNearCut()) return;  // it asks for the OTF itself once it has ended
+    if (openStudy.otfIsOfNewestVoxels()) {
         // The OTF of another phase stays.
-        if (session.phaseOfOtf() != session.phase()) m_parts.view.showVolume(session.newestVoxels(), session.volume());
+        if (openStudy.phaseOfOtf() != openStudy.phase())
+            m_parts.view.showVolume(openStudy.newestVoxels(), openStudy.volume());
         return;
     }
-    if (session.otf() || session.computingOtf())
+    if (openStudy.otf() || openStudy.computingOtf())
         m_parts.computing.computeAgain();
     else if (m_parts.motion.otf())
-        m_parts.view.showVolume(session.newestVoxels(), session.volume());
+        m_parts.view.showVolume(openStudy.newestVoxels(), openStudy.volume());
 }
 
-void ShownStudy::takeStrokes() { m_parts.session.setStrokes(strokesOf(m_parts.model.document(), m_parts.view.view())); }
+void ShownStudy::takeStrokes() {
+    m_parts.openStudy.setStrokes(strokesOf(m_parts.model.document(), m_parts.view.view()));
+}
 
 /// The picture shows the stroke at once, with the curve that it had; the OTF of what is left follows.
 void ShownStudy::takeCut() {
-    const Session& session = m_parts.session;
+    const OpenStudy& openStudy = m_parts.openStudy;
     if (m_parts.player.isPlaying() || m_parts.view.held() || m_parts.motion.otf() == nullptr) return;
-    m_parts.view.showVolume(m_parts.session.newestVoxels(), session.volume());
-    if (session.otf()) m_parts.computing.computeAgain();
+    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), openStudy.volume());
+    if (openStudy.otf()) m_parts.computing.computeAgain();
 }
 
 /// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.
@@ -215,7 +218,7 @@ void ShownStudy::doWithoutOtf(const QString& sentence) {
         m_parts.view.setAdaptiveCurve({});
         m_parts.editor.setAdaptiveCurve({});
     }
-    m_parts.view.showVolume(m_parts.session.newestVoxels(), m_parts.session.volume());
+    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), m_parts.openStudy.volume());
     m_parts.motion.showWaitingFrame();
 }
 
@@ -226,26 +229,26 @@ void ShownStudy::showRemarkAtRest() {
 
 void ShownStudy::showRemark() {
     const AdaptiveOtf* otf = m_parts.motion.otf();
-    if (otf == nullptr || !m_parts.session.volume()) return;
+    if (otf == nullptr || !m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
     const int view = m_parts.view.view();
     const std::optional<OrientedBox> box = viewpointOf(document, view).box;
-    if (box && !meets(*box, m_parts.session.volume()->dataBox()))
+    if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
         return m_parts.messages.setRemark(
             tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
     QStringList remarks{QString::fromStdString(otf->message)};
     // A picture that is black because of its curve says so.
     if (lookOf(document, view).mode == RenderMode::direct)
         remarks << QString::fromStdString(
-            whyNothingShows(curveOf(document, view, otf->curve), m_parts.session.histogramOfOtf()));
+            whyNothingShows(curveOf(document, view, otf->curve), m_parts.openStudy.histogramOfOtf()));
     remarks.removeAll(QString());
     m_parts.messages.setRemark(remarks.join(QLatin1Char(' ')));
 }
 
 void ShownStudy::showNearCutRange() {
-    if (!m_parts.session.volume()) return;
+    if (!m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
-    const VolumeGeometry& geometry = m_parts.session.volume()->geometry();
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
     const int view = m_parts.view.view();
     m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, view), geometry), geometry.spacingKnown);
     m_parts.controls.setNearCutMm(cutOf(document, view).nearCutMm);

@@ -27,7 +27,7 @@ public:
     struct Parts {
         QMainWindow& window;  ///< its title
         DocumentModel& model;
-        Session& session;
+        OpenStudy& openStudy;
         OtfComputing& computing;
         DocumentView& view;
         VolumeViewWidget& picture;

@@ -46,20 +46,20 @@ std::int64_t bytesOfRawFile(const QString& path) {
 
 StudyOpening::StudyOpening(const Parts& parts)
     : QObject(&parts.window), m_parts(parts), m_series(parts.window, parts.names) {
-    connect(&m_parts.session, &Session::seriesFound, this, &StudyOpening::askForSeries);
+    connect(&m_parts.openStudy, &OpenStudy::seriesFound, this, &StudyOpening::askForSeries);
     connect(&m_series, &SeriesChoice::busyChanged, this, &StudyOpening::busyChanged);
-    connect(&m_parts.session, &Session::openFailed, this, &StudyOpening::tellFailure);
-    connect(&m_parts.session, &Session::savedStudyAsked, this, &StudyOpening::askForSavedStudy);
-    connect(&m_parts.session, &Session::studyOpened, this, &StudyOpening::noteOpened);
-    m_parts.session.setStudySearch([this] { return studySearch(); });
+    connect(&m_parts.openStudy, &OpenStudy::openFailed, this, &StudyOpening::tellFailure);
+    connect(&m_parts.openStudy, &OpenStudy::savedStudyAsked, this, &StudyOpening::askForSavedStudy);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &StudyOpening::noteOpened);
+    m_parts.openStudy.setStudySearch([this] { return studySearch(); });
 }
 
 void StudyOpening::noteOpened() {
-    const auto& saved = m_parts.session.saved();
-    QString opened = saved ? QString::fromStdString(saved->file) : m_parts.session.path();
+    const auto& saved = m_parts.openStudy.saved();
+    QString opened = saved ? QString::fromStdString(saved->file) : m_parts.openStudy.path();
     // What the program kept by itself is no file of the person's.
     if (QFileInfo(opened).absolutePath() == QFileInfo(m_parts.settings.autosaveFolder()).absoluteFilePath())
-        opened = saved->session.file.empty() ? m_parts.session.path() : QString::fromStdString(saved->session.file);
+        opened = saved->session.file.empty() ? m_parts.openStudy.path() : QString::fromStdString(saved->session.file);
     m_parts.pictures.setOpened(opened);
     if (opened.isEmpty()) return;
     m_parts.settings.addRecentFile(opened);
@@ -79,7 +79,7 @@ void StudyOpening::askForSavedStudy(const SavedStudyProblem& problem) {
     const QString file = QString::fromStdString(problem.file), study = QString::fromStdString(problem.study);
     const QString name = m_parts.names.nameOf(study);
     const auto openWith = [this, file](const QString& chosen, bool evenChanged) {
-        if (!chosen.isEmpty()) m_parts.session.openSaved(file, {chosen.toStdString(), evenChanged});
+        if (!chosen.isEmpty()) m_parts.openStudy.openSaved(file, {chosen.toStdString(), evenChanged});
     };
     const QString folder = QFileInfo(file).absolutePath();
     const QList<MessageAction> choose{
@@ -102,7 +102,7 @@ void StudyOpening::askForSavedStudy(const SavedStudyProblem& problem) {
 
 void StudyOpening::open(const QString& path, const ReadOptions& options) {
     if (path.isEmpty()) return;
-    m_parts.session.open(QFileInfo(path).absoluteFilePath(), options);
+    m_parts.openStudy.open(QFileInfo(path).absoluteFilePath(), options);
 }
 
 void StudyOpening::chooseFile() {
@@ -124,7 +124,7 @@ void StudyOpening::chooseRawFile() {
 }
 
 void StudyOpening::chooseSeries() {
-    if (const auto list = m_parts.session.seriesBeside()) askForSeries(list, {});
+    if (const auto list = m_parts.openStudy.seriesBeside()) askForSeries(list, {});
 }
 
 void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options) {
@@ -132,7 +132,7 @@ void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, c
         ReadOptions wanted = options;
         // The dialog has said that these are no slices.
         if (list->series[entry].whyNot) wanted.framesAsSlices = true;
-        m_parts.session.openSeries(list, entry, wanted);
+        m_parts.openStudy.openSeries(list, entry, wanted);
     });
 }
 

@@ -3,8 +3,8 @@
 
 #include <QObject>
 
+#include "app/study/open_study.h"
 #include "app/study/series_choice.h"
-#include "app/study/session.h"
 #include "app/window/settings.h"
 
 class QAction;
@@ -23,7 +23,7 @@ class StudyOpening : public QObject {
 public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
-        Session& session;
+        OpenStudy& openStudy;
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;

@@ -78,11 +78,11 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
 }
 
 QString CurveAndPictureFiles::proposedName(const QString& what) const {
-    return m_parts.names.beginningFor(m_parts.session.path()) + '-' + what;
+    return m_parts.names.beginningFor(m_parts.openStudy.path()) + '-' + what;
 }
 
 bool CurveAndPictureFiles::chooseAndSaveCurve(CurveKind kind) {
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save the %1 curve").arg(curveName(kind)),
                                            .filter = tr("Opacity curves (*.json)"),
                                            .name = proposedName(curveKey(kind)),
@@ -105,7 +105,7 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
 }
 
 void CurveAndPictureFiles::chooseAndSavePicture() {
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.session,
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save picture"),
                                            .filter = tr("Pictures (*.png)"),
                                            .name = proposedName(QStringLiteral("picture")),
@@ -114,11 +114,11 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 }
 
 void CurveAndPictureFiles::copyPicture() {
-    if (m_parts.session.volume()) QApplication::clipboard()->setImage(pictureToSave());
+    if (m_parts.openStudy.volume()) QApplication::clipboard()->setImage(pictureToSave());
 }
 
 QImage CurveAndPictureFiles::pictureToSave() {
-    const std::shared_ptr<const Volume> volume = m_parts.session.volume();
+    const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume();
     if (!volume) return m_parts.picture.convergedImage();
     return pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view, volume->geometry());
 }
@@ -130,8 +130,8 @@ bool CurveAndPictureFiles::savePicture(const QString& path) {
 }
 
 Result<void> CurveAndPictureFiles::mayOverwrite(const QString& path) const {
-    if (!m_parts.session.study()) return {};
-    return refuseToOverwrite(m_parts.session.study()->files, {path.toStdString()});
+    if (!m_parts.openStudy.study()) return {};
+    return refuseToOverwrite(m_parts.openStudy.study()->files, {path.toStdString()});
 }
 
 bool CurveAndPictureFiles::report(const Result<void>& written) {

@@ -5,7 +5,7 @@
 #include <QObject>
 
 #include "app/document/document_model.h"
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/settings.h"
 #include "processing/document/curve_set.h"
 #include "processing/result.h"
@@ -27,7 +27,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         int view;
-        Session& session;
+        OpenStudy& openStudy;
         OtfEditor& editor;
         VolumeViewWidget& picture;
         Settings& settings;

@@ -42,8 +42,8 @@ constexpr int mainView = 1;       // the view of the default document
 constexpr int layoutVersion = 2;  // of the docks: an arrangement of an older kind is not restored
 }  // namespace
 
-MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> session)
-    : m_settings(settingsFile), m_curves(m_document, mainView), m_session(std::move(session)) {
+MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
+    : m_settings(settingsFile), m_curves(m_document, mainView), m_openStudy(std::move(openStudy)) {
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
@@ -69,7 +69,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<Session> ses
 
 MainWindow::~MainWindow() {
     // What the widgets still tell while they go has nobody to act on it.
-    m_session->disconnect(this);
+    m_openStudy->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_widgets.picture->disconnect(this);
     // The editor edits the document, which is gone before the window's children are.
@@ -78,42 +78,42 @@ MainWindow::~MainWindow() {
 
 void MainWindow::createUnits() {
     m_view = std::make_unique<DocumentView>(m_document, mainView, m_hand, *m_widgets.picture);
-    m_computing = std::make_unique<OtfComputing>(m_document, mainView, *m_session);
+    m_computing = std::make_unique<OtfComputing>(m_document, mainView, *m_openStudy);
     m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
-        *this, m_document, mainView, *m_session, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
-    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_session, *m_computing, *m_view,
+        *this, m_document, mainView, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course, m_hand});
     m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, *m_session, *m_computing, *m_view, *m_widgets.picture, *m_motion,
+        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages, m_names});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
-        NearCutFinder::Parts{m_document, mainView, *m_session, *m_computing, *m_widgets.messages});
+        NearCutFinder::Parts{m_document, mainView, *m_openStudy, *m_computing, *m_widgets.messages});
     m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);
     m_opening = std::make_unique<StudyOpening>(
-        StudyOpening::Parts{*this, *m_session, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
+        StudyOpening::Parts{*this, *m_openStudy, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
-        CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_session, *m_widgets.editor, *m_widgets.picture,
+        CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_openStudy, *m_widgets.editor, *m_widgets.picture,
                                     m_settings, *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
-        *this, m_document, mainView, *m_session, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, mainView, *m_openStudy, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
-        m_document, mainView, m_hand, *m_session, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
+        m_document, mainView, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
         *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
-        *this, m_document, mainView, *m_session, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
+        *this, m_document, mainView, *m_openStudy, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
-        *this, m_document, *m_session, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
+        *this, m_document, *m_openStudy, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
     m_history =
         std::make_unique<HistoryControls>(m_document, m_sessions->snapshots(), *m_widgets.history, *m_widgets.messages);
 }
@@ -169,36 +169,36 @@ void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
     panel->setSource([this] { return explanation(); });
     connect(&m_document, &DocumentModel::changed, panel, &ExplainPanel::follow);
-    connect(m_session.get(), &Session::otfComputed, panel, &ExplainPanel::follow);
-    connect(m_session.get(), &Session::otfFailed, panel, &ExplainPanel::follow);
-    connect(m_session.get(), &Session::quietVoxelsMade, panel, &ExplainPanel::follow);
+    connect(m_openStudy.get(), &OpenStudy::otfComputed, panel, &ExplainPanel::follow);
+    connect(m_openStudy.get(), &OpenStudy::otfFailed, panel, &ExplainPanel::follow);
+    connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, panel, &ExplainPanel::follow);
 }
 
 void MainWindow::connectCaption() {
-    connect(m_session.get(), &Session::studyOpened, this, [this] {
-        if (m_session->finds() && m_session->finds()->cut) m_nearCutFinder->tellOpening(*m_session->finds()->cut);
+    connect(m_openStudy.get(), &OpenStudy::studyOpened, this, [this] {
+        if (m_openStudy->finds() && m_openStudy->finds()->cut) m_nearCutFinder->tellOpening(*m_openStudy->finds()->cut);
     });
     const auto tell = [this] {
         // A picture that is still of the study before keeps its own caption.
-        if (!m_session->volume() || m_view->held()) return;
+        if (!m_openStudy->volume() || m_view->held()) return;
         m_widgets.picture->setCaption(pictureCaption(
             {.document = m_document.document(),
              .view = mainView,
              .speckle = shownSpeckle(),
              .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), mainView, m_motion->otf()),
-             .lengthsKnown = m_session->volume()->geometry().spacingKnown}));
+             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
-    connect(m_session.get(), &Session::otfComputed, this, tell);
-    connect(m_session.get(), &Session::otfFailed, this, tell);
-    connect(m_session.get(), &Session::quietVoxelsMade, this, tell);
-    connect(m_session.get(), &Session::quieteningChanged, this, tell);
+    connect(m_openStudy.get(), &OpenStudy::otfComputed, this, tell);
+    connect(m_openStudy.get(), &OpenStudy::otfFailed, this, tell);
+    connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, this, tell);
+    connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, tell);
 }
 
 ShownSpeckle MainWindow::shownSpeckle() const {
     const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
-    if (shown && shown != m_session->volume()) return ShownSpeckle::reduced;
-    return m_session->quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
+    if (shown && shown != m_openStudy->volume()) return ShownSpeckle::reduced;
+    return m_openStudy->quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
 void MainWindow::createActions() {
@@ -240,8 +240,8 @@ void MainWindow::createActions() {
     };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
-    connect(m_session.get(), &Session::studyOpened, this,
-            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_session->seriesBeside() != nullptr); });
+    connect(m_openStudy.get(), &OpenStudy::studyOpened, this,
+            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy->seriesBeside() != nullptr); });
     connect(m_opening.get(), &StudyOpening::busyChanged, this, &MainWindow::updateIdle);
     m_room->createMenu(*this);
 }
@@ -252,7 +252,7 @@ void MainWindow::open(const QString& path, const ReadOptions& options) {
 }
 
 void MainWindow::openSimulatedScan() {
-    m_session->openSimulatedScan();
+    m_openStudy->openSimulatedScan();
     updateIdle();
 }
 
@@ -289,9 +289,9 @@ void MainWindow::keepSettings() {
 }
 
 QString MainWindow::explanation() const {
-    if (!m_session->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    return explainPicture({.study = *m_session->study(),
-                           .volume = *m_session->volume(),
+    if (!m_openStudy->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    return explainPicture({.study = *m_openStudy->study(),
+                           .volume = *m_openStudy->volume(),
                            .otf = m_motion->otf(),
                            .document = m_document.document(),
                            .view = mainView,

@@ -35,7 +35,7 @@ class ReviewRoom;
 class SessionKeeping;
 class StudyOpening;
 
-/// Owns the document, the threads behind the session and the widgets, and hangs them together. What happens between
+/// Owns the document, the threads behind the open study and the widgets, and hangs them together. What happens between
 /// them is said in the units it is made of: none of them, and no widget, keeps what the document holds.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -43,10 +43,10 @@ class MainWindow : public QMainWindow {
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// `settingsFile` is handed to Settings; tests give one of their own. `session` may be reading a study already,
+    /// `settingsFile` is handed to Settings; tests give one of their own. `openStudy` may be reading a study already,
     /// which goes on while the window is made; it has opened none yet, and must not be null.
     explicit MainWindow(const QString& settingsFile = {},
-                        std::unique_ptr<Session> session = std::make_unique<Session>());
+                        std::unique_ptr<OpenStudy> openStudy = std::make_unique<OpenStudy>());
     ~MainWindow() override;
 
     /// As StudyOpening::open().
@@ -62,7 +62,7 @@ public:
 
     [[nodiscard]] bool idle() const;
     [[nodiscard]] DocumentModel& document() { return m_document; }
-    [[nodiscard]] Session& session() { return *m_session; }
+    [[nodiscard]] OpenStudy& openStudy() { return *m_openStudy; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
@@ -114,7 +114,7 @@ private:
     HandGesture m_hand;
     ControlKeys m_controlKeys;
     EscapeOrder m_escapes;
-    std::unique_ptr<Session> m_session;
+    std::unique_ptr<OpenStudy> m_openStudy;
     MotionPlayer m_motionPlayer;
     OtfCourse m_course;
 

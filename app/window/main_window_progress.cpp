@@ -23,17 +23,17 @@ void MainWindow::createLongWorks() {
         updateIdle();
     };
     const auto cancelComputing = [this] {
-        m_session->cancelQuietening();
-        m_session->cancelComputing();
+        m_openStudy->cancelQuietening();
+        m_openStudy->cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
     };
-    const std::size_t loading = m_works->add({.busy = [this] { return m_session->loading(); },
+    const std::size_t loading = m_works->add({.busy = [this] { return m_openStudy->loading(); },
                                               .words = [] { return tr("loading"); },
-                                              .cancel = [this] { m_session->cancelLoading(); }});
-    m_works->add({.busy = [this] { return m_session->lookingForNearCut(); },
+                                              .cancel = [this] { m_openStudy->cancelLoading(); }});
+    m_works->add({.busy = [this] { return m_openStudy->lookingForNearCut(); },
                   .words = [] { return tr("looking for the near cut"); },
                   .cancel = cancelComputing});
-    const std::size_t quietening = m_works->add({.busy = [this] { return m_session->quietPhases().busy(); },
+    const std::size_t quietening = m_works->add({.busy = [this] { return m_openStudy->quietPhases().busy(); },
                                                  .words = [] { return tr("reducing speckle"); },
                                                  .cancel = cancelComputing});
     const std::size_t movie = m_works->add({.busy = [this] { return m_movies->busy(); },
@@ -46,13 +46,13 @@ void MainWindow::createLongWorks() {
                   .words = [] { return tr("saving the session"); },
                   .cancel = [this] { m_sessions->cancelSaving(); }});
     connect(m_sessions.get(), &SessionKeeping::busyChanged, this, changed);
-    connect(m_session.get(), &Session::loadingChanged, this, changed);
-    connect(m_session.get(), &Session::loadingProgressed, m_works.get(),
+    connect(m_openStudy.get(), &OpenStudy::loadingChanged, this, changed);
+    connect(m_openStudy.get(), &OpenStudy::loadingProgressed, m_works.get(),
             [this, loading](double share) { m_works->setProgress(loading, share); });
     connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
-    connect(m_session.get(), &Session::nearCutFound, this, changed);
-    connect(m_session.get(), &Session::quieteningChanged, this, changed);
-    connect(m_session.get(), &Session::quieteningProgressed, m_works.get(),
+    connect(m_openStudy.get(), &OpenStudy::nearCutFound, this, changed);
+    connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, changed);
+    connect(m_openStudy.get(), &OpenStudy::quieteningProgressed, m_works.get(),
             [this, quietening](double share) { m_works->setProgress(quietening, share); });
     connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
     connect(m_movies.get(), &MovieFiles::progressed, m_works.get(),
@@ -63,7 +63,7 @@ void MainWindow::createLongWorks() {
 }
 
 void MainWindow::connectProgress() {
-    connect(m_session.get(), &Session::quieteningFailed, this,
+    connect(m_openStudy.get(), &OpenStudy::quieteningFailed, this,
             [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
     // This connection is made last, so that it runs after all others of these signals.
     const auto somethingEnded = [this] {
@@ -71,9 +71,9 @@ void MainWindow::connectProgress() {
         m_works->follow();
         updateIdle();
     };
-    connect(m_session.get(), &Session::openFailed, this, &MainWindow::updateIdle);
-    connect(m_session.get(), &Session::computingOtfChanged, this, somethingEnded);
-    connect(m_session.get(), &Session::otfComputed, this, somethingEnded);
+    connect(m_openStudy.get(), &OpenStudy::openFailed, this, &MainWindow::updateIdle);
+    connect(m_openStudy.get(), &OpenStudy::computingOtfChanged, this, somethingEnded);
+    connect(m_openStudy.get(), &OpenStudy::otfComputed, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
@@ -90,7 +90,7 @@ void MainWindow::connectProgress() {
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
-    connect(m_session.get(), &Session::takingChecksumChanged, this, &MainWindow::updateIdle);
+    connect(m_openStudy.get(), &OpenStudy::takingChecksumChanged, this, &MainWindow::updateIdle);
     connect(&m_presets->pictures(), &PresetPictures::busyChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::playingChanged, this, &MainWindow::updateIdle);
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
@@ -101,8 +101,8 @@ bool MainWindow::idle() const {
 }
 
 bool MainWindow::atRest() const {
-    return !m_session->loading() && !m_session->takingChecksum() && !m_session->computingOtf() &&
-           !m_session->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
+    return !m_openStudy->loading() && !m_openStudy->takingChecksum() && !m_openStudy->computingOtf() &&
+           !m_openStudy->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
            !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
 }
 

@@ -15,12 +15,12 @@ namespace echolucent {
 ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_planes(parts.model, parts.view, parts.hand, parts.session, parts.planes),
-      m_controls(parts.model, parts.view, parts.hand, parts.session, parts.picture, parts.panel),
-      m_boxIn3d(parts.model, parts.view, parts.session, parts.picture),
+      m_planes(parts.model, parts.view, parts.hand, parts.openStudy, parts.planes),
+      m_controls(parts.model, parts.view, parts.hand, parts.openStudy, parts.picture, parts.panel),
+      m_boxIn3d(parts.model, parts.view, parts.openStudy, parts.picture),
       m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}),
-      m_measuring({parts.model, parts.view, parts.session, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
-      m_measurements({parts.model, parts.view, parts.session, parts.player, m_measuring, parts.measurements}) {
+      m_measuring({parts.model, parts.view, parts.openStudy, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
+      m_measurements({parts.model, parts.view, parts.openStudy, parts.player, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);

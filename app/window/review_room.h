@@ -31,7 +31,7 @@ public:
         DocumentModel& model;
         int view;
         HandGesture& hand;
-        Session& session;
+        OpenStudy& openStudy;
         MotionPlayer& player;
         PaneGrid& panes;
         std::array<PlanePane*, 3> planes;

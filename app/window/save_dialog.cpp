@@ -3,12 +3,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/settings.h"
 
 namespace echolucent {
 
-QString chooseFileToSave(QWidget& window, Settings& settings, const Session& session, const FileToSave& file) {
+QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy, const FileToSave& file) {
     QFileDialog dialog(&window, file.title, file.folder.isEmpty() ? settings.lastSaveFolder() : file.folder,
                        file.filter);
     dialog.setObjectName("saveFile");
@@ -16,7 +16,7 @@ QString chooseFileToSave(QWidget& window, Settings& settings, const Session& ses
     dialog.setOption(QFileDialog::DontConfirmOverwrite, !file.asksBeforeReplacing);
     dialog.setDefaultSuffix(file.suffix);
     dialog.selectFile(file.name + '.' + file.suffix);
-    QObject::connect(&session, &Session::studyOpened, &dialog, &QDialog::reject);
+    QObject::connect(&openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return {};
     const QString path = dialog.selectedFiles().first();
     settings.setLastSaveFolder(QFileInfo(path).absolutePath());

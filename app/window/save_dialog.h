@@ -7,7 +7,7 @@ class QWidget;
 
 namespace echolucent {
 
-class Session;
+class OpenStudy;
 class Settings;
 
 /// What is asked of the person.
@@ -21,8 +21,8 @@ struct FileToSave {
 };
 
 /// Asks for a file; its folder is remembered. An empty text where the person does not want to, and where another study
-/// opens in `session` meanwhile, since what was to be saved is gone then. The dialog's object name is saveFile.
-[[nodiscard]] QString chooseFileToSave(QWidget& window, Settings& settings, const Session& session,
+/// opens in `openStudy` meanwhile, since what was to be saved is gone then. The dialog's object name is saveFile.
+[[nodiscard]] QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy,
                                        const FileToSave& file);
 
 }  // namespace echolucent

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 #include "app/window/main_window.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -38,18 +38,18 @@ void printStartTimes(MainWindow& window) {
             sender, signal, &window, [print, what] { print(what); }, Qt::SingleShotConnection);
     };
     onlyOnce(&window, &MainWindow::shown, "window");
-    onlyOnce(&window.session(), &Session::studyOpened, "volume");
-    onlyOnce(&window.session(), &Session::otfComputed, "otf");
+    onlyOnce(&window.openStudy(), &OpenStudy::studyOpened, "volume");
+    onlyOnce(&window.openStudy(), &OpenStudy::otfComputed, "otf");
     auto first = std::make_shared<bool>(true);
     QObject::connect(&window.volumeView(), &VolumeViewWidget::pictureDelivered, &window,
                      [print, first, &window](const PictureReport& report) {
-                         if (!window.session().otf()) return;
+                         if (!window.openStudy().otf()) return;
                          if (std::exchange(*first, false)) print("first picture");
                          if (!report.converged) return print(report.quality.toUtf8().constData());
                          print("converged picture");
                          QApplication::quit();
                      });
-    QObject::connect(&window.session(), &Session::openFailed, &window, [](const QString&, const Failure& failure) {
+    QObject::connect(&window.openStudy(), &OpenStudy::openFailed, &window, [](const QString&, const Failure& failure) {
         QTextStream(stderr) << QString::fromStdString(failure.sentence()) << '\n';
         QApplication::exit(3);
     });

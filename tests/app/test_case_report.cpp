@@ -222,7 +222,7 @@ private slots:
     void anotherStudyEndsAReportThatWaits() {
         // The report of one study must not be made of the panes of the next.
         lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = 70, .elevationDegrees = 0});
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(m_dicom);
         window().saveReport(reportPath(), false);
         QVERIFY(opened.count() == 1 || opened.wait(30000));
@@ -235,7 +235,7 @@ private slots:
 
     void anotherStudyClosesTheDialogs() {
         for (const bool ofFiles : {false, true}) {
-            const QString other = window().session().path() == m_file ? m_dicom : m_file;
+            const QString other = window().openStudy().path() == m_file ? m_dicom : m_file;
             QTimer::singleShot(0, this, [&, ofFiles] {
                 auto* dialog = window().findChild<ReportDialog*>("report");
                 if (dialog == nullptr) qFatal("no dialog");
@@ -247,7 +247,7 @@ private slots:
                 }
             });
             child<QAction>("file.saveReport")->trigger();  // it comes back once the dialogs are closed
-            QCOMPARE(window().session().path(), other);
+            QCOMPARE(window().openStudy().path(), other);
             waitUntilIdle();
         }
         QVERIFY(!QFile::exists(reportPath()));
@@ -277,7 +277,7 @@ private slots:
 
     void theSimulatedScanHasAReportToo() {
         window().openSimulatedScan();
-        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 60000);
         QVERIFY(saved().contains("Case report: simulated scan"));
     }
 };

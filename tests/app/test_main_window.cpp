@@ -80,13 +80,13 @@ private slots:
 
     void opensAFileComputesItsOtfAndShowsIt() {
         open(m_shapes);
-        Session& session = m_window->session();
+        OpenStudy& openStudy = m_window->openStudy();
         QVERIFY(m_window->windowTitle().contains("72×68×70"));
         const auto expected =
-            adaptOpacity(*session.volume(), session.otf()->view, session.otf()->config, {}, quietVoxels());
-        QVERIFY(session.voxelsOfOtf() != session.volume());  // speckle is reduced
+            adaptOpacity(*openStudy.volume(), openStudy.otf()->view, openStudy.otf()->config, {}, quietVoxels());
+        QVERIFY(openStudy.voxelsOfOtf() != openStudy.volume());  // speckle is reduced
         QVERIFY(expected->tubesWithWeight > 20);
-        QVERIFY(session.otf()->curve == expected->curve);
+        QVERIFY(openStudy.otf()->curve == expected->curve);
         QVERIFY(m_window->otfEditor().state().adaptive == expected->curve);
         QVERIFY(m_window->otfEditor().activeCurve() == OpacityCurve(expected->curve));
         QVERIFY(coverage(shown()) > 0.1);
@@ -147,11 +147,11 @@ private slots:
         lookFrom(*m_window, turned);
         QTest::keyClick(m_window.get(), Qt::Key_A);
         waitUntilIdle();
-        const auto& otf = *m_window->session().otf();
+        const auto& otf = *m_window->openStudy().otf();
         QVERIFY(qAbs(otf.view.azimuthDegrees - 20) < 1e-6);
         QVERIFY(qAbs(otf.view.elevationDegrees + 10) < 1e-6);
         QVERIFY(otf.curve ==
-                adaptOpacity(*m_window->session().volume(), otf.view, otf.config, {}, quietVoxels())->curve);
+                adaptOpacity(*m_window->openStudy().volume(), otf.view, otf.config, {}, quietVoxels())->curve);
     }
 
     void theNearCutMovesPictureAndTubes() {
@@ -166,13 +166,13 @@ private slots:
         waitUntilIdle();
         QCOMPARE(m_window->volumeView().view().nearCutMm, 24.0);
         QVERIFY(difference(shown(), before) > 1.0);
-        for (const TubeCore& tube : m_window->session().otf()->tubes)
+        for (const TubeCore& tube : m_window->openStudy().otf()->tubes)
             if (tube.entryVoxel) QVERIFY(qAbs(((*tube.entryVoxel)[2] + 0.5) * 1.2 - 24.0) < 1.21);
     }
 
     void anotherPhaseIsAnotherVolumeUnderTheSameCamera() {
         open(m_moving);
-        QCOMPARE(m_window->session().study()->phases.size(), std::size_t(2));
+        QCOMPARE(m_window->openStudy().study()->phases.size(), std::size_t(2));
         Viewpoint turned;
         turned.azimuthDegrees = 12;
         lookFrom(*m_window, turned);
@@ -180,10 +180,10 @@ private slots:
         const Picture before = shown();
         m_window->findChild<QAbstractSlider*>("view.phase")->setValue(1);
         waitUntilIdle();
-        QCOMPARE(m_window->session().phase(), 1);
+        QCOMPARE(m_window->openStudy().phase(), 1);
         QVERIFY(qAbs(m_window->volumeView().view().azimuthDegrees - 12) < 1e-6);
         QVERIFY(difference(shown(), before) > 0.2);
-        QVERIFY(difference(shown(), cast(m_window->session().otf()->curve)) < 0.01);
+        QVERIFY(difference(shown(), cast(m_window->openStudy().otf()->curve)) < 0.01);
     }
 
     void savesThePictureOnTheScreen() {
@@ -208,7 +208,7 @@ private slots:
 
     void whatCannotBeReadIsSaidAndLosesNothing() {
         open(m_shapes);
-        const SampledCurve curve = m_window->session().otf()->curve;
+        const SampledCurve curve = m_window->openStudy().otf()->curve;
         const QString bad = m_folder.filePath("broken.mha");
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -216,7 +216,7 @@ private slots:
             "ObjectType = Image\nNDims = 3\nDimSize = 10 10 10\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n"
             "ElementDataFile = LOCAL\nshort");
         file.close();
-        QSignalSpy failed(&m_window->session(), &Session::openFailed);
+        QSignalSpy failed(&m_window->openStudy(), &OpenStudy::openFailed);
         m_window->open(bad);
         QVERIFY(failed.wait());
         waitUntilIdle();
@@ -229,10 +229,10 @@ private slots:
 
     void aStudyWhoseOtfFailsIsShownWithoutIt() {
         open(m_shapes);
-        m_window->session().setPipeline(
+        m_window->openStudy().setPipeline(
             [](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress&,
                const QuietVoxels&) -> std::optional<AdaptiveOtf> { throw std::bad_alloc(); });
-        QSignalSpy failed(&m_window->session(), &Session::otfFailed);
+        QSignalSpy failed(&m_window->openStudy(), &OpenStudy::otfFailed);
         m_window->open(m_moving);
         QVERIFY(failed.wait(20000));
         QVERIFY(message()->text().contains("needs more memory"));
@@ -256,7 +256,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         for (int i = 0; i < 20 * 21 * 22; ++i) file.putChar(static_cast<char>(40 + i % 100));
         file.close();
-        QSignalSpy failed(&m_window->session(), &Session::openFailed);
+        QSignalSpy failed(&m_window->openStudy(), &OpenStudy::openFailed);
         m_window->open(raw);
         QVERIFY(failed.wait());
         QVERIFY(message()->text().contains("headerless.bin"));
@@ -268,11 +268,11 @@ private slots:
         layout.size = {20, 21, 22};
         dialog->setValues(layout);
         QVERIFY(dialog->fits());
-        QSignalSpy opened(&m_window->session(), &Session::studyOpened);
+        QSignalSpy opened(&m_window->openStudy(), &OpenStudy::studyOpened);
         dialog->accept();
         QVERIFY(opened.wait());
-        QCOMPARE(m_window->session().volume()->storedValue(0), 40.0);
-        QVERIFY(!m_window->session().volume()->geometry().spacingKnown);
+        QCOMPARE(m_window->openStudy().volume()->storedValue(0), 40.0);
+        QVERIFY(!m_window->openStudy().volume()->geometry().spacingKnown);
         QVERIFY(m_window->windowTitle().contains("spacing unknown"));
         // The next time nothing needs to be said.
         opened.clear();
@@ -337,7 +337,7 @@ private slots:
         QVERIFY(writeMetaImage(path.toStdString(), {std::make_shared<const Volume>(
                                                        geometry, Voxels(std::vector<std::uint8_t>(64000, 90)))}));
         open(path);
-        const AdaptiveOtf& otf = *m_window->session().otf();
+        const AdaptiveOtf& otf = *m_window->openStudy().otf();
         QVERIFY(QString::fromStdString(otf.message).contains("initial function is used"));
         QVERIFY(m_window->explanation().contains("initial function is used"));
         QVERIFY(message()->isVisible());
@@ -379,7 +379,7 @@ private:
     MessageBar* message() const { return m_window->findChild<MessageBar*>("message"); }
 
     void open(const QString& path) {
-        QSignalSpy computed(&m_window->session(), &Session::otfComputed);
+        QSignalSpy computed(&m_window->openStudy(), &OpenStudy::otfComputed);
         m_window->open(path);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
@@ -395,13 +395,13 @@ private:
     }
     /// The voxels that the picture is made of.
     QuietVoxels quietVoxels() const {
-        const Session& session = m_window->session();
-        return {session.voxelsOfOtf().get(), session.otf()->reduction};
+        const OpenStudy& openStudy = m_window->openStudy();
+        return {openStudy.voxelsOfOtf().get(), openStudy.otf()->reduction};
     }
     Picture shown() const { return *m_window->volumeView().picture(); }
     /// What the ray caster makes of the volume shown with a curve, the window's settings otherwise.
     Picture cast(const OpacityCurve& curve) const {
-        return *castRays(*m_window->session().newestVoxels(), curve, m_window->volumeView().settings());
+        return *castRays(*m_window->openStudy().newestVoxels(), curve, m_window->volumeView().settings());
     }
 
     QTemporaryDir m_folder;

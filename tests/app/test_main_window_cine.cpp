@@ -173,9 +173,9 @@ private slots:
         QTest::keyClick(slider, Qt::Key_Home);
         QCOMPARE(phaseOf(document(), 1), 0);
         QTest::keyClick(slider, Qt::Key_End);
-        QCOMPARE(window().session().phase(), phaseCount - 1);
+        QCOMPARE(window().openStudy().phase(), phaseCount - 1);
         QTest::mouseClick(slider, Qt::LeftButton, {}, {2, slider->height() / 2});  // a page back
-        QCOMPARE(window().session().phase(), phaseCount - 2);
+        QCOMPARE(window().openStudy().phase(), phaseCount - 2);
         QCOMPARE(window().motionPlayer().phase(), phaseCount - 2);
         waitUntilIdle();
         QCOMPARE(window().document().steps().count(), steps);  // showing a phase is no step
@@ -204,7 +204,7 @@ private slots:
         click("motion.phasesPingPong");
         click("motion.mode.leastFlicker");
         waitUntilIdle();
-        const auto& phases = window().session().study()->phases;
+        const auto& phases = window().openStudy().study()->phases;
         const auto ofPhase = [&](int phase) {
             return adaptOpacity(*phases[static_cast<std::size_t>(phase)], Viewpoint{}, {})->curve;
         };
@@ -230,20 +230,20 @@ private slots:
         useLook(look);
         open(m_moving);
         const auto shows = [&](int phaseOfOtf) {
-            const auto& session = window().session();
+            const auto& openStudy = window().openStudy();
             const auto expected =
-                adaptOpacity(*session.study()->phases[static_cast<std::size_t>(phaseOfOtf)],
+                adaptOpacity(*openStudy.study()->phases[static_cast<std::size_t>(phaseOfOtf)],
                              otfViewpointOf(document(), 1), configOf(document()), {},
-                             quiet ? QuietVoxels{session.quietPhases().of(phaseOfOtf).get(), SpeckleReduction::light}
+                             quiet ? QuietVoxels{openStudy.quietPhases().of(phaseOfOtf).get(), SpeckleReduction::light}
                                    : QuietVoxels{});
             return window().otfEditor().state().adaptive == expected->curve &&
-                   window().volumeView().volume() == window().session().newestVoxels();
+                   window().volumeView().volume() == window().openStudy().newestVoxels();
         };
         QVERIFY(shows(0));
         for (const int phase : {1, 2}) {
             QTest::keyClick(&window(), Qt::Key_Period);
             waitUntilIdle();
-            QCOMPARE(window().session().phase(), phase);
+            QCOMPARE(window().openStudy().phase(), phase);
             QVERIFY(shows(0));
         }
         QTest::keyClick(&window(), Qt::Key_A);
@@ -288,18 +288,18 @@ private slots:
         strokesOf(next, 1).push_back(stroke);
         window().document().edit(next, "cut");
         waitUntilIdle();
-        const Volume& scan = *window().session().study()->phases.front();
+        const Volume& scan = *window().openStudy().study()->phases.front();
         ScalpelCuts cuts(scan.geometry());
         const Volume cut = *cuts.cut(scan, std::array{stroke});
         const auto expected = adaptOpacity(cut, otfViewpointOf(document(), 1), configOf(document()));
         QVERIFY(expected->curve != before);
         QVERIFY(window().otfEditor().state().adaptive == expected->curve);
-        QVERIFY(window().volumeView().volume() == window().session().newestVoxels());
-        QVERIFY(window().session().volume() != window().session().study()->phases[2]);  // cut too
+        QVERIFY(window().volumeView().volume() == window().openStudy().newestVoxels());
+        QVERIFY(window().openStudy().volume() != window().openStudy().study()->phases[2]);  // cut too
         QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QVERIFY(window().otfEditor().state().adaptive == before);
-        QCOMPARE(window().volumeView().volume(), window().session().study()->phases[2]);
+        QCOMPARE(window().volumeView().volume(), window().openStudy().study()->phases[2]);
     }
 
     void anotherPhaseNeedsNoOtfWhereOneServesAll() {
@@ -331,7 +331,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(kept >= 2 * phaseCount, 30000);
         QCOMPARE(window().volumeView().keptFrames(), phaseCount);
         QVERIFY(window().volumeView().keptFrameBytes() > 0);
-        QCOMPARE(window().session().keptOtfs().count(), static_cast<std::size_t>(phaseCount));
+        QCOMPARE(window().openStudy().keptOtfs().count(), static_cast<std::size_t>(phaseCount));
         QVERIFY(runs <= phaseCount);
         const int before = runs, keptBefore = kept;
         QTRY_VERIFY_WITH_TIMEOUT(kept >= keptBefore + 2 * phaseCount, 30000);
@@ -413,9 +413,9 @@ private:
 
     const Document& document() { return window().document().document(); }
     void countRuns(std::atomic<int>& runs) {
-        window().session().setPipeline([&runs](const Volume& volume, const Viewpoint& view,
-                                               const AdaptiveOtfConfig& config, const Progress& progress,
-                                               const QuietVoxels& shown) {
+        window().openStudy().setPipeline([&runs](const Volume& volume, const Viewpoint& view,
+                                                 const AdaptiveOtfConfig& config, const Progress& progress,
+                                                 const QuietVoxels& shown) {
             ++runs;
             return adaptOpacity(volume, view, config, progress, shown);
         });

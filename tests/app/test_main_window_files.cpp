@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(proposed, "visit.7-adaptive.json");
         QCOMPARE(folder, other);
         window().openSimulatedScan();
-        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 60000);
         accept({});
         QTest::keyClick(&window(), Qt::Key_P);
         QCOMPARE(proposed, "simulated-scan-picture.png");
@@ -123,7 +123,7 @@ private slots:
         const QString path = m_out.filePath("curve.json");
         const ManualCurve curve{{{0.2, 0.0}, {0.6, 0.5}}};
         QVERIFY(writeCurve(path.toStdString(), curve));
-        QSignalSpy failed(&window().session(), &Session::openFailed);
+        QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
         QVERIFY(failed.wait());
         QCOMPARE(message()->text(), "curve.json: is an opacity curve, not a volume.");
@@ -143,7 +143,7 @@ private slots:
                         "_ProbeToTrackerTransform = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n");
         sweep.write("ElementDataFile = LOCAL\n" + QByteArray(32, 'x'));
         sweep.close();
-        QSignalSpy failed(&window().session(), &Session::openFailed);
+        QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(sweep.fileName());
         QVERIFY(failed.wait());
         QVERIFY2(message()->text().contains("tracked 2D sweep of 2 frames"), qPrintable(message()->text()));
@@ -151,7 +151,7 @@ private slots:
         QVERIFY2(!message()->text().contains("--"), "an option of the command line is no way out here");
         QCOMPARE(child<QPushButton>("message.action.0")->text(), "Take the frames as slices");
         click("message.action.0");
-        QTRY_COMPARE(window().session().volume()->geometry().size[2], 2);
+        QTRY_COMPARE(window().openStudy().volume()->geometry().size[2], 2);
         waitUntilIdle();
     }
 
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(broken.open(QIODevice::WriteOnly));
         broken.write(QByteArray(128, 0) + "DICM" + QByteArray("\x02\x00\x10\x00UI\xff\x7f", 8));
         broken.close();
-        QSignalSpy failed(&window().session(), &Session::openFailed);
+        QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(folder);
         QVERIFY(failed.wait());
         QVERIFY2(message()->text().contains("17.dcm"), qPrintable(message()->text()));
@@ -193,11 +193,11 @@ private slots:
         QVERIFY(next.findChild<QRadioButton*>("motion.mode.mean")->isChecked());
         QVERIFY(next.findChild<QRadioButton*>("otfEditor.active.parabolic")->isChecked());
         // Opening a study keeps them too.
-        QSignalSpy computed(&next.session(), &Session::otfComputed);
+        QSignalSpy computed(&next.openStudy(), &OpenStudy::otfComputed);
         next.open(m_file);
         QVERIFY(computed.wait(20000));
         QCOMPARE(again.motion.otf, MotionOtf::mean);
-        QVERIFY(next.session().otf()->config == configOf(document));
+        QVERIFY(next.openStudy().otf()->config == configOf(document));
         QTRY_VERIFY_WITH_TIMEOUT(next.idle(), 30000);
     }
 

@@ -116,7 +116,7 @@ private slots:
         keeping().autosave().setInterval(600'000);
         measure();
         QSignalSpy written(&keeping().autosave(), &Autosave::written);
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         QTRY_COMPARE(written.count(), 1);  // what was left for it
@@ -134,7 +134,7 @@ private slots:
         startAgain();
         open(m_file);
         QTRY_VERIFY(message()->text().startsWith("A session of"));
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         waitUntilIdle();
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(document().curves.manual != next.curves.manual);
         QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
                      qPrintable(message()->text()));
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         waitUntilIdle();
@@ -169,7 +169,7 @@ private slots:
         const Document left = leave("100-dead");
         close();
         startAgain();
-        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
         window().open(m_file);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
@@ -233,7 +233,7 @@ private slots:
         QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
                      qPrintable(message()->text()));
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(window().session().path(), m_file, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(window().openStudy().path(), m_file, 20000);
         waitUntilIdle();
         QVERIFY(document().measurements == next.measurements);
     }

@@ -255,7 +255,7 @@ private:
     void openAsSaid() {
         QFETCH(bool, known);
         if (!known) open(m_unknown);
-        QCOMPARE(window().session().volume()->geometry().spacingKnown, known);
+        QCOMPARE(window().openStudy().volume()->geometry().spacingKnown, known);
     }
 
     QString m_file, m_unknown;

@@ -60,12 +60,12 @@ private slots:
         QFETCH(int, mode);
         const Mode& wanted = modes[static_cast<std::size_t>(mode)];
         m_fixture.open(m_still);
-        const SampledCurve first = window().session().otf()->curve;
+        const SampledCurve first = window().openStudy().otf()->curve;
         m_fixture.click(QString("motion.mode.") + wanted.name);
         m_fixture.waitUntilIdle();
         const std::vector<Shown> frames = play(10);
 
-        const auto volume = window().session().volume();
+        const auto volume = window().openStudy().volume();
         OtfHistory history(wanted.smoothing.value_or(OtfSmoothing::none));
         (void)history.add(0, first);
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -99,7 +99,7 @@ private slots:
         for (int i = 0; i < entry; ++i) QTest::keyClick(scenario, Qt::Key_Down);
         m_fixture.waitUntilIdle();
         const std::vector<Shown> frames = play(10);
-        const auto& phases = window().session().study()->phases;
+        const auto& phases = window().openStudy().study()->phases;
         OtfHistory history;
         (void)history.add(0, adaptOpacity(*phases[0], Viewpoint{}, {})->curve);
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -111,17 +111,17 @@ private slots:
             QVERIFY2(frames[i].curve == history.add(time, own), qPrintable(QString::number(i)));
         }
         QCOMPARE(m_fixture.child<QSlider>("view.phase")->value(), window().motionPlayer().phase());
-        QCOMPARE(window().session().phase(), window().motionPlayer().phase());
+        QCOMPARE(window().openStudy().phase(), window().motionPlayer().phase());
         QCOMPARE(window().otfCourse().rowCount(), degreesPerFrame == 0 ? 4 : 91);
     }
 
     void oneOtfServesEveryPhase() {
         m_fixture.open(m_moving);
-        const SampledCurve first = window().session().otf()->curve;
+        const SampledCurve first = window().openStudy().otf()->curve;
         for (const Shown& frame : play(5)) QVERIFY(frame.curve == first);
-        QVERIFY(window().session().phase() > 0);
+        QVERIFY(window().openStudy().phase() > 0);
         QVERIFY(difference(*window().volumeView().picture(),
-                           *castRays(*window().session().volume(), first, window().volumeView().settings())) < 0.01);
+                           *castRays(*window().openStudy().volume(), first, window().volumeView().settings())) < 0.01);
     }
 
     void anEditWhileTheObjectMovesReachesTheOtf() {
@@ -130,21 +130,22 @@ private slots:
         Document next = window().document().document();
         next.method.initialScale = 0.5;
         window().document().edit(next, "initial function");
-        QVERIFY(window().session().computingOtf());
+        QVERIFY(window().openStudy().computingOtf());
         QVERIFY(window().motionPlayer().stepNow());
         window().motionPlayer().pause();
         m_fixture.waitUntilIdle();
-        QVERIFY(window().session().otf() != nullptr);
-        QVERIFY(window().session().otf()->config == configOf(next));
-        QVERIFY(window().otfEditor().state().adaptive == window().session().otf()->curve);
+        QVERIFY(window().openStudy().otf() != nullptr);
+        QVERIFY(window().openStudy().otf()->config == configOf(next));
+        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
     }
 
     void aRemarkWaitsForThePause() {
         m_fixture.open(m_still);
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
-        window().session().setPipeline([](const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config,
-                                          const Progress& progress, const QuietVoxels& shown) {
+        window().openStudy().setPipeline([](const Volume& volume, const Viewpoint& view,
+                                            const AdaptiveOtfConfig& config, const Progress& progress,
+                                            const QuietVoxels& shown) {
             std::optional<AdaptiveOtf> otf = adaptOpacity(volume, view, config, progress, shown);
             if (otf) otf->message = "The frame is dark.";
             return otf;
@@ -178,11 +179,11 @@ private slots:
             QTest::keyClick(angle, Qt::Key_Right);
             m_fixture.waitUntilIdle();
         }
-        QVERIFY(window().otfEditor().state().adaptive != window().session().otf()->curve);
+        QVERIFY(window().otfEditor().state().adaptive != window().openStudy().otf()->curve);
         QTest::keyClick(angle, Qt::Key_Home);
         m_fixture.waitUntilIdle();
-        QCOMPARE(window().session().otf()->view.azimuthDegrees, -45.0);
-        QVERIFY(window().otfEditor().state().adaptive == window().session().otf()->curve);
+        QCOMPARE(window().openStudy().otf()->view.azimuthDegrees, -45.0);
+        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
     }
 
     void anotherConfigForgetsThePastAndTheMap() {
@@ -198,8 +199,8 @@ private slots:
         strength->setFocus();
         QTest::keyClick(strength, Qt::Key_Right);  // and not one degree on
         m_fixture.waitUntilIdle();
-        QCOMPARE(window().session().otf()->config.curve, CurveRule(ProductRule{ProductRule{}.strength + 0.25}));
-        QVERIFY(window().otfEditor().state().adaptive == window().session().otf()->curve);
+        QCOMPARE(window().openStudy().otf()->config.curve, CurveRule(ProductRule{ProductRule{}.strength + 0.25}));
+        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
         QCOMPARE(filledRows(MotionOtf::leastFlicker), 1);
     }
 
@@ -256,7 +257,7 @@ private slots:
         m_fixture.open(m_still);
         QVERIFY(!window().motionPlayer().isPlaying());
         QCOMPARE(window().motionPlayer().angle(), 0.0);
-        const SampledCurve own = adaptOpacity(*window().session().volume(), Viewpoint{}, {})->curve;
+        const SampledCurve own = adaptOpacity(*window().openStudy().volume(), Viewpoint{}, {})->curve;
         QVERIFY(window().otfEditor().state().adaptive == own);
         QCOMPARE(filledRows(MotionOtf::eachView), 1);
     }
@@ -274,7 +275,7 @@ private:
         MotionPlayer& player = window().motionPlayer();
         player.setMinimumFrameInterval(1'000'000);
         player.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!window().session().computingOtf() && !window().volumeView().busy() &&
+        QTRY_VERIFY_WITH_TIMEOUT(!window().openStudy().computingOtf() && !window().volumeView().busy() &&
                                      window().volumeView().pictureIsFine() && window().volumeView().pictureIsCurrent(),
                                  30000);
         QVERIFY(player.isPlaying());

@@ -428,7 +428,7 @@ private:
     /// The picture of a phase by itself.
     std::vector<std::uint8_t> alone(int phase, const QSize& size) {
         const auto picture = viewPicture(frameOf(window().document().document(), phase), 1,
-                                         window().session().study()->phases, size.width(), size.height());
+                                         window().openStudy().study()->phases, size.width(), size.height());
         return overBackground(picture->picture, {0, 0, 0});
     }
     std::vector<std::shared_ptr<const Volume>> m_phases;

@@ -11,7 +11,7 @@ using namespace echolucent;
 
 namespace {
 
-Session::NearCutSearch found(const NearCutFinding& finding) {
+OpenStudy::NearCutSearch found(const NearCutFinding& finding) {
     return [finding](const Volume&, const Viewpoint&, const Progress&) { return std::optional(finding); };
 }
 
@@ -40,24 +40,24 @@ private slots:
     void cleanup() { m_fixture.close(); }
 
     void theSuggestedCutIsMadeSaidAndTakenBack() {
-        session().setNearCutSearch(found(wallBeforeFluid(18.04)));
+        openStudy().setNearCutSearch(found(wallBeforeFluid(18.04)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(), "A wall stands before the fluid.");
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 18.0);
-        QCOMPARE(session().otf()->view.nearCutMm, 18.0);
+        QCOMPARE(openStudy().otf()->view.nearCutMm, 18.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "18.0 mm");
 
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
     }
 
     void theWayBackTurnsNoTubeCores() {
-        session().setNearCutSearch(found(wallBeforeFluid(18)));
+        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
@@ -66,14 +66,14 @@ private slots:
         m_fixture.waitUntilIdle();
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
-        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
-        QCOMPARE(session().otf()->view.azimuthDegrees, 35.0);
+        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 35.0);
     }
 
     void itIsLookedForInTheViewOfTheCamera() {
         std::optional<Viewpoint> view;
         QThread* thread = nullptr;
-        session().setNearCutSearch([&](const Volume&, const Viewpoint& asked, const Progress&) {
+        openStudy().setNearCutSearch([&](const Volume&, const Viewpoint& asked, const Progress&) {
             view = asked;
             thread = QThread::currentThread();
             return std::optional(wallBeforeFluid(5));
@@ -87,8 +87,8 @@ private slots:
         m_fixture.waitUntilIdle();
         QCOMPARE(view->azimuthDegrees, 20.0);
         QVERIFY(thread != QThread::currentThread());
-        QCOMPARE(session().otf()->view.azimuthDegrees, 20.0);
-        QCOMPARE(session().otf()->view.nearCutMm, 5.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 20.0);
+        QCOMPARE(openStudy().otf()->view.nearCutMm, 5.0);
     }
 
     void aCurvedFrontIsOfferedWhereThereIsOne() {
@@ -100,13 +100,13 @@ private slots:
                                     .columns = 2,
                                     .rows = 2,
                                     .depthMm = {16, 20, 16, 20}};
-        session().setNearCutSearch(found(curved));
+        openStudy().setNearCutSearch(found(curved));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
         QVERIFY(cutOf(m_fixture.window().document().document(), 1) == Cut{.surface = curved.surface});
-        QVERIFY(session().otf()->view.cutSurface == curved.surface);
+        QVERIFY(openStudy().otf()->view.cutSurface == curved.surface);
         QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
@@ -114,34 +114,34 @@ private slots:
     }
 
     void whyNotIsSaidAndNothingChanges() {
-        session().setNearCutSearch(found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
+        openStudy().setNearCutSearch(found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(), "The near cut stays as it is. No fluid was found.");
         QCOMPARE(message()->kind(), MessageKind::warning);
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
-        QVERIFY(session().otf() != nullptr);
+        QVERIFY(openStudy().otf() != nullptr);
     }
 
     void nothingInFrontNeedsNoCut() {
-        session().setNearCutSearch(found(fluidAtFront()));
+        openStudy().setNearCutSearch(found(fluidAtFront()));
         m_fixture.click("view.nearCut.suggest");
         QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
     }
 
     void noCutTurnsNoTubeCores() {
-        session().setNearCutSearch(found(fluidAtFront()));
+        openStudy().setNearCutSearch(found(fluidAtFront()));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
         QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
         m_fixture.waitUntilIdle();
-        QCOMPARE(session().otf()->view.azimuthDegrees, 0.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 0.0);
     }
 
     void theSearchOfTheProgramAgreesWithThePureFunction() {
-        const auto expected = findNearCut(*session().volume(), Viewpoint{});
+        const auto expected = findNearCut(*openStudy().volume(), Viewpoint{});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -150,7 +150,7 @@ private slots:
     }
 
     void aMessageThatIsNoLongerTrueGoes() {
-        session().setNearCutSearch(found(wallBeforeFluid(18)));
+        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -169,7 +169,7 @@ private slots:
 
     void aMessageDoesNotStayOverPicturesOfOtherCuts() {
         const auto suggest = [this](const NearCutFinding& finding) {
-            session().setNearCutSearch(found(finding));
+            openStudy().setNearCutSearch(found(finding));
             m_fixture.click("view.nearCut.suggest");
             QTRY_VERIFY(message()->isVisible());
             m_fixture.waitUntilIdle();
@@ -196,7 +196,7 @@ private slots:
     }
 
     void theWayBackKeepsTheViewOfAFrame() {
-        session().setNearCutSearch(found(wallBeforeFluid(18)));
+        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
@@ -204,42 +204,42 @@ private slots:
         m_fixture.waitUntilIdle();
         m_fixture.window().motionPlayer().setAngle(7);
         m_fixture.waitUntilIdle();
-        QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 7.0);
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
-        QCOMPARE(session().otf()->view.nearCutMm, 0.0);
-        QCOMPARE(session().otf()->view.azimuthDegrees, 7.0);
+        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 7.0);
     }
 
     void aSearchThatFailsLosesNoOtf() {
-        session().setNearCutSearch([](const Volume&, const Viewpoint&,
-                                      const Progress&) -> std::optional<NearCutFinding> { throw std::bad_alloc(); });
+        openStudy().setNearCutSearch([](const Volume&, const Viewpoint&,
+                                        const Progress&) -> std::optional<NearCutFinding> { throw std::bad_alloc(); });
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
-        QVERIFY(session().computingOtf());
+        QVERIFY(openStudy().computingOtf());
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QVERIFY(message()->text().contains("needs more memory"));
         m_fixture.waitUntilIdle();
-        QCOMPARE(session().otf()->view.azimuthDegrees, 20.0);
+        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 20.0);
     }
 
     void aSearchThatIsOvertakenLosesNoOtf() {
         // A search that ends only when it is cancelled, as by the OTF of a strength that is changed meanwhile.
-        session().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress& progress) {
+        openStudy().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress& progress) {
             while (!progress.cancelled()) QThread::yieldCurrentThread();
             return std::optional<NearCutFinding>();
         });
         m_fixture.click("view.nearCut.suggest");
-        QVERIFY(session().computingOtf());
+        QVERIFY(openStudy().computingOtf());
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
         m_fixture.waitUntilIdle();
-        QVERIFY(session().otf() != nullptr);
+        QVERIFY(openStudy().otf() != nullptr);
         QVERIFY(!message()->isVisible());
     }
 
 private:
-    Session& session() { return m_fixture.window().session(); }
+    OpenStudy& openStudy() { return m_fixture.window().openStudy(); }
     MessageBar* message() { return m_fixture.child<MessageBar>("message"); }
 
     WindowFixture m_fixture;

@@ -41,7 +41,7 @@ private slots:
 
     void aSureBeamIsTakenSaidAndTakenBackByOneStep() {
         open(m_file);
-        const auto& finds = window().session().finds();
+        const auto& finds = window().openStudy().finds();
         QVERIFY(finds && finds->beam.sure);
         QCOMPARE(document().beam, (Beam{BeamAxis::plusY, BeamSource::sectorShape}));
         QVERIFY(window().volumeView().caption().contains("beam +y, from the shape of the sector"));
@@ -77,17 +77,17 @@ private slots:
     }
 
     void aSessionThatReadsAlreadyIsShownWhenItHasRead() {
-        auto session = std::make_unique<Session>();
-        session->open(m_file);
-        MainWindow early(settingsFile(), std::move(session));
+        auto openStudy = std::make_unique<OpenStudy>();
+        openStudy->open(m_file);
+        MainWindow early(settingsFile(), std::move(openStudy));
         QVERIFY(!early.idle());
-        QVERIFY(early.session().loading());
+        QVERIFY(early.openStudy().loading());
         early.show();
         QTRY_VERIFY_WITH_TIMEOUT(early.idle() && early.volumeView().pictureIsFine(), 30000);
         open(m_file);
         QVERIFY(early.document().document() == document());
         QCOMPARE(early.volumeView().caption(), window().volumeView().caption());
-        QCOMPARE(early.session().path(), m_file);
+        QCOMPARE(early.openStudy().path(), m_file);
     }
 
     void aFoundCutIsTakenBackByOneKeyAndFoundAgainByIt() {
@@ -102,7 +102,7 @@ private slots:
         waitUntilIdle();
         QCOMPARE(cutOf(document(), 1), Cut{});
         QVERIFY(!window().volumeView().caption().contains("cut"));
-        window().session().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
+        window().openStudy().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
             return std::optional(NearCutFinding{.answer = NearCutAnswer::wallBeforeFluid,
                                                 .nearCutMm = 7,
                                                 .message = "A wall stands before the fluid."});
@@ -113,7 +113,7 @@ private slots:
     }
 
     void speckleThatIsNotReducedIsNotSaidToBe() {
-        window().session().quietPhases().setReduce(
+        window().openStudy().quietPhases().setReduce(
             [](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> { throw std::bad_alloc(); });
         open(m_file);
         QVERIFY(lookOf(document(), 1).reduction != SpeckleReduction::off);
@@ -127,16 +127,16 @@ private slots:
         open(m_file);
         QCOMPARE(lookOf(document(), 1).reduction, defaultSpeckleReduction);
         QVERIFY(window().volumeView().caption().contains("speckle reduced: medium"));
-        const auto medium = window().session().voxelsOfOtf();
+        const auto medium = window().openStudy().voxelsOfOtf();
         QTest::keyClick(&window(), Qt::Key_Q);
         waitUntilIdle();
         QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::strong);
-        QVERIFY(window().session().voxelsOfOtf() != medium);
-        QCOMPARE(window().session().otf()->reduction, SpeckleReduction::strong);
+        QVERIFY(window().openStudy().voxelsOfOtf() != medium);
+        QCOMPARE(window().openStudy().otf()->reduction, SpeckleReduction::strong);
         for (int i = 0; i < 4; ++i) QTest::keyClick(&window(), Qt::Key_Q, Qt::ShiftModifier);
         waitUntilIdle();
         QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::off);
-        QCOMPARE(window().session().voxelsOfOtf(), window().session().volume());
+        QCOMPARE(window().openStudy().voxelsOfOtf(), window().openStudy().volume());
         QVERIFY(!window().volumeView().caption().contains("speckle"));
         QTest::keyClick(&window(), Qt::Key_L);
         QCOMPARE(lookOf(document(), 1).lighting, Lighting::flat);

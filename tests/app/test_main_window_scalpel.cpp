@@ -28,34 +28,34 @@ private slots:
     void aStrokeCutsPictureAndTubeCoresAndIsTakenBack() {
         open(m_file);
         const Picture before = cast();
-        const SampledCurve curveBefore = session().otf()->curve;
-        const DataBox box = session().volume()->dataBox();
-        QVERIFY(!session().volume()->isCut());
-        QSignalSpy cut(&session(), &Session::volumeCut);
-        QSignalSpy computed(&session(), &Session::otfComputed);
+        const SampledCurve curveBefore = openStudy().otf()->curve;
+        const DataBox box = openStudy().volume()->dataBox();
+        QVERIFY(!openStudy().volume()->isCut());
+        QSignalSpy cut(&openStudy(), &OpenStudy::volumeCut);
+        QSignalSpy computed(&openStudy(), &OpenStudy::otfComputed);
         draw(stroke(0.0, 0.25));
         QVERIFY2(!window().idle(), "the stroke is being cut");
         waitUntilIdle();
         QCOMPARE(cut.count(), 1);
         QVERIFY2(computed.count() == 1, "the OTF follows");
         // Raw and quiet voxels lack the same, and the quiet ones are what they were.
-        QVERIFY(session().volume()->isCut());
-        QCOMPARE(session().newestVoxels()->dataMask(), session().volume()->dataMask());
-        QCOMPARE(session().volume()->dataBox(), box);
-        QVERIFY(session().newestVoxels()->voxels() == session().quietPhases().of(0)->voxels());
-        QVERIFY(window().volumeView().volume() == session().newestVoxels());
-        QVERIFY(session().otf()->curve != curveBefore);
+        QVERIFY(openStudy().volume()->isCut());
+        QCOMPARE(openStudy().newestVoxels()->dataMask(), openStudy().volume()->dataMask());
+        QCOMPARE(openStudy().volume()->dataBox(), box);
+        QVERIFY(openStudy().newestVoxels()->voxels() == openStudy().quietPhases().of(0)->voxels());
+        QVERIFY(window().volumeView().volume() == openStudy().newestVoxels());
+        QVERIFY(openStudy().otf()->curve != curveBefore);
         QVERIFY2(cast().rgba != before.rgba, "it shows");
         QVERIFY2(difference(cast(), *window().volumeView().picture()) < 0.1, "and the view shows it");
         window().document().steps().undo();
         QVERIFY(!window().idle());
         waitUntilIdle();
-        QVERIFY(!session().volume()->isCut());
-        QVERIFY(session().otf()->curve == curveBefore);
+        QVERIFY(!openStudy().volume()->isCut());
+        QVERIFY(openStudy().otf()->curve == curveBefore);
         QVERIFY(cast().rgba == before.rgba);
         window().document().steps().redo();
         waitUntilIdle();
-        QVERIFY(session().volume()->isCut());
+        QVERIFY(openStudy().volume()->isCut());
     }
 
     void theNewestOfManyStrokesWins() {
@@ -64,9 +64,9 @@ private slots:
         waitUntilIdle();
         const auto strokes = strokesOf(window().document().document(), 1);
         QCOMPARE(strokes.size(), std::size_t(8));
-        QCOMPARE(session().strokes(), strokes);
+        QCOMPARE(openStudy().strokes(), strokes);
         const auto expected = ScalpelCuts(scan(0).geometry()).cut(scan(0), strokes);
-        QCOMPARE(session().volume()->dataMask(), expected->dataMask());
+        QCOMPARE(openStudy().volume()->dataMask(), expected->dataMask());
     }
 
     void everyPhaseIsCut() {
@@ -77,14 +77,14 @@ private slots:
         for (const int phase : {1, 0}) {
             window().document().showPhase(1, phase);
             waitUntilIdle();
-            QCOMPARE(session().phase(), phase);
-            QCOMPARE(session().volume()->dataMask(),
+            QCOMPARE(openStudy().phase(), phase);
+            QCOMPARE(openStudy().volume()->dataMask(),
                      ScalpelCuts(scan(phase).geometry()).cut(scan(phase), strokes)->dataMask());
-            QCOMPARE(session().newestVoxels()->dataMask(), session().volume()->dataMask());
+            QCOMPARE(openStudy().newestVoxels()->dataMask(), openStudy().volume()->dataMask());
         }
         // Another study has no strokes.
         open(m_file);
-        QVERIFY(!session().volume()->isCut());
+        QVERIFY(!openStudy().volume()->isCut());
     }
 
     void thePictureWithoutAWindowIsThatOfTheWindow_data() {
@@ -104,10 +104,10 @@ private slots:
         poseOf(next, 1).direction = {.azimuth = 24, .elevation = -11, .roll = 5};
         poseOf(next, 1).magnification = 1.2;
         Box& box = boxOf(next, 1);
-        box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, session().volume()->dataBox());
+        box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, openStudy().volume()->dataBox());
         box.sizeMm = box.sizeMm * 0.7;
         cutOf(next, 1) = {.nearCutMm = 9};
-        if (bow) cutOf(next, 1) = {.surface = bowed(startSurface(next, 1, *session().volume()), 8)};
+        if (bow) cutOf(next, 1) = {.surface = bowed(startSurface(next, 1, *openStudy().volume()), 8)};
         Look& look = lookOf(next, 1);
         look.projection = perspective ? Projection::perspective : Projection::parallel;
         look.reduction = reduced ? SpeckleReduction::medium : SpeckleReduction::off;
@@ -119,8 +119,8 @@ private slots:
         window().document().showPhase(1, 1);
         waitUntilIdle();
         const Picture ofWindow = cast();
-        const auto alone =
-            viewPicture(window().document().document(), 1, session().study()->phases, ofWindow.width, ofWindow.height);
+        const auto alone = viewPicture(window().document().document(), 1, openStudy().study()->phases, ofWindow.width,
+                                       ofWindow.height);
         QVERIFY(alone->cast == window().volumeView().settings());
         QCOMPARE(difference(alone->picture, ofWindow), 0.0);
         QVERIFY(alone->picture.rgba == ofWindow.rgba);
@@ -144,11 +144,12 @@ private slots:
     }
 
 private:
-    Session& session() { return window().session(); }
-    const Volume& scan(int phase) { return *session().study()->phases[static_cast<std::size_t>(phase)]; }
+    OpenStudy& openStudy() { return window().openStudy(); }
+    const Volume& scan(int phase) { return *openStudy().study()->phases[static_cast<std::size_t>(phase)]; }
     /// What the ray caster makes of what is shown.
     Picture cast() {
-        return *castRays(*session().newestVoxels(), curveOf(window().document().document(), 1, session().otf()->curve),
+        return *castRays(*openStudy().newestVoxels(),
+                         curveOf(window().document().document(), 1, openStudy().otf()->curve),
                          window().volumeView().settings());
     }
     /// A square about a place right of the picture's centre, down to the middle.

@@ -58,7 +58,7 @@ private slots:
         // Saved again without a question, and the same bytes come back out.
         close();
         show();
-        QSignalSpy pictures(&window().session(), &Session::otfComputed);
+        QSignalSpy pictures(&window().openStudy(), &OpenStudy::otfComputed);
         window().open(proposed);
         QTRY_VERIFY_WITH_TIMEOUT(!pictures.isEmpty(), 20000);
         waitUntilIdle();
@@ -84,17 +84,17 @@ private slots:
     void inTheSameWindowItsStrokesCutAgain() {
         work();
         const QString session = savedSession();
-        QVERIFY(window().session().volume()->isCut());
-        const std::vector<std::uint8_t> left = window().session().volume()->dataMask();
+        QVERIFY(window().openStudy().volume()->isCut());
+        const std::vector<std::uint8_t> left = window().openStudy().volume()->dataMask();
         Document next = document();
         next.curves.linear.lower = 0.4;
         window().document().edit(next, "curve");
         waitUntilIdle();
         open(session);
-        QVERIFY(window().session().strokes() == strokesOf(document(), 1));
+        QVERIFY(window().openStudy().strokes() == strokesOf(document(), 1));
         QCOMPARE(document().curves.linear.lower, 0.2);
-        QVERIFY(window().session().volume()->isCut());
-        QVERIFY(window().session().volume()->dataMask() == left);
+        QVERIFY(window().openStudy().volume()->isCut());
+        QVERIFY(window().openStudy().volume()->dataMask() == left);
     }
 
     void aSessionOfFourDimensionsOpensInItsPhase() {
@@ -117,8 +117,8 @@ private slots:
             }
             open(session);
             QVERIFY(document() == saved);
-            QCOMPARE(window().session().phase(), 2);
-            QCOMPARE(window().session().phaseOfOtf(), 1);
+            QCOMPARE(window().openStudy().phase(), 2);
+            QCOMPARE(window().openStudy().phaseOfOtf(), 1);
             QCOMPARE(child<QSlider>("motion.phase")->value(), 2);  // counted from 0
         }
     }
@@ -158,7 +158,7 @@ private slots:
         open(session);
         // The session's reading takes the checksum by itself: another file is what is held.
         window().open(file("third.mha", {smallPhantom(PhantomScene::fetus, 4)}));
-        QTRY_VERIFY(window().session().path().endsWith("third.mha") && window().session().takingChecksum());
+        QTRY_VERIFY(window().openStudy().path().endsWith("third.mha") && window().openStudy().takingChecksum());
         Document next = document();
         next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
         window().document().edit(next, "distance");
@@ -166,7 +166,7 @@ private slots:
         QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
         window().sessionKeeping().saveAs(third, SessionKeeping::Then::closeWindow);
         QVERIFY(window().sessionKeeping().saving());
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(session);
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         QTRY_COMPARE(saved.count(), 1);
@@ -184,7 +184,7 @@ private slots:
         const QString moved = m_folder->filePath("a/b/other name.mha");
         QVERIFY(QFile::rename(m_file, moved));
         again(session);
-        QCOMPARE(window().session().path(), moved);
+        QCOMPARE(window().openStudy().path(), moved);
         QVERIFY(nameless(document()) == nameless(saved));
     }
 
@@ -203,13 +203,13 @@ private slots:
         window().open(session);
         QTRY_COMPARE(message()->text(), QString("heart.mha, the volume of this session, was not found."));
         QVERIFY(document() == before);
-        QCOMPARE(window().session().path(), other);
+        QCOMPARE(window().openStudy().path(), other);
         answerDialog([&](QFileDialog& dialog) { dialog.selectFile(moved); }, true);
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         waitUntilIdle();
-        QCOMPARE(window().session().path(), moved);
+        QCOMPARE(window().openStudy().path(), moved);
         QVERIFY(nameless(document()) == nameless(saved));
     }
 
@@ -224,8 +224,8 @@ private slots:
         window().open(session);
         QTRY_VERIFY(message()->text().contains("bytes, and had"));
         QVERIFY(message()->text().contains("heart.mha"));
-        QVERIFY(window().session().study() == nullptr);
-        QSignalSpy opened(&window().session(), &Session::studyOpened);
+        QVERIFY(window().openStudy().study() == nullptr);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
         waitUntilIdle();
@@ -276,7 +276,7 @@ private slots:
 
     void theSimulatedScanHasSessionsToo() {
         window().openSimulatedScan();
-        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 60000);
         Document next = document();
         poseOf(next, 1).magnification = 1.25;
         window().document().edit(next, "zoom");
@@ -285,7 +285,7 @@ private slots:
         QTRY_VERIFY(message()->text().startsWith("The session was saved"));
         const Document saved = document();
         again(session);
-        QVERIFY(window().session().isSimulatedScan());
+        QVERIFY(window().openStudy().isSimulatedScan());
         QVERIFY(document() == saved);
     }
 
@@ -324,8 +324,8 @@ private slots:
         Mutations mutations(bytesOf(session).toStdString(), 41);
         int opened = 0, refused = 0, asked = 0;
         Document before = document();
-        QSignalSpy loading(&window().session(), &Session::loadingChanged);
-        QSignalSpy studies(&window().session(), &Session::studyOpened);
+        QSignalSpy loading(&window().openStudy(), &OpenStudy::loadingChanged);
+        QSignalSpy studies(&window().openStudy(), &OpenStudy::studyOpened);
         for (int i = 0; i < 1000; ++i) {
             QFile out(mutated);
             QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
@@ -334,7 +334,7 @@ private slots:
             studies.clear();
             message()->dismiss();
             window().open(mutated);
-            while (window().session().loading()) QVERIFY(loading.wait(60000));
+            while (window().openStudy().loading()) QVERIFY(loading.wait(60000));
             if (!studies.isEmpty()) {
                 ++opened;
                 before = document();
@@ -364,14 +364,14 @@ private:
     /// Another study is opened whose checksum is there once m_held is false.
     void holdChecksum() {
         m_held = true;
-        window().session().setChecksum([this](const auto& files, const Progress& progress) {
+        window().openStudy().setChecksum([this](const auto& files, const Progress& progress) {
             while (m_held && !progress.cancelled()) std::this_thread::yield();
             return checksumOf(files, progress);
         });
-        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
         window().open(file("held.mha", {smallPhantom(PhantomScene::fetus, 3)}));
         QVERIFY(computed.wait(20000));
-        QTRY_VERIFY(window().session().takingChecksum());
+        QTRY_VERIFY(window().openStudy().takingChecksum());
     }
     [[nodiscard]] const Document& document() { return window().document().document(); }
     MessageBar* message() { return child<MessageBar>("message"); }

@@ -30,7 +30,7 @@ private slots:
     void everythingIsTakenBackStepByStep() {
         open(m_file);
         const Picture first = *window().volumeView().picture();
-        const SampledCurve otf = window().session().otf()->curve;
+        const SampledCurve otf = window().openStudy().otf()->curve;
         std::vector<std::string> history{document()};
         const auto oneStep = [&](const char* what) {
             QVERIFY2(steps().count() == static_cast<int>(history.size()),
@@ -64,19 +64,19 @@ private slots:
         oneStep("another beam");
         choose("motion.axis", 0);
         oneStep("an axis of the motion");
-        const SampledCurve last = window().session().otf()->curve;
+        const SampledCurve last = window().openStudy().otf()->curve;
         for (std::size_t i = history.size() - 1; i-- > 0;) {
             QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
             QCOMPARE(document(), history[i]);
         }
         QVERIFY(!steps().canUndo());
         waitUntilIdle();
-        QVERIFY(window().session().otf()->curve == otf);
+        QVERIFY(window().openStudy().otf()->curve == otf);
         QVERIFY(difference(*window().volumeView().picture(), first) < 0.03);
         while (steps().canRedo()) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(document(), history.back());
         waitUntilIdle();
-        QVERIFY(window().session().otf()->curve == last);
+        QVERIFY(window().openStudy().otf()->curve == last);
     }
 
     void panelsShowWhatIsTakenBack() {
@@ -85,7 +85,7 @@ private slots:
         choose("view.colourMap", 2);
         choose("adaptive.form", 1);
         waitUntilIdle();
-        QCOMPARE(window().session().otf()->view.nearCutMm, 12.0);
+        QCOMPARE(window().openStudy().otf()->view.nearCutMm, 12.0);
         for (int i = 0; i < 3; ++i) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QCOMPARE(child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(child<QComboBox>("adaptive.form")->currentIndex(), 0);
         QCOMPARE(window().volumeView().look().colourMap, ColourMap::sepia);
         QCOMPARE(window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(window().session().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(window().openStudy().otf()->view.nearCutMm, 0.0);
     }
 
     void phaseAndMotionAreNoStepsAndStay() {
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(steps().count(), 1);
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
-        QCOMPARE(window().session().phase(), 1);
+        QCOMPARE(window().openStudy().phase(), 1);
         QCOMPARE(window().volumeView().view().azimuthDegrees, 10.0);
         QCOMPARE(window().volumeView().view().nearCutMm, 0.0);
     }
@@ -130,13 +130,13 @@ private slots:
         waitUntilIdle();
         const Viewpoint shown = window().volumeView().view();
         QVERIFY(shown != Viewpoint{});
-        QVERIFY(window().session().otf()->view == shown);
+        QVERIFY(window().openStudy().otf()->view == shown);
         click("motion.mode.static");
         waitUntilIdle();
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QVERIFY(window().document().document().motion.otf == MotionOtf::eachView);
-        QVERIFY(window().session().otf()->view == shown);
+        QVERIFY(window().openStudy().otf()->view == shown);
     }
 
     void anotherBeamEndsTheMotion() {

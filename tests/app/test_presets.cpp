@@ -154,7 +154,7 @@ private slots:
         const auto exported = readPresets(path.toStdString());
         QVERIFY(exported && exported->size() == 1);
         // Opened as a volume, the file says what it is and offers what it is for.
-        QSignalSpy failed(&window().session(), &Session::openFailed);
+        QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
         QVERIFY(failed.wait());
         QCOMPARE(message()->text(), QString("from here.json: holds presets, not a volume."));
@@ -199,10 +199,10 @@ private slots:
     }
 
     void closedTheGalleryKeepsNoVolume() {
-        const std::weak_ptr<const Volume> before = window().session().volume();
+        const std::weak_ptr<const Volume> before = window().openStudy().volume();
         click("presets.open");
         window().openSimulatedScan();
-        QTRY_VERIFY_WITH_TIMEOUT(window().session().isSimulatedScan() && window().idle(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 60000);
         QTRY_VERIFY(before.expired());
     }
 

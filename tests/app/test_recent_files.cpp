@@ -110,7 +110,7 @@ private slots:
             QVERIFY(menu->actionGeometry(const_cast<QAction*>(action)).height() >= 48);
         }
         QTest::keyClick(menu, Qt::Key_2);
-        QTRY_COMPARE(window().session().path(), m_jane);
+        QTRY_COMPARE(window().openStudy().path(), m_jane);
         waitUntilIdle();
     }
 
@@ -204,7 +204,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(bytes);
         file.close();
-        QSignalSpy failed(&window().session(), &Session::openFailed);
+        QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
         QVERIFY(failed.wait(20000));
         waitUntilIdle();

@@ -53,7 +53,7 @@ public:
         Document plain = m_window.document().document();
         lookOf(plain, 1) = Look{};
         m_window.document().begin(plain);
-        connect(&m_window.session(), &Session::otfComputed, this, [this] {
+        connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
             if (std::exchange(m_begun, true)) return;
             connect(&m_window.document(), &DocumentModel::changed, this, &Driven::tell);
             connect(&m_timer, &QTimer::timeout, this, &Driven::act);

@@ -69,7 +69,7 @@ public:
         m_window.reset();
     }
     void open(const QString& path) {
-        QSignalSpy computed(&window().session(), &Session::otfComputed);
+        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
         window().open(path);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();

@@ -21,18 +21,18 @@ LargeStudy::LargeStudy() {
     trigger(QStringLiteral("room.quad"));
     show();
     window().openSimulatedScan();
-    await("the simulated scan", [&] { return window().session().otf() != nullptr; });
+    await("the simulated scan", [&] { return window().openStudy().otf() != nullptr; });
     waitUntilConverged();
 }
 
 QStringList LargeStudy::underWay() {
-    const Session& session = window().session();
+    const OpenStudy& openStudy = window().openStudy();
     QStringList names;
-    if (session.loading()) names << QStringLiteral("loading");
-    if (session.takingChecksum()) names << QStringLiteral("checksum");
+    if (openStudy.loading()) names << QStringLiteral("loading");
+    if (openStudy.takingChecksum()) names << QStringLiteral("checksum");
     if (window().sessionKeeping().busy()) names << QStringLiteral("saving");
-    if (session.quietPhases().busy()) names << QStringLiteral("quieting");
-    if (session.computingOtf()) names << QStringLiteral("OTF or cutting");
+    if (openStudy.quietPhases().busy()) names << QStringLiteral("quieting");
+    if (openStudy.computingOtf()) names << QStringLiteral("OTF or cutting");
     if (view().busy()) names << QStringLiteral("picture");
     if (window().reviewRoom().busy()) names << QStringLiteral("planes");
     if (names.isEmpty() && !window().idle()) names << QStringLiteral("writing");
@@ -53,12 +53,12 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
         await("the rest", [&] { return rested.elapsed() > atRest; });
     });
     listen("open", [&] {
-        const Study* before = window().session().study();
+        const Study* before = window().openStudy().study();
         window().open(volume);
-        await("the volume", [&] { return window().session().study() != before; });
+        await("the volume", [&] { return window().openStudy().study() != before; });
         QElapsedTimer taken;
         taken.start();
-        await("the checksum", [&] { return !window().session().takingChecksum(); });
+        await("the checksum", [&] { return !window().openStudy().takingChecksum(); });
         m_checksumMilliseconds = static_cast<double>(taken.nsecsElapsed()) * 1e-6;
     });
     QUndoStack& steps = window().document().steps();
@@ -70,13 +70,13 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
     if (!QFile::exists(reports.filePath(QStringLiteral("report.html")))) qFatal("no report was written");
     listen("near cut", [&] {
         Document next = window().document().document();
-        const VolumeGeometry& geometry = window().session().volume()->geometry();
+        const VolumeGeometry& geometry = window().openStudy().volume()->geometry();
         cutOf(next, mainView) = {};
         cutOf(next, mainView).nearCutMm = nearCutShare * depthAlongViewMm(otfViewpointOf(next, mainView), geometry);
         window().document().edit(next, QStringLiteral("near cut"));
     });
     listen("stroke", [&] { drawStroke(); });
-    if (!window().session().volume()->isCut()) qFatal("the stroke cut nothing");
+    if (!window().openStudy().volume()->isCut()) qFatal("the stroke cut nothing");
     const QTemporaryDir folder;
     listen("save", [&] {
         bool saved = false;
@@ -90,7 +90,7 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
         QObject::disconnect(told);
     });
     listen("undo", [&] { steps.undo(); });
-    if (window().session().volume()->isCut()) qFatal("the stroke was not undone");
+    if (window().openStudy().volume()->isCut()) qFatal("the stroke was not undone");
     listen("close", [&] { window().openSimulatedScan(); });
     return heartbeat.stalls();
 }

@@ -20,7 +20,7 @@ MovieUnderWay::MovieUnderWay(const QString& volume)
     next.motion.scenario = MotionScenario::object;
     next.motion.otf = MotionOtf::eachView;
     window().document().edit(next, QStringLiteral("what moves"));
-    await("quiet phases", [&] { return !window().session().quietPhases().busy(); });
+    await("quiet phases", [&] { return !window().openStudy().quietPhases().busy(); });
     waitUntilConverged();
 }
 
@@ -34,7 +34,7 @@ void MovieUnderWay::rest() {
 
 MovieCost MovieUnderWay::write(const QString& ending, const QSize& size) {
     const Document& document = window().document().document();
-    const int phases = static_cast<int>(window().session().study()->phases.size());
+    const int phases = static_cast<int>(window().openStudy().study()->phases.size());
     MovieCost cost{.ending = ending};
     cost.frames = static_cast<int>(turnOf(document, mainView, phases).size());
     std::optional<bool> written;

@@ -40,7 +40,7 @@ void OpenWindow::show() {
 
 void OpenWindow::openVolume(const QString& path) {
     m_window->open(path);
-    await("the volume", [&] { return m_window->session().otf() != nullptr; });
+    await("the volume", [&] { return m_window->openStudy().otf() != nullptr; });
     waitUntilConverged();
 }
 

@@ -55,7 +55,7 @@ RoomUnderTest::RoomUnderTest(const QString& volume, int edge) {
 }
 
 void RoomUnderTest::switchEverythingOn() {
-    const std::shared_ptr<const Volume> volume = window().session().volume();
+    const std::shared_ptr<const Volume> volume = window().openStudy().volume();
     Document next = withBoxSwitched(window().document().document(), mainView, true, volume->dataBox());
     boxOf(next, mainView).sizeMm *= boxShare;
     cutOf(next, mainView) = {};
@@ -68,7 +68,7 @@ void RoomUnderTest::switchEverythingOn() {
     waitUntilConverged();
     drawStroke();
     waitUntilConverged();
-    if (!window().session().volume()->isCut()) qFatal("the stroke cut nothing");
+    if (!window().openStudy().volume()->isCut()) qFatal("the stroke cut nothing");
 }
 
 RoomUnderTest::Painted RoomUnderTest::presentOf(const PlanePane& pane) {

@@ -42,7 +42,7 @@ void WindowUnderTest::setPictureEdge(int edge) {
 
 /// Zooms by the wheel, until the face of the volume covers that share of the picture.
 void WindowUnderTest::fillTwoThirds() {
-    const VolumeGeometry& geometry = window().session().volume()->geometry();
+    const VolumeGeometry& geometry = window().openStudy().volume()->geometry();
     const Vec3 size = geometry.boxMaxMm() - geometry.boxMinMm();
     QWindow* window = pictureWindow();
     const auto share = [&] {
@@ -123,7 +123,7 @@ Row WindowUnderTest::turnLight(const Amount& amount) {
     return row;
 }
 
-int WindowUnderTest::phases() const { return static_cast<int>(window().session().study()->phases.size()); }
+int WindowUnderTest::phases() const { return static_cast<int>(window().openStudy().study()->phases.size()); }
 
 /// What is delivered and drawn until it is enough.
 template <typename Enough>
@@ -167,11 +167,11 @@ QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
     Row kept = turn([&](const FrameRecord& now) { return now.milliseconds() > amount.seconds * 1e3; });
     kept.action = "from memory";
     m_kept = {.frames = view().keptFrames(),
-              .quietPhases = window().session().quietPhases().madeCount(),
-              .otfs = static_cast<int>(window().session().keptOtfs().count()),
+              .quietPhases = window().openStudy().quietPhases().madeCount(),
+              .otfs = static_cast<int>(window().openStudy().keptOtfs().count()),
               .frameBytes = view().keptFrameBytes(),
-              .quietBytes = window().session().quietPhases().bytes(),
-              .otfBytes = window().session().keptOtfs().bytes()};
+              .quietBytes = window().openStudy().quietPhases().bytes(),
+              .otfBytes = window().openStudy().keptOtfs().bytes()};
     player.pause();
     waitUntilConverged();
     return {first, later, kept};

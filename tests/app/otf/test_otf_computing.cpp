@@ -35,11 +35,11 @@ private slots:
         const auto phase = std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)));
         QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_model = std::make_unique<DocumentModel>();
-        m_session = std::make_unique<Session>();
-        m_session->setPipeline(&echo);
-        m_computing = std::make_unique<OtfComputing>(*m_model, view, *m_session);
-        QSignalSpy opened(m_session.get(), &Session::studyOpened);
-        m_session->open(path);
+        m_openStudy = std::make_unique<OpenStudy>();
+        m_openStudy->setPipeline(&echo);
+        m_computing = std::make_unique<OtfComputing>(*m_model, view, *m_openStudy);
+        QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
+        m_openStudy->open(path);
         QVERIFY(opened.wait(patience));
     }
 
@@ -67,15 +67,15 @@ private slots:
         Document next = m_model->document();
         change(next);
         m_model->edit(next, "change");
-        QCOMPARE(m_session->computingOtf(), asks);
+        QCOMPARE(m_openStudy->computingOtf(), asks);
         if (!asks) return;
         awaitOtf();
-        QVERIFY(m_session->otf()->view == otfViewpointOf(next, view));
-        QVERIFY(m_session->otf()->config == configOf(next));
+        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, view));
+        QVERIFY(m_openStudy->otf()->config == configOf(next));
         m_model->steps().undo();
         awaitOtf();
-        QVERIFY(m_session->otf()->view == Viewpoint{});
-        QVERIFY(m_session->otf()->config == AdaptiveOtfConfig{});
+        QVERIFY(m_openStudy->otf()->view == Viewpoint{});
+        QVERIFY(m_openStudy->otf()->config == AdaptiveOtfConfig{});
     }
 
     void anEditOfTheInitialFunctionAsks() {
@@ -86,7 +86,7 @@ private slots:
         next.curves.manual.nodes[1].opacity = 0.25;
         m_model->preview(next, "drag");  // already while the hand drags
         awaitOtf();
-        QVERIFY(m_session->otf()->config.initial == OpacityCurve(next.curves.manual));
+        QVERIFY(m_openStudy->otf()->config.initial == OpacityCurve(next.curves.manual));
     }
 
     void computeForThisViewTakesWhatIsShownAsOneStep() {
@@ -96,29 +96,29 @@ private slots:
         m_model->showMotionAngle(5);
         m_computing->computeForThisView();
         awaitOtf();
-        QVERIFY(m_session->otf()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));
+        QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));
         QCOMPARE(m_model->steps().count(), 2);
         m_model->steps().undo();
         awaitOtf();
-        QVERIFY(m_session->otf()->view == Viewpoint{});
+        QVERIFY(m_openStudy->otf()->view == Viewpoint{});
     }
 
     void theOneOtfIsOfThePhaseThatTheDocumentNames() {
-        m_session->setPhase(1);
+        m_openStudy->setPhase(1);
         m_model->showPhase(view, 1);
         m_computing->computeForThisView();
         awaitOtf();
         QCOMPARE(m_model->document().motion.otfPhase, 1);
-        QCOMPARE(m_session->phaseOfOtf(), 1);
+        QCOMPARE(m_openStudy->phaseOfOtf(), 1);
         QCOMPARE(m_model->steps().count(), 1);
         m_model->steps().undo();
-        QVERIFY(m_session->otfUnderWay());
+        QVERIFY(m_openStudy->otfUnderWay());
         awaitOtf();
-        QCOMPARE(m_session->phaseOfOtf(), 0);
+        QCOMPARE(m_openStudy->phaseOfOtf(), 0);
         Document next = m_model->document();
         next.motion.otf = MotionOtf::eachView;
         m_model->edit(next, "each");
-        QCOMPARE(m_session->phaseOfOtf(), 1);  // the phase that is shown
+        QCOMPARE(m_openStudy->phaseOfOtf(), 1);  // the phase that is shown
     }
 
     void aCutKeepsTheDirectionOfAFrame() {
@@ -128,18 +128,18 @@ private slots:
         cutOf(next, view).nearCutMm = 1;
         m_model->edit(next, "cut");
         awaitOtf();
-        QVERIFY(m_session->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
+        QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
     }
 
 private:
     void awaitOtf() {
-        QVERIFY(QTest::qWaitFor([this] { return !m_session->computingOtf(); }, patience));
-        QVERIFY(m_session->otf() != nullptr);
+        QVERIFY(QTest::qWaitFor([this] { return !m_openStudy->computingOtf(); }, patience));
+        QVERIFY(m_openStudy->otf() != nullptr);
     }
 
     QTemporaryDir m_folder;
     std::unique_ptr<DocumentModel> m_model;
-    std::unique_ptr<Session> m_session;
+    std::unique_ptr<OpenStudy> m_openStudy;
     std::unique_ptr<OtfComputing> m_computing;
 };
 

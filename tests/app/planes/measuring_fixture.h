@@ -59,7 +59,7 @@ public:
     Vec3 at(int point) { return geometry().gridMmFromVoxel(markedVoxels[static_cast<std::size_t>(point)]); }
     [[nodiscard]] const std::vector<Measurement>& measurements() { return document().measurements; }
     double value(std::size_t index) { return measuredValue(measurements()[index], geometry()).value(); }
-    const VolumeGeometry& geometry() { return window().session().volume()->geometry(); }
+    const VolumeGeometry& geometry() { return window().openStudy().volume()->geometry(); }
     QListWidget& list() { return *child<QListWidget>("measurements.list"); }
     QString message() { return child<MessageBar>("message")->text(); }
 };

@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const Box& box() { return boxOf(document(), 1); }
     [[nodiscard]] OrientedBox placed() { return orientedBoxOf(box(), document().beam.axis); }
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() { return strokesOf(document(), 1); }
-    [[nodiscard]] DataBox dataBox() { return window().session().volume()->dataBox(); }
+    [[nodiscard]] DataBox dataBox() { return window().openStudy().volume()->dataBox(); }
     PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
     PlanePane& anyPane(std::uint32_t number) {
         static constexpr const char* names[] = {"planes.a", "planes.b", "planes.c"};

@@ -128,7 +128,7 @@ private slots:
     }
 
 private:
-    Vec3 at(int corner) { return cornerMm(window().session().volume()->geometry(), corner); }
+    Vec3 at(int corner) { return cornerMm(window().openStudy().volume()->geometry(), corner); }
     /// The brightness of the picture at a place of the widget; a picture may have more pixels than that.
     int valueAt(const QImage& picture, const QPoint& place) {
         const QSize size = window().volumeView().size();

@@ -72,11 +72,11 @@ private slots:
             Document next = document();
             next.beam = {beam, BeamSource::person};
             window().document().edit(next, "beam axis");
-            const DataBox data = window().session().volume()->dataBox();
+            const DataBox data = window().openStudy().volume()->dataBox();
             for (const PlaneName plane : allPlaneNames) {
                 PlanePane& shown = paneOf(plane);
                 for (int corner = 0; corner < 8; ++corner) {
-                    const Vec3 at = cornerMm(window().session().volume()->geometry(), corner);
+                    const Vec3 at = cornerMm(window().openStudy().volume()->geometry(), corner);
                     // The plane is stepped to the corner, and the cursor points to it.
                     Document there = document();
                     planesOf(there, 1) = withReferencePoint(planesOf(there, 1), at, data);
@@ -184,7 +184,7 @@ private slots:
         QTest::keyClick(&c, Qt::Key_Left);
         QVERIFY(std::abs(turnedBy() - 10) < 1e-6);
         QCOMPARE(window().motionPlayer().angle(), 0);  // the focused pane keeps its keys
-        const double unit = window().session().volume()->geometry().unit();
+        const double unit = window().openStudy().volume()->geometry().unit();
         const Vec3 forward = frameOf(PlaneName::c, planes(), beam).forward;
         const Vec3 from = reference();
         QTest::keyClick(&c, Qt::Key_Down);
@@ -199,7 +199,7 @@ private slots:
 
     void theWheelStepsAndZoomsAboutTheCursor() {
         PlanePane& a = pane("planes.a");
-        const double unit = window().session().volume()->geometry().unit();
+        const double unit = window().openStudy().volume()->geometry().unit();
         const Vec3 forward = frameOf(PlaneName::a, planes(), document().beam.axis).forward, from = reference();
         const int steps = window().document().steps().count();
         const QPointF cursor(a.width() / 2.0 + 50, a.height() / 2.0 + 20);
@@ -221,7 +221,7 @@ private slots:
         QVERIFY(length(b.mapping().gridAt(to) - held) < 1e-6);
         drag(b, Qt::LeftButton, Qt::ShiftModifier, to, from);
         QVERIFY(length(b.mapping().gridAt(from) - held) < 1e-6);
-        QVERIFY(length(reference() - Vec3(window().session().volume()->dataBox().centreMm())) < 1e-9);
+        QVERIFY(length(reference() - Vec3(window().openStudy().volume()->dataBox().centreMm())) < 1e-9);
         drag(b, Qt::RightButton, {}, from, from + QPoint(-160, -64));
         QCOMPARE(planes().window, 0.5);
         QCOMPARE(planes().level, 0.3);
@@ -230,9 +230,9 @@ private slots:
     }
 
     void theLayoutIsRememberedAndPlanesThatNobodySeesAreNotMade() {
-        QVERIFY(pane("planes.a").wanted(window().session().volume()).has_value());
+        QVERIFY(pane("planes.a").wanted(window().openStudy().volume()).has_value());
         key(Qt::Key_F2);
-        QVERIFY(!pane("planes.a").wanted(window().session().volume()));
+        QVERIFY(!pane("planes.a").wanted(window().openStudy().volume()));
         key(Qt::Key_F4);
         window().close();
         Settings settings(settingsFile());
@@ -280,7 +280,7 @@ private:
     }
     [[nodiscard]] const Document& document() { return window().document().document(); }
     [[nodiscard]] const Planes& planes() { return planesOf(document(), 1); }
-    [[nodiscard]] Vec3 reference() { return referencePointOf(planes(), window().session().volume()->dataBox()); }
+    [[nodiscard]] Vec3 reference() { return referencePointOf(planes(), window().openStudy().volume()->dataBox()); }
     PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
     PlanePane& paneOf(PlaneName plane) {
         return pane(plane == PlaneName::a ? "planes.a" : plane == PlaneName::b ? "planes.b" : "planes.c");

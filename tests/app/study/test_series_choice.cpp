@@ -52,7 +52,7 @@ class TestSeriesChoice : public QObject, private WindowFixture {
     }
     [[nodiscard]] QDialog* dialog() { return window().findChild<QDialog*>("series"); }
     [[nodiscard]] QListWidget* list() { return dialog()->findChild<QListWidget*>("series.list"); }
-    [[nodiscard]] std::int64_t depthOfStudy() { return window().session().volume()->geometry().size[2]; }
+    [[nodiscard]] std::int64_t depthOfStudy() { return window().openStudy().volume()->geometry().size[2]; }
     void ask() {
         window().open(m_series.path());
         QTRY_VERIFY(dialog() && dialog()->isVisible());

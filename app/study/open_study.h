@@ -23,12 +23,12 @@
 namespace echolucent {
 
 /// Loads studies and runs the adaptive pipeline, each in a QThread of its own. Everything below is to be called, and
-/// every signal is sent, in the thread the session lives in.
-class Session : public QObject {
+/// every signal is sent, in the thread it lives in.
+class OpenStudy : public QObject {
     Q_OBJECT
 
 public:
-    explicit Session(QObject* parent = nullptr);
+    explicit OpenStudy(QObject* parent = nullptr);
 
     /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
     /// Where a folder holds several series that could be opened and the options name none, seriesFound() asks.

@@ -1,4 +1,4 @@
-#include "app/study/session.h"
+#include "app/study/open_study.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +16,7 @@ double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(c
 
 }  // namespace
 
-Session::Session(QObject* parent)
+OpenStudy::OpenStudy(QObject* parent)
     : QObject(parent),
       m_pipeline(&adaptOpacity),
       m_nearCutSearch(&findNearCut),
@@ -24,33 +24,33 @@ Session::Session(QObject* parent)
       m_loader(QStringLiteral("study loader")),
       m_checksumThread(QStringLiteral("study checksum")),
       m_otfThread(QStringLiteral("adaptive OTF")) {
-    connect(&m_loader, &NewestWinsThread::busyChanged, this, &Session::loadingChanged);
-    connect(&m_loader, &NewestWinsThread::progressed, this, &Session::loadingProgressed);
-    connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &Session::computingOtfChanged);
-    connect(&m_cut, &CutPhases::made, this, &Session::takeCut);
-    connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &Session::takingChecksumChanged);
+    connect(&m_loader, &NewestWinsThread::busyChanged, this, &OpenStudy::loadingChanged);
+    connect(&m_loader, &NewestWinsThread::progressed, this, &OpenStudy::loadingProgressed);
+    connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &OpenStudy::computingOtfChanged);
+    connect(&m_cut, &CutPhases::made, this, &OpenStudy::takeCut);
+    connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &OpenStudy::takingChecksumChanged);
     connect(&m_cut, &CutPhases::busyChanged, this, [this] {
         // Strokes that cut nothing tell of no cut.
         if (m_waiting && !waitsForVoxels()) requestWaitingOtf();
         emit computingOtfChanged(computingOtf());
     });
-    connect(&m_cut, &CutPhases::failed, this, &Session::otfFailed);
-    connect(&m_quiet, &QuietPhases::made, this, &Session::takeQuietVoxels);
+    connect(&m_cut, &CutPhases::failed, this, &OpenStudy::otfFailed);
+    connect(&m_quiet, &QuietPhases::made, this, &OpenStudy::takeQuietVoxels);
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
         if (busy)
             m_quieteningClock.start();
         else if (m_quiet.reduction() != SpeckleReduction::off)  // else what ended was of the study before
             m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
     });
-    connect(&m_quiet, &QuietPhases::busyChanged, this, &Session::quieteningChanged);
-    connect(&m_quiet, &QuietPhases::progressed, this, &Session::quieteningProgressed);
+    connect(&m_quiet, &QuietPhases::busyChanged, this, &OpenStudy::quieteningChanged);
+    connect(&m_quiet, &QuietPhases::progressed, this, &OpenStudy::quieteningProgressed);
     connect(&m_quiet, &QuietPhases::failed, this, [this](int, const QString& sentence) {
         emit quieteningFailed(sentence);
         requestWaitingOtf();
     });
 }
 
-Session::Read Session::readerOf(const StudyFile& file) {
+OpenStudy::Read OpenStudy::readerOf(const StudyFile& file) {
     return [file](const Progress& progress) -> Result<Opening> {
         if (!holdsSeries(file.path) || !file.options.series.empty()) {
             auto study = readStudy(file.path, file.options, progress);
@@ -78,14 +78,14 @@ Session::Read Session::readerOf(const StudyFile& file) {
     };
 }
 
-void Session::open(const QString& path, const ReadOptions& options) {
+void OpenStudy::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
     load(file, [file, study = readerOf(file), saved = readerOfSaved(path, {})](const Progress& progress) {
         return looksLikeDocument(file.path) ? saved(progress) : study(progress);
     });
 }
 
-Session::Read Session::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
+OpenStudy::Read OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
     const StudySearch search = m_studySearch ? m_studySearch() : StudySearch{};
     return [file = file.toStdString(), answer, search](const Progress& progress) -> Result<Opening> {
         auto read = readSaved(file, answer, search, progress);
@@ -96,11 +96,11 @@ Session::Read Session::readerOfSaved(const QString& file, const SavedStudyAnswer
     };
 }
 
-void Session::openSaved(const QString& file, const SavedStudyAnswer& answer) {
+void OpenStudy::openSaved(const QString& file, const SavedStudyAnswer& answer) {
     load(StudyFile{.path = file.toStdString(), .options = {}, .checksum = {}}, readerOfSaved(file, answer));
 }
 
-void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
+void OpenStudy::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
     options.series = list->series.at(entry).uid;
     const StudyFile file{.path = list->path, .options = options, .checksum = {}};
     load(file, [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
@@ -110,7 +110,7 @@ void Session::openSeries(std::shared_ptr<const SeriesList> list, std::size_t ent
     });
 }
 
-void Session::openSimulatedScan() {
+void OpenStudy::openSimulatedScan() {
     const SimulatedScan scan;
     load(scan, [scan](const Progress& progress) -> Result<Opening> {
         auto study = simulatedStudy(scan, progress);
@@ -119,14 +119,14 @@ void Session::openSimulatedScan() {
     });
 }
 
-QString Session::path() const {
+QString OpenStudy::path() const {
     const auto* file = std::get_if<StudyFile>(&m_reference);
     return file ? QString::fromStdString(file->path) : QString();
 }
 
-void Session::cancelLoading() { m_loader.cancel(); }
+void OpenStudy::cancelLoading() { m_loader.cancel(); }
 
-void Session::load(const StudyReference& reference, Read read) {
+void OpenStudy::load(const StudyReference& reference, Read read) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
@@ -189,7 +189,7 @@ void Session::load(const StudyReference& reference, Read read) {
     });
 }
 
-void Session::takeChecksum() {
+void OpenStudy::takeChecksum() {
     m_checksumThread.cancel();
     const auto* file = std::get_if<StudyFile>(&m_reference);
     if (file == nullptr || !file->checksum.empty()) return;
@@ -210,13 +210,13 @@ void Session::takeChecksum() {
         });
 }
 
-void Session::setPhase(int phase) {
+void OpenStudy::setPhase(int phase) {
     if (!m_study || phase < 0 || phase >= static_cast<int>(m_study->phases.size()))
-        throw std::out_of_range("Session::setPhase: no such phase");
+        throw std::out_of_range("OpenStudy::setPhase: no such phase");
     if (phase != m_phase) show(phase);
 }
 
-void Session::show(int phase) {
+void OpenStudy::show(int phase) {
     m_phase = phase;
     m_volume = volumeOf(phase);
     // One phase's OTF serves all, but what a search took the place of is asked for again.
@@ -230,46 +230,46 @@ void Session::show(int phase) {
     emit volumeChanged();
 }
 
-void Session::setReduction(SpeckleReduction reduction) {
+void OpenStudy::setReduction(SpeckleReduction reduction) {
     if (std::exchange(m_reduction, reduction) == reduction || !m_volume) return;
     wantQuietVoxels();
     if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // they are there already
 }
 
-void Session::cancelQuietening() {
+void OpenStudy::cancelQuietening() {
     m_quiet.cancel();
     requestWaitingOtf();
 }
 
-std::shared_ptr<const Volume> Session::volumeOf(int phase) {
+std::shared_ptr<const Volume> OpenStudy::volumeOf(int phase) {
     return m_study ? m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]) : nullptr;
 }
 
-std::shared_ptr<const Volume> Session::newestVoxelsOf(int phase) {
+std::shared_ptr<const Volume> OpenStudy::newestVoxelsOf(int phase) {
     const std::shared_ptr<const Volume> quiet = m_quiet.of(phase);
     return quiet ? m_cut.of(phase, quiet) : volumeOf(phase);
 }
 
-std::shared_ptr<const Volume> Session::newestVoxels() { return newestVoxelsOf(m_phase); }
+std::shared_ptr<const Volume> OpenStudy::newestVoxels() { return newestVoxelsOf(m_phase); }
 
-std::shared_ptr<const Volume> Session::voxelsForOtf() {
+std::shared_ptr<const Volume> OpenStudy::voxelsForOtf() {
     return m_voxelsOfOtf && phaseOfOtf() == m_phase ? m_voxelsOfOtf : newestVoxels();
 }
 
-bool Session::otfIsOfNewestVoxels() { return m_otf && m_voxelsOfOtf == newestVoxelsOf(phaseOfOtf()); }
+bool OpenStudy::otfIsOfNewestVoxels() { return m_otf && m_voxelsOfOtf == newestVoxelsOf(phaseOfOtf()); }
 
-void Session::setOtfPhase(std::optional<int> phase) {
+void OpenStudy::setOtfPhase(std::optional<int> phase) {
     if (!m_study) return;
     if (phase) phase = std::clamp(*phase, 0, static_cast<int>(m_study->phases.size()) - 1);
     if (std::exchange(m_otfPhase, phase) != phase) wantQuietVoxels();
 }
 
-void Session::setStrokes(const std::vector<ScalpelStroke>& strokes) {
+void OpenStudy::setStrokes(const std::vector<ScalpelStroke>& strokes) {
     if (m_volume && strokes != m_cut.strokes()) m_cut.want(m_phase, strokes);
 }
 
 /// What was asked of the volume is asked of the one that is cut.
-void Session::takeCut(int phase) {
+void OpenStudy::takeCut(int phase) {
     if (phase != m_phase && phase != phaseOfOtf()) return;
     const auto pending = m_asked ? m_asked : m_waiting;
     const bool searching = lookingForNearCut() && phase == m_phase;
@@ -279,32 +279,32 @@ void Session::takeCut(int phase) {
     emit volumeCut();
 }
 
-const IntensityHistogram& Session::histogramOfOtf() const {
+const IntensityHistogram& OpenStudy::histogramOfOtf() const {
     const auto ofOtf = m_quiet.of(phaseOfOtf());
     const auto quiet = m_quiet.histogramOf(m_phase);
     return quiet && ofOtf && m_voxelsOfOtf && &m_voxelsOfOtf->voxels() == &ofOtf->voxels() ? *quiet : histogram();
 }
 
-void Session::takeQuietVoxels(int phase) {
+void OpenStudy::takeQuietVoxels(int phase) {
     if (phase != m_phase && phase != phaseOfOtf()) return;
     if (phase == phaseOfOtf()) requestWaitingOtf();
     emit quietVoxelsMade();
 }
 
-bool Session::waitsForVoxels() {
+bool OpenStudy::waitsForVoxels() {
     if (!m_opening) return false;
     return !m_cut.isCurrent(phaseOfOtf()) ||
            (m_waitForQuiet && !m_quiet.of(phaseOfOtf()) && m_volume->geometry().voxelCount() <= quietFirstVoxels);
 }
 
-void Session::requestWaitingOtf() {
+void OpenStudy::requestWaitingOtf() {
     m_waitForQuiet = false;
     if (m_volume && waitsForVoxels()) return;
     m_opening = false;  // nothing waits from here on
     if (const auto waiting = std::exchange(m_waiting, std::nullopt)) requestOtf(waiting->view, waiting->config);
 }
 
-void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
+void OpenStudy::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
     const OtfRequest asked{volumeOf(phaseOfOtf()), newestVoxelsOf(phaseOfOtf()), view, config};
     if (!m_volume || m_asked == asked) return;
     if (waitsForVoxels()) {
@@ -349,7 +349,7 @@ void Session::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config)
     });
 }
 
-void Session::takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf) {
+void OpenStudy::takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf) {
     m_asked.reset();
     m_opening = false;
     m_otf = std::move(otf);
@@ -357,14 +357,14 @@ void Session::takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf
     emit otfComputed();
 }
 
-void Session::cancelComputing() {
+void OpenStudy::cancelComputing() {
     m_searching = false;
     m_asked.reset();
     m_waiting.reset();
     m_otfThread.cancel();
 }
 
-void Session::requestNearCut(const Viewpoint& view) {
+void OpenStudy::requestNearCut(const Viewpoint& view) {
     if (!m_volume) return;
     m_asked.reset();
     m_waiting.reset();  // whoever asks for the near cut asks for the OTF afterwards
