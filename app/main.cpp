@@ -1,12 +1,12 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFile>
 #include <QFileInfo>
 #include <QIcon>
 #include <QTextStream>
 #include <memory>
 
 #include "app/study/open_study.h"
+#include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -36,9 +36,7 @@ int main(int count, char** arguments) {
     parser.addOption(firstPicture);
     parser.process(application);
 
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    QFile theme(QStringLiteral(":/dark.qss"));
-    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    wearDarkTheme();
 
     // The study is being read while the window is made: neither waits for the other.
     auto openStudy = std::make_unique<OpenStudy>();

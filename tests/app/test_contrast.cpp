@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/window/dark_theme.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
 
@@ -56,9 +57,7 @@ class TestContrast : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         show();
         window().resize(1280, 720);
         useLook(Look{});
@@ -185,7 +184,6 @@ private:
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     TestContrast test;
     return QTest::qExec(&test, count, arguments);
 }

@@ -1,7 +1,6 @@
 // The cine bar in the real window: every control by mouse or keys, what plays in which order, and whose OTF is shown.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFile>
 #include <QLabel>
 #include <QRadioButton>
 #include <QSlider>
@@ -11,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "app/window/dark_theme.h"
 #include "io/output/nifti_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_smoothing.h"
@@ -28,9 +28,7 @@ class TestMainWindowCine : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         std::vector<std::shared_ptr<const Volume>> phases;
         for (int i = 0; i < phaseCount; ++i)
             phases.push_back(

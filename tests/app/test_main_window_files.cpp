@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <cmath>
 
+#include "app/window/dark_theme.h"
 #include "io/curve_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -21,9 +22,7 @@ class TestMainWindowFiles : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         QVERIFY(m_out.isValid());
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         m_file = file("visit.7.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {
@@ -211,7 +210,6 @@ private:
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     TestMainWindowFiles test;
     return QTest::qExec(&test, count, arguments);
 }

@@ -2,7 +2,6 @@
 #include <QAbstractScrollArea>
 #include <QAction>
 #include <QDockWidget>
-#include <QFile>
 #include <QLabel>
 #include <QMenuBar>
 #include <QScreen>
@@ -15,6 +14,7 @@
 #include <QWindow>
 #include <cmath>
 
+#include "app/window/dark_theme.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
 
@@ -35,9 +35,7 @@ class TestMainWindowLayout : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         const auto still = smallPhantom(PhantomScene::shapes, 5);
         m_file = file("still.mha", {still});
         VolumeGeometry unknown = still->geometry();
@@ -264,7 +262,6 @@ private:
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     TestMainWindowLayout test;
     return QTest::qExec(&test, count, arguments);
 }

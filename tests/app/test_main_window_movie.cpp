@@ -24,6 +24,7 @@
 
 #include "app/motion/movie_files.h"
 #include "app/picture/picture_image.h"
+#include "app/window/dark_theme.h"
 #include "processing/document/view_picture.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
@@ -38,9 +39,7 @@ class TestMainWindowMovie : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         for (int i = 0; i < phaseCount; ++i)
             m_phases.push_back(smallPhantom(PhantomScene::fetus, static_cast<std::uint64_t>(7 + i), 0.25 * i));
         m_moving = file("moving.mha", m_phases);
@@ -439,7 +438,6 @@ private:
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     TestMainWindowMovie test;
     return QTest::qExec(&test, count, arguments);
 }

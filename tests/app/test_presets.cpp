@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "app/window/dark_theme.h"
 #include "io/document/preset_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
@@ -22,9 +23,7 @@ class TestPresets : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         QVERIFY(m_out.isValid());
-        QFile theme(QStringLiteral(":/dark.qss"));
-        QVERIFY(theme.open(QIODevice::ReadOnly));
-        qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+        wearDarkTheme();
         m_file = file("visit.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {
@@ -268,7 +267,6 @@ private:
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     TestPresets test;
     return QTest::qExec(&test, count, arguments);
 }

@@ -3,10 +3,10 @@
 // loop. It prints tables and writes build/bench/window.json.
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTextStream>
 
+#include "app/window/dark_theme.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/large_study.h"
@@ -164,9 +164,7 @@ QList<Stall> measureMovies(const Options& options, const QString& volume, QTextS
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle("Fusion");
-    QFile theme(":/dark.qss");
-    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    wearDarkTheme();
     const Options options = parse(application);
     const QTemporaryDir folder;
     const auto phantom = [&](int usual, int bits) {

@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
-#include <QFile>
 #include <QFileInfo>
 #include <QScreen>
 #include <QTemporaryDir>
@@ -14,6 +13,7 @@
 #include <QWindow>
 #include <cstdio>
 
+#include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
 #include "tests/pictures/contact_sheet.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -117,9 +117,7 @@ void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    QApplication::setStyle("Fusion");
-    QFile theme(":/dark.qss");
-    if (theme.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(theme.readAll()));
+    wearDarkTheme();
     const QStringList words = QCoreApplication::arguments();
     if (words.value(1) == "--sheet") return writeContactSheet(words[2], words.mid(3)) ? 0 : 1;
     const QTemporaryDir settings;

@@ -2,15 +2,14 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
-#include <QStyleFactory>
 #include <QTableView>
 #include <QTest>
 #include <cmath>
 #include <memory>
 
+#include "app/window/dark_theme.h"
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
@@ -51,12 +50,7 @@ private:
     std::unique_ptr<EditedEditor> m_editor;
 };
 
-void TestOtfEditorLayout::initTestCase() {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QFile theme(ECHOLUCENT_SOURCE_DIR "/resources/dark.qss");
-    QVERIFY(theme.open(QFile::ReadOnly));
-    qApp->setStyleSheet(theme.readAll());
-}
+void TestOtfEditorLayout::initTestCase() { wearDarkTheme(); }
 
 void TestOtfEditorLayout::init() {
     m_editor = std::make_unique<EditedEditor>();
