@@ -1,21 +1,13 @@
-// The cine bar in the real window: every control by mouse or keys, what plays in which order, and whose OTF is shown.
-#include <QCheckBox>
+// The cine bar in the real window: every control by mouse or keys, what plays in which order, and what is remembered.
 #include <QComboBox>
 #include <QLabel>
-#include <QRadioButton>
 #include <QSlider>
 #include <QSpinBox>
-#include <array>
-#include <atomic>
 #include <cstdlib>
 #include <functional>
 
 #include "app/window/dark_theme.h"
-#include "io/output/nifti_writer.h"
-#include "processing/adaptive/adaptive_otf.h"
-#include "processing/motion/otf_smoothing.h"
-#include "processing/scalpel/scalpel_cuts.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/cine_fixture.h"
 #include "widgets/panels/motion_panel.h"
 
 using namespace echolucent;
@@ -23,30 +15,19 @@ using namespace echolucent;
 using Change = std::function<void()>;
 Q_DECLARE_METATYPE(Change)
 
-class TestMainWindowCine : public QObject, private WindowFixture {
+class TestMainWindowCine : public QObject, private CineFixture {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
         wearDarkTheme();
-        std::vector<std::shared_ptr<const Volume>> phases;
-        for (int i = 0; i < phaseCount; ++i)
-            phases.push_back(
-                smallPhantom(PhantomScene::fetus, static_cast<std::uint64_t>(7 + i), 1.0 * i / phaseCount));
-        m_moving = file("moving.mha", phases);
-        m_still = file("still.mha", {phases.front()});
-        m_timed = temporaryFolder().filePath("timed.nii");
-        QVERIFY(writeNifti(m_timed.toStdString(), phases, 0.0305).has_value());
+        writeStudies();
     }
-    void init() {
-        show();
-        window().resize(1280, 720);
-        useLook(Look{});
-    }
+    void init() { showWindow(); }
     void cleanup() { close(); }
 
     void spacePlaysThePhasesOfA4dStudy() {
-        open(m_moving);
+        open(moving());
         QCOMPARE(document().motion.scenario, MotionScenario::object);
         const int steps = window().document().steps().count();
         window().motionPlayer().setMinimumFrameInterval(0);
@@ -62,10 +43,10 @@ private slots:
         QCOMPARE(window().document().steps().count(), steps);  // playing is no step
         // From one 4D study to the next what moves stays; a still study swivels.
         QTest::keyClick(child<QComboBox>("motion.scenario"), Qt::Key_Up);
-        open(m_timed);
+        open(timed());
         QCOMPARE(document().motion.scenario, MotionScenario::probe);
-        open(m_still);
-        open(m_moving);
+        open(still());
+        open(moving());
         QCOMPARE(document().motion.scenario, MotionScenario::object);
     }
 
@@ -102,7 +83,7 @@ private slots:
     void everyControlIsOneStepThatIsUndoneAndRedone() {
         QFETCH(Change, change);
         QFETCH(std::function<void(MotionChoice&)>, expected);
-        open(m_moving);
+        open(moving());
         const MotionChoice before = document().motion;
         MotionChoice after = before;
         expected(after);
@@ -123,7 +104,7 @@ private slots:
     }
 
     void allPhasesPlayAgainByOneClick() {
-        open(m_moving);
+        open(moving());
         QTest::keyClick(child<QSpinBox>("motion.firstPhase"), Qt::Key_Up);
         QTest::keyClick(child<QSpinBox>("motion.lastPhase"), Qt::Key_Down);
         QCOMPARE(document().motion.phaseRange, std::optional(PhaseRange{1, phaseCount - 2}));
@@ -134,33 +115,8 @@ private slots:
         waitUntilIdle();
     }
 
-    void theCaptionSaysOfWhichPhaseTheOneOtfIs() {
-        open(m_moving);
-        const auto said = [this] { return window().volumeView().caption().contains("OTF of phase 1"); };
-        QVERIFY(said());  // as in every frame of the motion
-        QTest::keyClick(&window(), Qt::Key_Period);
-        waitUntilIdle();
-        QVERIFY2(said(), qPrintable(window().volumeView().caption()));
-        QTest::keyClick(&window(), Qt::Key_2);  // another curve
-        QVERIFY(!said());
-        QTest::keyClick(&window(), Qt::Key_1);
-        QVERIFY(said());
-        Document next = document();
-        next.motion.scenario = MotionScenario::probe;
-        window().document().edit(next, "what moves");
-        QVERIFY(said());
-        window().document().showPhase(1, 0);
-        QVERIFY(!said());  // it is that of the phase shown
-        window().document().showPhase(1, 1);
-        next = document();
-        next.motion.otf = MotionOtf::eachView;
-        window().document().edit(next, "each phase's OTF");
-        QVERIFY(!said());
-        waitUntilIdle();
-    }
-
     void keysAndSliderStepThroughThePhases() {
-        open(m_moving);
+        open(moving());
         const int steps = window().document().steps().count();
         QTest::keyClick(&window(), Qt::Key_Period);
         QCOMPARE(phaseOf(document(), 1), 1);
@@ -196,158 +152,13 @@ private slots:
         waitUntilIdle();
     }
 
-    void thePhasesOfARangePlayBackAndForthWithSmoothedOtfs() {
-        open(m_moving);
-        QTest::keyClick(child<QSpinBox>("motion.firstPhase"), Qt::Key_Up);
-        click("motion.phasesPingPong");
-        click("motion.mode.leastFlicker");
-        waitUntilIdle();
-        const auto& phases = window().openStudy().study()->phases;
-        const auto ofPhase = [&](int phase) {
-            return adaptOpacity(*phases[static_cast<std::size_t>(phase)], Viewpoint{}, {})->curve;
-        };
-        OtfHistory history;
-        (void)history.add(0, ofPhase(0));
-        const std::vector<std::pair<int, SampledCurve>> frames = play(9);
-        const std::vector<int> order{1, 2, 3, 4, 3, 2, 1, 2, 3};
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            QCOMPARE(frames[i].first, order[i]);
-            QVERIFY2(frames[i].second == history.add(i + 1.0, ofPhase(order[i])), qPrintable(QString::number(i)));
-        }
-    }
-
-    void theOneOtfIsThatOfItsPhaseWhicheverIsShown_data() {
-        QTest::addColumn<bool>("quiet");
-        QTest::newRow("raw voxels") << false;
-        QTest::newRow("quiet voxels") << true;
-    }
-    void theOneOtfIsThatOfItsPhaseWhicheverIsShown() {
-        QFETCH(bool, quiet);
-        Look look;
-        if (quiet) look.reduction = SpeckleReduction::light;
-        useLook(look);
-        open(m_moving);
-        const auto shows = [&](int phaseOfOtf) {
-            const auto& openStudy = window().openStudy();
-            const auto expected =
-                adaptOpacity(*openStudy.study()->phases[static_cast<std::size_t>(phaseOfOtf)],
-                             otfViewpointOf(document(), 1), configOf(document()), {},
-                             quiet ? QuietVoxels{openStudy.quietPhases().of(phaseOfOtf).get(), SpeckleReduction::light}
-                                   : QuietVoxels{});
-            return window().otfEditor().state().adaptive == expected->curve &&
-                   window().volumeView().volume() == window().openStudy().newestVoxels();
-        };
-        QVERIFY(shows(0));
-        for (const int phase : {1, 2}) {
-            QTest::keyClick(&window(), Qt::Key_Period);
-            waitUntilIdle();
-            QCOMPARE(window().openStudy().phase(), phase);
-            QVERIFY(shows(0));
-        }
-        QTest::keyClick(&window(), Qt::Key_A);
-        waitUntilIdle();
-        QCOMPARE(document().motion.otfPhase, 2);
-        QVERIFY(shows(2));
-        // A parameter that changes while another phase is shown.
-        QTest::keyClick(child<QSlider>("motion.phase"), Qt::Key_End);
-        QTest::keyClick(child<QComboBox>("adaptive.form"), Qt::Key_End);
-        waitUntilIdle();
-        QVERIFY(shows(2));
-        QTest::keyClick(child<QSpinBox>("motion.otfPhase"), Qt::Key_Down);
-        waitUntilIdle();
-        QVERIFY(shows(1));
-        click("motion.mode.eachView");
-        waitUntilIdle();
-        QVERIFY(shows(phaseCount - 1));
-        QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier);
-        waitUntilIdle();
-        QVERIFY(shows(1));
-        // Chosen again, it is the phase that is shown.
-        click("motion.mode.mean");
-        child<QSlider>("motion.phase")->setFocus();  // else the key turns the probe
-        QTest::keyClick(child<QSlider>("motion.phase"), Qt::Key_Left);
-        waitUntilIdle();
-        click("motion.mode.static");
-        waitUntilIdle();
-        QCOMPARE(document().motion.otfPhase, phaseCount - 2);
-        QVERIFY(shows(phaseCount - 2));
-        for (const auto& [phase, curve] : play(phaseCount)) QVERIFY(curve == window().otfEditor().state().adaptive);
-        QVERIFY(shows(phaseCount - 2));
-    }
-
-    void aStrokeReachesTheOneOtfOfAPhaseThatIsNotShown() {
-        open(m_moving);
-        const SampledCurve before = window().otfEditor().state().adaptive;
-        for (int i = 0; i < 2; ++i) QTest::keyClick(&window(), Qt::Key_Period);
-        waitUntilIdle();
-        ScalpelStroke stroke{.tool = ScalpelTool::polygon, .camera = window().volumeView().settings().camera};
-        stroke.places = {{-0.1, -0.1}, {0.2, -0.1}, {0.2, 0.2}, {-0.1, 0.2}};
-        Document next = document();
-        strokesOf(next, 1).push_back(stroke);
-        window().document().edit(next, "cut");
-        waitUntilIdle();
-        const Volume& scan = *window().openStudy().study()->phases.front();
-        ScalpelCuts cuts(scan.geometry());
-        const Volume cut = *cuts.cut(scan, std::array{stroke});
-        const auto expected = adaptOpacity(cut, otfViewpointOf(document(), 1), configOf(document()));
-        QVERIFY(expected->curve != before);
-        QVERIFY(window().otfEditor().state().adaptive == expected->curve);
-        QVERIFY(window().volumeView().volume() == window().openStudy().newestVoxels());
-        QVERIFY(window().openStudy().volume() != window().openStudy().study()->phases[2]);  // cut too
-        QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier);
-        waitUntilIdle();
-        QVERIFY(window().otfEditor().state().adaptive == before);
-        QCOMPARE(window().volumeView().volume(), window().openStudy().study()->phases[2]);
-    }
-
-    void anotherPhaseNeedsNoOtfWhereOneServesAll() {
-        open(m_moving);
-        std::atomic<int> runs = 0;
-        countRuns(runs);
-        for (int i = 0; i < phaseCount; ++i) {
-            QTest::keyClick(&window(), Qt::Key_Period);
-            waitUntilIdle();
-        }
-        (void)play(2 * phaseCount);
-        QCOMPARE(runs.load(), 0);
-        QCOMPARE(window().explanation().contains("the OTF of phase 1 serves every frame"), true);
-    }
-
-    void aKeptTurnComputesAndCastsNothingAnew() {
-        open(m_moving);
-        click("motion.mode.eachView");
-        waitUntilIdle();
-        std::atomic<int> runs = 0;
-        countRuns(runs);
-        MotionPlayer& player = window().motionPlayer();
-        player.setMinimumFrameInterval(0);
-        int kept = 0;  // frames in a row that came from memory, which keep no picture of floats
-        QObject context;
-        connect(&window().volumeView(), &VolumeViewWidget::pictureDelivered, &context,
-                [&] { kept = window().volumeView().picture() ? 0 : kept + 1; });
-        click("motion.play");
-        QTRY_VERIFY_WITH_TIMEOUT(kept >= 2 * phaseCount, 30000);
-        QCOMPARE(window().volumeView().keptFrames(), phaseCount);
-        QVERIFY(window().volumeView().keptFrameBytes() > 0);
-        QCOMPARE(window().openStudy().keptOtfs().count(), static_cast<std::size_t>(phaseCount));
-        QVERIFY(runs <= phaseCount);
-        const int before = runs, keptBefore = kept;
-        QTRY_VERIFY_WITH_TIMEOUT(kept >= keptBefore + 2 * phaseCount, 30000);
-        QCOMPARE(runs.load(), before);
-        QVERIFY(kept >= 4 * phaseCount);  // none was cast in between
-        auto* readOut = child<QLabel>("motion.frameRate");
-        QTRY_VERIFY2(readOut->text().contains(QString("%1 frames kept").arg(phaseCount)), qPrintable(readOut->text()));
-        click("motion.play");
-        waitUntilIdle();
-    }
-
     void theTimeIsSaidWhereTheFileKnowsIt() {
-        open(m_moving);
+        open(moving());
         auto* readOut = child<QLabel>("motion.phase.value");
         QTest::keyClick(&window(), Qt::Key_Comma);
         QCOMPARE(readOut->text(), QString("phase %1 of %1").arg(phaseCount));
         QVERIFY(child<QComboBox>("motion.speed")->toolTip().contains("20 frames a second"));
-        open(m_timed);
+        open(timed());
         QTest::keyClick(&window(), Qt::Key_Comma);
         QCOMPARE(readOut->text(), QString("phase %1 of %1 · 122 ms").arg(phaseCount));
         QVERIFY(child<QComboBox>("motion.speed")->toolTip().contains("32.8 frames a second"));
@@ -355,7 +166,7 @@ private slots:
     }
 
     void speedAndOrderAreRememberedAndTheRangeIsNot() {
-        open(m_moving);
+        open(moving());
         QTest::keyClick(child<QComboBox>("motion.speed"), Qt::Key_Up);
         click("motion.phasesPingPong");
         QTest::keyClick(child<QSpinBox>("motion.firstPhase"), Qt::Key_Up);
@@ -371,7 +182,7 @@ private slots:
     }
 
     void nothingOfTheBarIsClippedAndNothingMovesWhenItPlays() {
-        open(m_timed);
+        open(timed());
         auto* panel = child<MotionPanel>("motion");
         auto* scenario = child<QComboBox>("motion.scenario");
         const auto isWhole = [&] {
@@ -406,38 +217,7 @@ private slots:
     }
 
 private:
-    static constexpr int phaseCount = 5;
     static constexpr int aLongTime = 3600 * 1000;  // ms
-
-    const Document& document() { return window().document().document(); }
-    void countRuns(std::atomic<int>& runs) {
-        window().openStudy().setPipeline([&runs](const Volume& volume, const Viewpoint& view,
-                                                 const AdaptiveOtfConfig& config, const Progress& progress,
-                                                 const QuietVoxels& shown) {
-            ++runs;
-            return adaptOpacity(volume, view, config, progress, shown);
-        });
-    }
-    /// Plays so many frames, and returns the phase and the curve that each was shown with.
-    std::vector<std::pair<int, SampledCurve>> play(int count) {
-        std::vector<std::pair<int, SampledCurve>> frames;
-        MotionPlayer& player = window().motionPlayer();
-        player.setMinimumFrameInterval(0);
-        QObject context;
-        int phase = -1;
-        // A frame begins: the one before is on the screen.
-        connect(&player, &MotionPlayer::frameChanged, &context, [&](double, int next) {
-            if (phase >= 0) frames.emplace_back(phase, window().otfEditor().state().adaptive);
-            phase = next;
-        });
-        click("motion.play");
-        (void)QTest::qWaitFor([&] { return static_cast<int>(frames.size()) >= count; }, 60000);
-        click("motion.play");
-        waitUntilIdle();
-        return frames;
-    }
-
-    QString m_moving, m_timed, m_still;
 };
 
 int main(int count, char** arguments) {
