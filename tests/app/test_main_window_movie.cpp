@@ -1,57 +1,41 @@
-// Movies and series of pictures from the window, with real events: what is written, what is refused, and what is left.
+// Movies and series of pictures from the window, with real events: what is written, and what is left.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
-#include <QLineEdit>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUndoStack>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "app/motion/movie_files.h"
 #include "app/picture/picture_image.h"
 #include "app/window/dark_theme.h"
 #include "processing/document/view_picture.h"
-#include "tests/app/telling_names.h"
-#include "tests/app/window_fixture.h"
-#include "widgets/panels/message_bar.h"
+#include "tests/app/movie_fixture.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
 using namespace echolucent;
 
-class TestMainWindowMovie : public QObject, private WindowFixture {
+class TestMainWindowMovie : public QObject, private MovieFixture {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
         wearDarkTheme();
-        for (int i = 0; i < phaseCount; ++i)
-            m_phases.push_back(smallPhantom(PhantomScene::fetus, static_cast<std::uint64_t>(7 + i), 0.25 * i));
-        m_moving = file("moving.mha", m_phases);
-        m_still = file("still.mha", {m_phases.front()});
+        writeStudies();
     }
-    void init() {
-        m_out = std::make_unique<QTemporaryDir>();
-        QVERIFY(m_out->isValid());
-        show();
-        window().resize(1280, 720);
-        useLook(Look{});
-    }
+    void init() { showWindow(); }
     void cleanup() { close(); }
 
     void aMovieOfThePhasesIsWrittenByTheDialog_data() {
@@ -64,9 +48,9 @@ private slots:
     void aMovieOfThePhasesIsWrittenByTheDialog() {
         QFETCH(QString, ending);
         QFETCH(double, rmse);
-        open(m_moving);
+        open(moving());
         playThePhases();
-        const QString path = m_out->filePath("heart" + ending);
+        const QString path = out().filePath("heart" + ending);
         QTest::keyClick(&window(), Qt::Key_P, Qt::ShiftModifier);
         QDialog* dialog = theDialog();
         QCOMPARE(in<QLabel>(dialog, "plays")->text(), QString("phases 1 to 4"));
@@ -76,14 +60,14 @@ private slots:
         type(in<QSpinBox>(dialog, "height"), "96");
         QCOMPARE(in<QSpinBox>(dialog, "width")->value(), 128);
         type(in<QDoubleSpinBox>(dialog, "rate"), "12.5");
-        click(in<QCheckBox>(dialog, "labels"));
+        tick(in<QCheckBox>(dialog, "labels"));
         QVERIFY(!in<QCheckBox>(dialog, "labels")->isChecked());
         write(in<QLineEdit>(dialog, "path"), path);
         QCOMPARE(in<QLabel>(dialog, "sentence")->text(), QString("4 frames, 0.3 s"));
         QVERIFY(save(dialog));
         QCOMPARE(message()->text(), QString("heart%1 was saved.").arg(ending));
         QCOMPARE(message()->kind(), MessageKind::info);
-        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"heart" + ending});
+        QCOMPARE(QDir(out().path()).entryList(QDir::Files), QStringList{"heart" + ending});
 
         cv::VideoCapture movie(path.toStdString(), cv::CAP_FFMPEG);
         QVERIFY(movie.isOpened());
@@ -103,37 +87,37 @@ private slots:
     }
 
     void aSeriesIsThePicturesToTheBit() {
-        open(m_moving);
+        open(moving());
         playThePhases();
         child<QAction>("file.savePictureSeries")->trigger();
         QDialog* dialog = theDialog();
         QVERIFY(!in<QDoubleSpinBox>(dialog, "rate")->isVisible());
         type(in<QSpinBox>(dialog, "width"), "51");  // pictures may have odd sizes
         type(in<QSpinBox>(dialog, "height"), "37");
-        click(in<QCheckBox>(dialog, "labels"));
-        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.png"));
+        tick(in<QCheckBox>(dialog, "labels"));
+        write(in<QLineEdit>(dialog, "path"), out().filePath("heart.png"));
         QVERIFY(save(dialog));
         QCOMPARE(message()->text(), QString("heart-0001.png to heart-0004.png were saved."));
-        const QStringList files = QDir(m_out->path()).entryList(QDir::Files);
+        const QStringList files = QDir(out().path()).entryList(QDir::Files);
         QCOMPARE(files, (QStringList{"heart-0001.png", "heart-0002.png", "heart-0003.png", "heart-0004.png"}));
         for (int frame = 0; frame < phaseCount; ++frame) {
-            const QImage written(m_out->filePath(files[frame]));
+            const QImage written(out().filePath(files[frame]));
             QCOMPARE(written.size(), QSize(51, 37));
             QCOMPARE(rgbBytesOf(written), alone(frame, QSize(51, 37)));
         }
     }
 
     void labelsStandInTheCornersAndNowhereElse() {
-        open(m_moving);
+        open(moving());
         playThePhases();
         const QSize size(320, 240);
-        window().movieFiles().begin(FrameOutput::series, {.path = m_out->filePath("with.png"), .size = size});
+        window().movieFiles().begin(FrameOutput::series, {.path = out().filePath("with.png"), .size = size});
         QVERIFY(ended());
         window().movieFiles().begin(FrameOutput::series,
-                                    {.path = m_out->filePath("without.png"), .size = size, .labels = false});
+                                    {.path = out().filePath("without.png"), .size = size, .labels = false});
         QVERIFY(ended());
-        const QImage first(m_out->filePath("with-0001.png")), plain(m_out->filePath("without-0001.png")),
-            second(m_out->filePath("with-0002.png")), secondPlain(m_out->filePath("without-0002.png"));
+        const QImage first(out().filePath("with-0001.png")), plain(out().filePath("without-0001.png")),
+            second(out().filePath("with-0002.png")), secondPlain(out().filePath("without-0002.png"));
         const auto differing = [](const QImage& a, const QImage& b, const QRect& where) {
             int pixels = 0;
             for (int y = where.top(); y <= where.bottom(); ++y)
@@ -152,135 +136,28 @@ private slots:
     }
 
     void measurementsAreDrawnInTheFramesOfTheirPhase() {
-        open(m_moving);
+        open(moving());
         playThePhases();
         Document next = window().document().document();
-        const DataBox& box = m_phases.front()->dataBox();
+        const DataBox& box = phases().front()->dataBox();
         const Vec3 centre = (box.lowMm + box.highMm) * 0.5;
         next.measurements.push_back({.placesMm = {centre - Vec3(15, 0, 0), centre + Vec3(15, 0, 0)}, .phase = 1});
         window().document().edit(next, "measure");
         const auto coloured = [&](const QString& name) {
-            const QImage image(m_out->filePath(name));
+            const QImage image(out().filePath(name));
             int pixels = 0;
             for (int y = 0; y < image.height(); ++y)
                 for (int x = 0; x < image.width(); ++x) pixels += image.pixelColor(x, y) == measurementColour;
             return pixels;
         };
-        window().movieFiles().begin(FrameOutput::series, {.path = m_out->filePath("with.png"), .size = {160, 120}});
+        window().movieFiles().begin(FrameOutput::series, {.path = out().filePath("with.png"), .size = {160, 120}});
         QVERIFY(ended());
         window().movieFiles().begin(FrameOutput::series,
-                                    {.path = m_out->filePath("without.png"), .size = {160, 120}, .labels = false});
+                                    {.path = out().filePath("without.png"), .size = {160, 120}, .labels = false});
         QVERIFY(ended());
         QVERIFY(coloured("with-0002.png") > 20);
         QCOMPARE(coloured("with-0001.png"), 0);
         QCOMPARE(coloured("without-0002.png"), 0);
-    }
-
-    void theSwivelOfAProbeIsWrittenWithItsAngles() {
-        open(m_still);
-        child<QAction>("file.saveMovie")->trigger();
-        QDialog* dialog = theDialog();
-        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° about y"),
-                 qPrintable(in<QLabel>(dialog, "plays")->text()));
-        QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), motionDegreesPerSecond);
-        QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
-        QVERIFY(window().idle());
-    }
-
-    void theDialogRefusesWhatCannotBeWritten() {
-        open(m_moving);
-        playThePhases();
-        child<QAction>("file.saveMovie")->trigger();
-        QDialog* dialog = theDialog();
-        auto* path = in<QLineEdit>(dialog, "path");
-        auto* save = in<QPushButton>(dialog, "save");
-        const auto says = [&](const QString& file, const QString& word) {
-            write(path, file);
-            return !save->isEnabled() && in<QLabel>(dialog, "sentence")->text().contains(word);
-        };
-        QVERIFY(says(m_out->filePath("heart.webm"), ".avi, .mp4 or .mkv"));
-        QVERIFY(says(m_out->filePath("heart"), "does not say by its ending"));
-        QVERIFY(says(m_out->filePath("none/heart.mp4"), "folder is not there"));
-        QVERIFY(says("", "Give the file a name"));
-        // A link to the study is the study.
-        QVERIFY(QFile::link(m_moving, m_out->filePath("link.mp4")));
-        QVERIFY(says(m_out->filePath("link.mp4"), "would overwrite"));
-        QVERIFY(!in<QCheckBox>(dialog, "replace")->isVisible());
-        QVERIFY(QFile::remove(m_out->filePath("link.mp4")));
-        // What is there is replaced only where that is ticked.
-        QFile old(m_out->filePath("old.mp4"));
-        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
-        old.close();
-        QVERIFY(says(old.fileName(), "old.mp4 is there already"));
-        click(in<QCheckBox>(dialog, "replace"));
-        QVERIFY(save->isEnabled());
-        write(path, m_out->filePath("old.mp4"));
-        QVERIFY2(!save->isEnabled(), "the tick was meant for another name");
-        write(path, m_out->filePath("heart.MP4"));
-        QVERIFY(save->isEnabled());
-        QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
-        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"old.mp4"});
-    }
-
-    void numbersStandForNamesInTheDialogAndInWhatIsSaid() {
-        // In a folder and a study that are called after a person.
-        QVERIFY(QDir(m_out->path()).mkdir("Anna Muster"));
-        const QString folder = m_out->filePath("Anna Muster");
-        const QString study = folder + "/Anna Muster.mha";
-        QVERIFY(QFile::copy(m_moving, study));
-        open(study);
-        playThePhases();
-        child<QAction>("view.numbersForNames")->trigger();
-        const auto told = [&] { return allWords().filter("Anna") + allWords().filter("Muster"); };
-        const auto choiceOf = [&](const QString& name) {
-            return MovieChoice{.path = folder + '/' + name, .size = {32, 32}};
-        };
-        window().movieFiles().begin(FrameOutput::movie, choiceOf("Anna Muster.mp4"));
-        QVERIFY(ended());
-        QCOMPARE(message()->text(), "*.mp4 was saved.");
-        window().movieFiles().begin(FrameOutput::series, choiceOf("Anna Muster.png"));
-        QVERIFY(ended());
-        QCOMPARE(message()->text(), "*.png were saved.");
-        QCOMPARE(told(), QStringList());
-        // The dialog proposes that folder, and tells of what stands in the way there.
-        child<QAction>("file.saveMovie")->trigger();
-        QDialog* dialog = theDialog();
-        QCOMPARE(in<QLineEdit>(dialog, "path")->text(), "study-1-movie.mp4");
-        QCOMPARE(told(), QStringList());
-        QVERIFY(QFile::link(study, folder + "/link.mp4"));
-        write(in<QLineEdit>(dialog, "path"), "link.mp4");
-        QVERIFY(in<QLabel>(dialog, "sentence")->text().contains("would overwrite"));
-        QCOMPARE(told(), QStringList());
-        write(in<QLineEdit>(dialog, "path"), "heart.mp4");
-        QVERIFY(save(dialog));
-        QVERIFY(QFile::exists(folder + "/heart.mp4"));
-        // Nor is the folder told where something cannot be written.
-        window().movieFiles().begin(FrameOutput::movie, choiceOf("none of it/Anna Muster.mp4"));
-        QVERIFY(!message()->text().isEmpty());
-        QCOMPARE(told(), QStringList());
-    }
-
-    void aSeriesReplacesOnlyWhereThatIsWanted() {
-        open(m_moving);
-        playThePhases();
-        QFile old(m_out->filePath("heart-0002.png"));
-        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
-        old.close();
-        child<QAction>("file.savePictureSeries")->trigger();
-        QDialog* dialog = theDialog();
-        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.jpg"));
-        QVERIFY(in<QLabel>(dialog, "sentence")->text().contains("ends in .png"));
-        write(in<QLineEdit>(dialog, "path"), m_out->filePath("heart.png"));
-        QCOMPARE(in<QLabel>(dialog, "sentence")->text(),
-                 QString("Of heart-0001.png to heart-0004.png, one is there already."));
-        QVERIFY(!in<QPushButton>(dialog, "save")->isEnabled());
-        type(in<QSpinBox>(dialog, "width"), "32");
-        type(in<QSpinBox>(dialog, "height"), "32");
-        click(in<QCheckBox>(dialog, "replace"));
-        QVERIFY(save(dialog));
-        QCOMPARE(QImage(old.fileName()).size(), QSize(32, 32));
     }
 
     void cancelLeavesNoFile_data() {
@@ -290,15 +167,15 @@ private slots:
     }
     void cancelLeavesNoFile() {
         QFETCH(bool, series);
-        open(m_still);  // 180 frames
+        open(still());  // 180 frames
         child<RunStatus>("status")->setProgressDelay(0);
-        QFile old(m_out->filePath("heart-0001.png"));
+        QFile old(out().filePath("heart-0001.png"));
         QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
         old.close();
         const QString name = series ? "heart.png" : "heart.mp4";
         QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
         window().movieFiles().begin(series ? FrameOutput::series : FrameOutput::movie,
-                                    {.path = m_out->filePath(name), .size = {256, 256}, .replace = true});
+                                    {.path = out().filePath(name), .size = {256, 256}, .replace = true});
         QVERIFY(!window().idle());
         QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 2, 30000);
         QVERIFY(
@@ -309,45 +186,45 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_3);
         QVERIFY(window().document().steps().canUndo());
         QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
-        WindowFixture::click("status.cancel");
+        click("status.cancel");
         QVERIFY(told.count() == 1 || told.wait(30000));
         QCOMPARE(told.first().first().toBool(), false);
         QVERIFY2(message()->text().contains("was cancelled; no file is left"), qPrintable(message()->text()));
-        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList{"heart-0001.png"});
+        QCOMPARE(QDir(out().path()).entryList(QDir::Files), QStringList{"heart-0001.png"});
         QVERIFY(old.open(QIODevice::ReadOnly));
         QCOMPARE(old.readAll(), QByteArray("old"));
         QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 30000);
     }
 
     void closingTheWindowLeavesNoFile() {
-        open(m_still);
+        open(still());
         QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
-        window().movieFiles().begin(FrameOutput::movie, {.path = m_out->filePath("heart.mp4"), .size = {256, 256}});
+        window().movieFiles().begin(FrameOutput::movie, {.path = out().filePath("heart.mp4"), .size = {256, 256}});
         QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 0, 30000);
         close();
-        QCOMPARE(QDir(m_out->path()).entryList(QDir::Files), QStringList());
+        QCOMPARE(QDir(out().path()).entryList(QDir::Files), QStringList());
     }
 
     void whatIsWrittenIsWhatWasShownWhenItWasBegun() {
-        open(m_moving);
+        open(moving());
         playThePhases();
         const Document asked = window().document().document();
         window().movieFiles().begin(FrameOutput::series,
-                                    {.path = m_out->filePath("heart.png"), .size = {48, 48}, .labels = false});
+                                    {.path = out().filePath("heart.png"), .size = {48, 48}, .labels = false});
         QTest::keyClick(&window(), Qt::Key_5);  // another curve
-        window().open(m_still);                 // and another study
+        window().open(still());                 // and another study
         QVERIFY(ended());
-        const auto picture = viewPicture(frameOf(asked, 3), 1, m_phases, 48, 48);
-        QCOMPARE(rgbBytesOf(QImage(m_out->filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
+        const auto picture = viewPicture(frameOf(asked, 3), 1, phases(), 48, 48);
+        QCOMPARE(rgbBytesOf(QImage(out().filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
         waitUntilIdle();
     }
 
     /// A pipe lets the movie through only to somebody who reads it. The GUI thread begins the movie, and then does
     /// nothing but wait for its bytes: whatever makes them runs elsewhere.
     void whatMakesAMovieRunsOutsideTheGuiThread() {
-        open(m_moving);
+        open(moving());
         playThePhases();
-        const QString pipe = m_out->filePath("heart.mp4");
+        const QString pipe = out().filePath("heart.mp4");
         QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
         QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
         window().movieFiles().begin(FrameOutput::movie, {.path = pipe, .size = {256, 256}, .replace = true});
@@ -371,53 +248,6 @@ private slots:
     }
 
 private:
-    static constexpr int phaseCount = 4;
-
-    void playThePhases() {
-        Document next = window().document().document();
-        next.motion.scenario = MotionScenario::object;
-        next.motion.otf = MotionOtf::eachView;
-        window().document().edit(next, "what moves");
-        waitUntilIdle();
-    }
-    QDialog* theDialog() {
-        auto* dialog = window().findChild<QDialog*>("movieDialog");
-        if (dialog == nullptr || !QTest::qWaitForWindowExposed(dialog)) qFatal("no dialog");
-        // A virtual display has no window manager that would make it the active window, in which fields have a focus.
-        QApplication::setActiveWindow(dialog);
-        return dialog;
-    }
-    template <typename Widget>
-    static Widget* in(QDialog* dialog, const char* name) {
-        auto* found = dialog->findChild<Widget*>(QStringLiteral("movieDialog.") + name);
-        if (found == nullptr) qFatal("no %s", name);
-        return found;
-    }
-    template <typename SpinBox>
-    static void type(SpinBox* box, const QString& value) {
-        box->setFocus();
-        box->selectAll();
-        QTest::keyClicks(box, value);
-        QTest::keyClick(box, Qt::Key_Tab);
-    }
-    static void write(QLineEdit* field, const QString& text) {
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClick(field, Qt::Key_Delete);
-        QTest::keyClicks(field, text);
-    }
-    static void click(QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2)); }
-    /// Clicks Save and waits until all is written.
-    bool save(QDialog* dialog) {
-        QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
-        QTest::mouseClick(in<QPushButton>(dialog, "save"), Qt::LeftButton);
-        return (told.count() > 0 || told.wait(60000)) && told.first().first().toBool();
-    }
-    bool ended() {
-        QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
-        return told.wait(60000) && told.first().first().toBool();
-    }
-    MessageBar* message() { return child<MessageBar>("message"); }
     /// The document that shows a phase, its OTF computed along the view.
     static Document frameOf(Document document, int phase) {
         phaseOf(document, 1) = phase;
@@ -430,9 +260,6 @@ private:
                                          window().openStudy().study()->phases, size.width(), size.height());
         return overBackground(picture->picture, {0, 0, 0});
     }
-    std::vector<std::shared_ptr<const Volume>> m_phases;
-    QString m_moving, m_still;
-    std::unique_ptr<QTemporaryDir> m_out;
 };
 
 int main(int count, char** arguments) {
