@@ -1,7 +1,8 @@
-// Files that the window opens and saves: names that are proposed, what is saved and said, and what is remembered.
+// Files that the window opens and saves: proposed names, what is saved and said, what is never overwritten.
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
@@ -9,6 +10,7 @@
 #include <cmath>
 
 #include "app/window/dark_theme.h"
+#include "app/window/settings.h"
 #include "io/curve_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -31,6 +33,58 @@ private slots:
         open(m_file);
     }
     void cleanup() { close(); }
+
+    void savesThePictureOnTheScreen() {
+        const QString path = m_out.filePath("picture.png");
+        QVERIFY(window().savePicture(path));
+        const QImage saved(path);
+        const QImage screen = window().volumeView().screenImage();
+        QCOMPARE(saved.size(), screen.size());
+        int different = 0;
+        for (int y = 0; y < saved.height(); ++y)
+            for (int x = 0; x < saved.width(); ++x)
+                different += saved.pixelColor(x, y) != screen.pixelColor(x, y) ? 1 : 0;
+        QCOMPARE(different, 0);
+        int bright = 0;
+        for (int y = 0; y < saved.height(); ++y)
+            for (int x = 0; x < saved.width(); ++x) bright += qGray(saved.pixel(x, y)) > 60 ? 1 : 0;
+        QVERIFY(bright > saved.width() * saved.height() / 20);
+        QVERIFY(!window().savePicture(m_out.filePath("no such folder/picture.png")));
+        QVERIFY(message()->text().contains("no such folder"));
+    }
+
+    void curvesGoToFilesAndBack() {
+        OtfEditor& editor = window().otfEditor();
+        const ManualCurve curve{{{0.1, 0.0}, {0.4, 0.35}, {0.9, 0.7}}};
+        const QString path = m_out.filePath("curve.json");
+        QVERIFY(writeCurve(path.toStdString(), curve));
+        QVERIFY(window().openCurve(path));
+        QVERIFY(editor.state().manual == curve);
+        QCOMPARE(editor.state().active, CurveKind::manual);
+        QVERIFY(!editor.isManualModified());
+        editor.model().moveNode(1, {0.45, 0.25});
+        QVERIFY(editor.isManualModified());
+        QVERIFY(window().saveCurve(path));
+        QVERIFY(!editor.isManualModified());
+        QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
+    }
+
+    void whatIsOpenIsNotOverwritten() {
+        QFile volume(m_file);
+        QVERIFY(volume.open(QIODevice::ReadOnly));
+        const QByteArray before = volume.readAll();
+        const QString link = m_out.filePath("link.png");
+        QVERIFY(QFile::link(m_file, link));
+        for (const QString& path : {m_file, link}) {
+            QVERIFY(!window().savePicture(path));
+            QVERIFY(message()->text().contains("would overwrite"));
+            QVERIFY(!window().saveCurve(path));
+        }
+        QFile after(m_file);
+        QVERIFY(after.open(QIODevice::ReadOnly));
+        QVERIFY(after.readAll() == before);
+        QVERIFY(window().savePicture(m_out.filePath("new.png")));
+    }
 
     void theCurveThatIsShownIsSavedAndSaid_data() {
         QTest::addColumn<int>("key");
@@ -96,6 +150,19 @@ private slots:
         accept({});
         QTest::keyClick(&window(), Qt::Key_P);
         QCOMPARE(proposed, "simulated-scan-picture.png");
+    }
+
+    void anEditedCurveIsNotLostWithoutAsking() {
+        window().otfEditor().model().moveNode(1, {0.45, 0.25});
+        bool asked = false;
+        QTimer::singleShot(0, this, [&] {
+            auto* box = window().findChild<QMessageBox*>("unsavedCurve");
+            asked = box != nullptr;
+            if (box != nullptr) box->button(QMessageBox::Cancel)->click();
+        });
+        window().close();
+        QVERIFY(asked);
+        QVERIFY(window().isVisible());
     }
 
     void theQuestionAboutAnEditedCurveCutsNoWord() {
@@ -199,6 +266,8 @@ private slots:
         QVERIFY(next.openStudy().otf()->config == configOf(document));
         QTRY_VERIFY_WITH_TIMEOUT(next.idle(), 30000);
     }
+
+    void remembersRecentFiles() { QCOMPARE(Settings(settingsFile()).recentFiles().value(0), m_file); }
 
 private:
     MessageBar* message() { return child<MessageBar>("message"); }
