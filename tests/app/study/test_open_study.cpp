@@ -73,7 +73,7 @@ Viewpoint turned(double azimuth) {
 
 }  // namespace
 
-class TestSession : public QObject {
+class TestOpenStudy : public QObject {
     Q_OBJECT
 
 private slots:
@@ -332,5 +332,5 @@ private:
     QString m_bright;
 };
 
-QTEST_MAIN(TestSession)
+QTEST_MAIN(TestOpenStudy)
 #include "test_open_study.moc"
