@@ -145,7 +145,6 @@ private slots:
         close();
         QCOMPARE(files().size(), 1);
         QVERIFY(readSession(path(files().first()).toStdString()).value().document.curves.manual == next.curves.manual);
-        show();
     }
 
     void whatASessionTakesThePlaceOfIsLeftBehind() {
@@ -249,7 +248,6 @@ private slots:
         QCOMPARE(files().size(), 1);
         const auto kept = readSession(path(files().first()).toStdString());
         QVERIFY(kept && kept->document.measurements == next.measurements);
-        show();
     }
 
     void lookingAroundLeavesNothingBehind() {
@@ -258,7 +256,6 @@ private slots:
         window().close();
         close();
         QVERIFY(files().isEmpty());
-        show();
     }
 
 private:

@@ -297,7 +297,8 @@ private:
             phase = nextPhase;
         });
         m_fixture.click("motion.play");
-        (void)QTest::qWaitFor([&] { return frames.size() >= count; }, 60000);
+        if (!QTest::qWaitFor([&] { return frames.size() >= count; }, 60000))
+            qFatal("%zu of %zu frames were shown", frames.size(), count);
         m_fixture.click("motion.play");
         m_fixture.waitUntilIdle();
         return frames;

@@ -137,8 +137,11 @@ private slots:
         since.start();
         beat.start(1);
         for (int i = 0; i < 4; ++i) {
+            const auto before = openStudy().volume();
             draw(stroke(0.1 * (i - 2), 0.1));
+            QVERIFY2(openStudy().volume() == before, "the stroke was cut before the hand came back");
             waitUntilIdle();
+            QVERIFY(openStudy().volume() != before);
         }
         qInfo("longest stall while four strokes were cut: %lld ms", static_cast<long long>(longest));
     }
