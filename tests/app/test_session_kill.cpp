@@ -193,8 +193,8 @@ private slots:
             QDir(folder).entryList({"*.json.??????"}, QDir::Files).size() +
             QDir(folder + "/settings-data/autosaves").entryList({"*.json.??????"}, QDir::Files).size());
         qsizetype newest = -1;
-        for (const QString& saved : files) {
-            const auto session = readSession(saved.toStdString());
+        for (const QString& path : files) {
+            const auto session = readSession(path.toStdString());
             QVERIFY2(session, session ? "" : qPrintable(QString::fromStdString(session.error().sentence())));
             const QByteArray print = fingerprint(session->document);
             for (qsizetype i = told.size() - 1; i > newest; --i)
