@@ -40,7 +40,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("&Open volume…"), "file.open", commands.openFile);
     addAction(file, tr("Open &folder of DICOM slices…"), "file.openFolder", commands.openFolder);
     addAction(file, tr("Open &raw volume…"), "file.openRaw", commands.openRawFile);
-    addAction(file, tr("Other &series of this folder…"), "file.chooseSeries", commands.chooseSeries)->setEnabled(false);
+    addAction(file, tr("Other series of t&his folder…"), "file.chooseSeries", commands.chooseSeries)->setEnabled(false);
     QMenu* recent = file->addMenu(tr("Recen&t files"));
     recent->setObjectName("file.recent");
     auto* style = new PictureMenuStyle;
@@ -55,7 +55,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     file->addActions({editor.openCurveAction(), editor.saveCurveAction()});
     addAction(file, tr("Save &picture…"), "file.savePicture", commands.savePicture);
     addAction(file, tr("Save &movie…"), "file.saveMovie", commands.saveMovie);
-    addAction(file, tr("Save pic&ture series…"), "file.savePictureSeries", commands.savePictureSeries);
+    addAction(file, tr("Save picture ser&ies…"), "file.savePictureSeries", commands.savePictureSeries);
     addAction(file, tr("Save case r&eport…"), "file.saveReport", commands.saveReport);
     file->addSeparator();
     addAction(file, tr("&Quit"), "file.quit", [&window] { window.close(); });
@@ -69,7 +69,7 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     addAction(view, tr("Reduce speckle &less"), "view.lessReduction",
               [reduce = commands.reduceSpeckle] { reduce(-1); });
     addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", commands.toggleNearCut);
-    addAction(view, tr("Next &light"), "view.nextLighting", commands.nextLighting);
+    addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
     QAction* numbers = view->addAction(tr("Show n&umbers instead of names"));
     numbers->setObjectName("view.numbersForNames");

@@ -4,7 +4,9 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QImage>
+#include <QKeySequence>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
 #include <QRadioButton>
 #include <QSlider>
@@ -119,6 +121,21 @@ private slots:
         for (const KeyRow& row : keyTable())
             for (const KeyOfAction& key : row.actions) keys << key.key;
         QCOMPARE(keys.removeDuplicates(), 0);
+    }
+
+    void noLetterStandsForTwoEntriesOfAMenu() {
+        int seen = 0;
+        for (const QMenu* menu : window().menuBar()->findChildren<QMenu*>()) {
+            QStringList letters;
+            for (const QAction* action : menu->actions()) {
+                const QString letter = QKeySequence::mnemonic(action->text()).toString();
+                if (!letter.isEmpty()) letters << letter;
+            }
+            seen += static_cast<int>(letters.size());
+            const QString all = letters.join(' ');
+            QVERIFY2(letters.removeDuplicates() == 0, qPrintable(menu->title() + ": " + all));
+        }
+        QVERIFY(seen > 20);
     }
 
     void theReadmeHoldsTheTable() {
