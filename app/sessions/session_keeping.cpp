@@ -1,7 +1,6 @@
 #include "app/sessions/session_keeping.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "app/study/study_names.h"
+#include "app/window/save_dialog.h"
 #include "app/window/settings.h"
 #include "io/document/session_file.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -125,6 +125,7 @@ void SessionKeeping::begin() {
     m_between = false;
     m_changed = false;
     m_left = false;
+    m_then = Then::goOn;
     m_file.clear();
     m_inFile.reset();
     const QString opened = saved ? QString::fromStdString(saved->file) : QString();
@@ -145,15 +146,10 @@ void SessionKeeping::begin() {
     offerLeftovers();
 }
 
-QString SessionKeeping::proposedFile() const {
-    const QString study = m_parts.openStudy.path();
-    if (study.isEmpty()) {
-        const QString folder = m_parts.settings.lastSaveFolder();
-        return QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(tr("simulated-scan") + ".session.json");
-    }
-    const QString proposed = QString::fromStdString(proposedSessionFile(study.toStdString()));
-    if (!m_parts.names.showsNumbers()) return proposed;
-    return QFileInfo(proposed).dir().filePath(m_parts.names.beginningFor(study) + ".session.json");
+/// Where the session is already, else beside the study's file or folder, never in that; empty for a simulated scan.
+QString SessionKeeping::proposedFolder() const {
+    const QString beside = m_file.isEmpty() ? QDir::cleanPath(m_parts.openStudy.path()) : m_file;
+    return beside.isEmpty() ? QString() : QFileInfo(beside).absolutePath();
 }
 
 void SessionKeeping::save() {
@@ -161,16 +157,16 @@ void SessionKeeping::save() {
     m_file.isEmpty() ? chooseAndSave() : saveAs(m_file);
 }
 
-void SessionKeeping::chooseAndSave() {
+void SessionKeeping::chooseAndSave(const QString& folder) {
     if (m_parts.openStudy.study() == nullptr) return;
-    const QString proposed = m_file.isEmpty() ? proposedFile() : m_file;
-    QFileDialog dialog(&m_parts.window, tr("Save session"), QFileInfo(proposed).absolutePath(),
-                       tr("Sessions (*.session.json *.json);;All files (*)"));
-    dialog.setObjectName("saveFile");
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("session.json"));
-    dialog.selectFile(QFileInfo(proposed).fileName());
-    if (dialog.exec() == QDialog::Accepted) saveAs(dialog.selectedFiles().first());
+    const QString named = m_file.isEmpty() ? m_parts.openStudy.path() : m_file;
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
+                                          {.title = tr("Save session"),
+                                           .filter = tr("Sessions (*.session.json *.json);;All files (*)"),
+                                           .name = m_parts.names.beginningFor(named),
+                                           .suffix = QStringLiteral("session.json"),
+                                           .folder = folder.isEmpty() ? proposedFolder() : folder});
+    if (!path.isEmpty()) saveAs(path);
 }
 
 void SessionKeeping::saveAs(const QString& file, Then then) {
@@ -180,8 +176,9 @@ void SessionKeeping::saveAs(const QString& file, Then then) {
     if (auto allowed = refuseSessionInside(m_parts.openStudy.path().toStdString(), study->files, whole.toStdString());
         !allowed)
         return offerAnotherPlace(m_parts.names.sentenceOf(allowed.error()));
-    Order order{whole, present(), then};
+    Order order{whole, present()};
     order.session.file.clear();
+    m_then = then;
     if (!m_parts.openStudy.takingChecksum()) return write(std::move(order));
     m_waiting = std::move(order);
     emit busyChanged();
@@ -190,6 +187,7 @@ void SessionKeeping::saveAs(const QString& file, Then then) {
 void SessionKeeping::cancelSaving() {
     if (!m_waiting) return;
     const QString file = std::exchange(m_waiting, std::nullopt)->file;
+    m_then = Then::goOn;
     m_parts.messages.showMessage(MessageKind::info,
                                  tr("Saving %1 was cancelled; it is as it was.").arg(m_parts.names.nameOfOther(file)));
     emit busyChanged();
@@ -236,20 +234,18 @@ void SessionKeeping::takeSaved(const Order& order) {
         if (!m_changed) m_autosave->forget();
     }
     emit saved();
-    if (same && order.then == Then::closeWindow) m_parts.window.close();
+    if (same && std::exchange(m_then, Then::goOn) == Then::closeWindow) m_parts.window.close();
 }
 
 void SessionKeeping::offerAnotherPlace(const QString& sentence) {
-    m_parts.messages.showMessage(
-        MessageKind::error, sentence,
-        {{tr("Save it elsewhere…"), [this] {
-              QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-              if (!QFileInfo(folder).isWritable()) folder = QDir::homePath();
-              const QString name = QFileInfo(m_file.isEmpty() ? proposedFile() : m_file).fileName();
-              const QString before = std::exchange(m_file, QDir(folder).filePath(name));
-              chooseAndSave();
-              if (!saving()) m_file = before;
-          }}});
+    m_then = Then::goOn;
+    m_parts.messages.showMessage(MessageKind::error, sentence, {{tr("Save it elsewhere…"), [this] {
+                                                                     QString folder = QStandardPaths::writableLocation(
+                                                                         QStandardPaths::DocumentsLocation);
+                                                                     if (!QFileInfo(folder).isWritable())
+                                                                         folder = QDir::homePath();
+                                                                     chooseAndSave(folder);
+                                                                 }}});
 }
 
 bool SessionKeeping::mayClose() {

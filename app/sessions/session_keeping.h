@@ -52,7 +52,8 @@ public:
     [[nodiscard]] QString file() const { return m_file; }
     /// Saves into the session's file, or asks for one where it has none.
     void save();
-    void chooseAndSave();
+    /// Asks for a file, in `folder` or, where that is empty, beside the session's file or the study, and saves into it.
+    void chooseAndSave(const QString& folder = {});
     /// What follows once the session is in its file.
     enum class Then { goOn, closeWindow };
     /// Begins to save, once the study's checksum is there; refused, with a sentence, in the study's folder and over its
@@ -62,7 +63,7 @@ public:
     void cancelSaving();
     [[nodiscard]] bool saving() const { return m_waiting.has_value() || m_saving.busy(); }
     /// Asks where a session with a file was changed. False where the window stays, or closes by itself once the session
-    /// is saved.
+    /// is saved, as it does where one is being saved already.
     [[nodiscard]] bool mayClose();
 
     /// Whether nothing is written, nor about to be.
@@ -85,7 +86,6 @@ private:
     struct Order {
         QString file;
         SavedSession session;
-        Then then = Then::goOn;
     };
     void write(Order order);
     void writeWaiting();
@@ -93,7 +93,7 @@ private:
     void offerAnotherPlace(const QString& sentence);
     void offerLeftovers();
     void openLeftover();
-    [[nodiscard]] QString proposedFile() const;
+    [[nodiscard]] QString proposedFolder() const;
     [[nodiscard]] bool holdsWork() const;
 
     Parts m_parts;
@@ -105,6 +105,7 @@ private:
     bool m_left = false;     ///< what is open was left by an earlier run, and not saved since
     QTimer m_looking;        ///< runs while a change was not looked at: the document may change with every frame
     std::optional<Order> m_waiting;  ///< for the study's checksum
+    Then m_then = Then::goOn;        ///< once the session is saved that is on its way
     std::deque<Leftover> m_leftovers;
     std::unique_ptr<Autosave> m_autosave;
     NewestWinsThread m_taking, m_saving;

@@ -15,8 +15,8 @@ struct FileToSave {
     QString title;
     QString filter;                   ///< of the dialog's list, as QFileDialog takes it
     QString name;                     ///< proposed, without its suffix
-    QString suffix;                   ///< added where the person types none
-    QString folder = {};              ///< proposed; that of the file saved last where it is empty
+    QString suffix;                   ///< "json"; added where the person types no ending that the filter names
+    QString folder = {};              ///< proposed where it can be written to; else that of the file saved last
     bool asksBeforeReplacing = true;  ///< else whoever calls asks what is to become of a file that is there
 };
 

@@ -70,6 +70,8 @@ std::string studyPathFrom(const std::string& file, const std::string& path) {
 
 namespace {
 
+constexpr std::string_view sessionEnding = ".session.json";
+
 /// Without a slash at its end.
 fs::path plainPath(const std::string& study) {
     const fs::path path = fs::path(study).lexically_normal();
@@ -82,11 +84,8 @@ std::string stemOfStudy(const std::string& study) {
     const fs::path path = plainPath(study);
     if (isFolder(study)) return path.filename().string();
     // "heart.nii.gz" is packed "heart.nii".
-    return path.extension() == ".gz" ? path.stem().stem().string() : path.stem().string();
-}
-
-std::string proposedSessionFile(const std::string& study) {
-    return (plainPath(study).parent_path() / (stemOfStudy(study) + ".session.json")).string();
+    const bool twoEndings = path.extension() == ".gz" || path.filename().string().ends_with(sessionEnding);
+    return twoEndings ? path.stem().stem().string() : path.stem().string();
 }
 
 Result<void> refuseSessionInside(const std::string& study, const std::vector<std::string>& files,

@@ -34,11 +34,9 @@ namespace echolucent {
 /// path that leads nowhere from there is one from the working folder, if it leads somewhere.
 [[nodiscard]] std::string studyPathFrom(const std::string& file, const std::string& path);
 
-/// What names of files begin with that belong to the study at `study`: its own name without its ending, "heart" of
-/// "heart.nii.gz", and of a folder its whole name.
+/// What names of files begin with that belong to the study or the session at `study`: its own name without its ending,
+/// "heart" of "heart.nii.gz" and of "heart.session.json", and of a folder its whole name.
 [[nodiscard]] std::string stemOfStudy(const std::string& study);
-/// Where a session of the study at `study` is proposed to be saved: beside the file or the folder, STEM.session.json.
-[[nodiscard]] std::string proposedSessionFile(const std::string& study);
 /// Fails (wrong usage) where a session file at `file` would take the place of one of the files that a study was read
 /// from, or would lie in the folder at `study`, where that is a folder.
 [[nodiscard]] Result<void> refuseSessionInside(const std::string& study, const std::vector<std::string>& files,

@@ -169,11 +169,11 @@ TEST(SessionFile, LiesBesideTheStudyAndNeverInIt) {
     const std::string slice = folder.file("slices/1.dcm"), volume = folder.file("heart.nii.gz");
     std::ofstream(slice) << "slice";
     std::ofstream(volume) << "voxels";
-    EXPECT_EQ(proposedSessionFile(volume), folder.file("heart.session.json"));
-    EXPECT_EQ(proposedSessionFile(folder.file("slices")), folder.file("slices.session.json"));
-    EXPECT_EQ(proposedSessionFile(folder.file("slices/")), folder.file("slices.session.json"));
-    EXPECT_EQ(proposedSessionFile("/data/a.b.mha"), "/data/a.b.session.json");
-    EXPECT_EQ(stemOfStudy("/data/heart.nii.gz"), "heart");
+    EXPECT_EQ(stemOfStudy(volume), "heart");
+    EXPECT_EQ(stemOfStudy(folder.file("slices")), "slices");
+    EXPECT_EQ(stemOfStudy(folder.file("slices/")), "slices");
+    EXPECT_EQ(stemOfStudy("/data/a.b.mha"), "a.b");
+    EXPECT_EQ(stemOfStudy("/data/a.b.session.json"), "a.b");
     const auto allowed = [&](const std::string& study, const std::string& file) {
         return refuseSessionInside(study, {slice, volume}, file).has_value();
     };
