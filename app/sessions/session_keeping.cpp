@@ -250,6 +250,10 @@ void SessionKeeping::offerAnotherPlace(const QString& sentence) {
 
 bool SessionKeeping::mayClose() {
     look();
+    if (saving()) {
+        m_then = Then::closeWindow;
+        return false;
+    }
     if (m_file.isEmpty() || !m_changed) return true;
     QMessageBox box(QMessageBox::NoIcon, tr("Changed session"),
                     tr("The session %1 was changed and is not saved.").arg(m_parts.names.nameOfOther(m_file)),

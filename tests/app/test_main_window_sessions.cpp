@@ -309,6 +309,65 @@ private slots:
         QVERIFY(readSession(session.toStdString()).value().document.poses == document().poses);
     }
 
+    void closingWaitsForASessionThatIsBeingWritten() {
+        work();
+        typeIntoDialog("mine");
+        QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(window().sessionKeeping().saving());
+        QVERIFY(!window().close());
+        QTRY_VERIFY(!window().isVisible());
+        QVERIFY(nameless(readSession(inFolder("mine.session.json").toStdString()).value().document) ==
+                nameless(document()));
+        close();
+        QVERIFY(autosaves().isEmpty());
+    }
+
+    void closingWaitsForTheChecksumToo() {
+        openHeld("held.mha");
+        const QString session = inFolder("held.session.json");
+        window().sessionKeeping().saveAs(session);
+        QVERIFY(!window().close());
+        QVERIFY(!window().close());  // who is impatient loses nothing
+        // What was changed since is asked about once the rest is written.
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 50});
+        int asked = 0;
+        connect(&window().sessionKeeping(), &SessionKeeping::saved, this, [&] {
+            QTimer::singleShot(0, this, [&] {
+                auto* box = window().findChild<QMessageBox*>("unsavedSession");
+                if (box == nullptr) return;
+                ++asked;
+                box->reject();
+            });
+        });
+        release();
+        QTRY_COMPARE(asked, 1);
+        QVERIFY(window().isVisible());
+        QVERIFY(QFile::exists(session));
+        waitUntilIdle();
+        window().sessionKeeping().save();
+        QVERIFY(!window().close());
+        QTRY_VERIFY(!window().isVisible());
+        QVERIFY(nameless(readSession(session.toStdString()).value().document) == nameless(document()));
+    }
+
+    void theWindowStaysWhereWhatItWaitsForIsCancelledOrFails() {
+        openHeld("held.mha");
+        window().sessionKeeping().saveAs(inFolder("held.session.json"));
+        QVERIFY(!window().close());
+        click("status.cancel");
+        QVERIFY(message()->text().contains("was cancelled"));
+        release();
+        waitUntilIdle();
+        QVERIFY(window().isVisible());
+        window().sessionKeeping().saveAs("/proc/held.session.json");
+        QVERIFY(!window().close());
+        QTRY_VERIFY(message()->text().contains("could not be written"));
+        QVERIFY(window().isVisible());
+        // The next session is not what the window closes after.
+        (void)savedSession("held.session.json");
+        QVERIFY(window().isVisible());
+    }
+
 private:
     QString fourPhases() {
         std::vector<std::shared_ptr<const Volume>> phases;
