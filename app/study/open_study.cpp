@@ -92,7 +92,7 @@ OpenStudy::Read OpenStudy::readerOfSaved(const QString& file, const SavedStudyAn
         if (!read) return tl::unexpected(read.error());
         if (auto* problem = std::get_if<SavedStudyProblem>(&*read)) return Opening{.problem = std::move(*problem)};
         auto& session = std::get<ReadSession>(*read);
-        return Opening{.study = std::move(session.study), .saved = std::move(session.opened)};
+        return Opening{std::move(session.study), std::move(session.series), std::move(session.opened)};
     };
 }
 

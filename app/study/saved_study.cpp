@@ -64,6 +64,23 @@ std::string placeOf(const StudyFile& study, const std::string& file, const Saved
     return findStudy(study, search, progress).value_or("");
 }
 
+/// The study at `place`, with the series beside it.
+Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& options, const Progress& progress) {
+    if (!holdsSeries(place)) {
+        auto study = readStudy(place, options, progress);
+        if (!study) return tl::unexpected(study.error());
+        return ReadSession{{}, std::move(*study)};
+    }
+    auto listed = listSeries(place, progress);
+    if (!listed) return tl::unexpected(listed.error());
+    const auto list = std::make_shared<const SeriesList>(std::move(*listed));
+    const auto entry = findSeries(*list, options.series);
+    if (!entry) return tl::unexpected(entry.error());
+    auto study = readSeries(*list, **entry, options, progress);
+    if (!study) return tl::unexpected(study.error());
+    return ReadSession{{}, std::move(*study), list->series.size() > 1 ? list : nullptr};
+}
+
 }  // namespace
 
 Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress) {
@@ -101,21 +118,23 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     if (place.empty())
         return SavedStudyProblem{SavedStudyProblem::Kind::missing, file, studyPathFrom(file, saved.path), {}};
 
-    auto study = readStudy(place, saved.options, progress);
-    if (!study) return tl::unexpected(study.error());
-    const auto checksum = checksumOf(study->files, progress);
+    auto read = readPlaced(place, saved.options, progress);
+    if (!read) return tl::unexpected(read.error());
+    const Study& study = read->study;
+    const auto checksum = checksumOf(study.files, progress);
     if (!checksum) return tl::unexpected(checksum.error());
     if (const std::string change = changeOf(saved, *checksum); !change.empty() && !answer.evenChanged)
         return SavedStudyProblem{SavedStudyProblem::Kind::changed, file, place, change};
-    if (auto shown = requireShowable(*session, file, study->phases.size()); !shown)
+    if (auto shown = requireShowable(*session, file, study.phases.size()); !shown)
         return tl::unexpected<Failure>(shown.error());
     StudyFile found = withChecksum(saved, *checksum);
     std::error_code error;
     const fs::path absolute = fs::absolute(place, error).lexically_normal();
     found.path = error ? place : absolute.string();
     nameStudy(*session, found);
-    keepToPhases(*session, study->phases.size());
-    return ReadSession{{file, std::move(*session)}, std::move(*study)};
+    keepToPhases(*session, study.phases.size());
+    read->opened = {file, std::move(*session)};
+    return read;
 }
 
 }  // namespace echolucent

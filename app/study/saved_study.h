@@ -1,9 +1,11 @@
 // Reading a session file together with the study that it names.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 
+#include "io/series_list.h"
 #include "io/study.h"
 #include "io/study_checksum.h"
 #include "processing/document/saved_session.h"
@@ -26,6 +28,7 @@ struct OpenedSession {
 struct ReadSession {
     OpenedSession opened;  ///< with the checksum of what was read
     Study study;
+    std::shared_ptr<const SeriesList> series{};  ///< of the study's folder; null where that holds no other
 };
 
 /// Why a session's study is not opened without asking.

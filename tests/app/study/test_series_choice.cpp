@@ -2,6 +2,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "app/sessions/session_keeping.h"
 #include "io/output/enhanced_us_writer.h"
 #include "tests/app/window_fixture.h"
 
@@ -87,6 +88,57 @@ private slots:
         QTRY_VERIFY(!dialog());
         const auto* study = std::get_if<StudyFile>(&window().document().document().study);
         QVERIFY(study && !study->options.series.empty());  // a document names the series that it is about
+    }
+
+    void theOthersAreOfferedAfterASessionToo() {
+        ask();
+        QTest::keyClick(list(), Qt::Key_Down);
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 20);
+        waitUntilIdle();
+        const QTemporaryDir folder;
+        const QString session = folder.filePath("b.session.json");
+        const auto save = [this](const QString& path) {
+            QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
+            window().sessionKeeping().saveAs(path);
+            return saved.wait(10000);
+        };
+        QVERIFY(save(session));
+        close();
+        show();
+        useLook(Look{});
+        open(session);
+        QCOMPARE(depthOfStudy(), 20);
+        auto* others = child<QAction>("file.chooseSeries");
+        QVERIFY(others->isEnabled());
+        others->trigger();
+        QTRY_VERIFY(dialog() && dialog()->isVisible() && window().idle());
+        QCOMPARE(list()->count(), 2);
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 24);
+        // A session of a study that lies beside no other offers none.
+        open(file("alone.mha", {smallPhantom(PhantomScene::shapes, 2)}));
+        QVERIFY(save(folder.filePath("alone.session.json")));
+        open(folder.filePath("alone.session.json"));
+        QVERIFY(!others->isEnabled());
+    }
+
+    void theSessionOfAFolderIsProposedBesideIt() {
+        ask();
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QTRY_COMPARE(depthOfStudy(), 24);
+        QTRY_VERIFY(!dialog());
+        QApplication::setActiveWindow(&window());
+        waitUntilIdle();
+        QString proposed;
+        QTimer::singleShot(0, this, [&] {
+            auto* chosen = window().findChild<QFileDialog*>("saveFile");
+            if (chosen == nullptr) qFatal("no dialog");
+            proposed = chosen->selectedFiles().value(0);
+            chosen->reject();
+        });
+        QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+        QCOMPARE(proposed, m_series.path() + ".session.json");
     }
 
     void aDoubleClickOpens() {
