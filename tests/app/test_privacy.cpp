@@ -1,8 +1,5 @@
 // Nothing that a DICOM study says of its patient is in what the program writes, but in the report that was asked for
 // it.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -16,131 +13,12 @@
 #include "app/motion/movie_files.h"
 #include "app/sessions/session_keeping.h"
 #include "io/output/enhanced_us_writer.h"
+#include "tests/app/marked_dicom.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/presets_panel.h"
 
 using namespace echolucent;
-
-namespace {
-
-/// Every attribute whose text is to be searched for: the patient's own and what leads to the patient.
-const std::vector<DcmTagKey> identifyingTags{DCM_PatientName,
-                                             DCM_PatientID,
-                                             DCM_IssuerOfPatientID,
-                                             DCM_OtherPatientNames,
-                                             DCM_RETIRED_OtherPatientIDs,
-                                             DCM_PatientBirthName,
-                                             DCM_PatientMotherBirthName,
-                                             DCM_PatientAddress,
-                                             DCM_PatientTelephoneNumbers,
-                                             DCM_PatientComments,
-                                             DCM_EthnicGroup,
-                                             DCM_Occupation,
-                                             DCM_AdditionalPatientHistory,
-                                             DCM_RETIRED_MedicalRecordLocator,
-                                             DCM_MilitaryRank,
-                                             DCM_BranchOfService,
-                                             DCM_PatientReligiousPreference,
-                                             DCM_CountryOfResidence,
-                                             DCM_RegionOfResidence,
-                                             DCM_MedicalAlerts,
-                                             DCM_Allergies,
-                                             DCM_ResponsiblePerson,
-                                             DCM_ResponsibleOrganization,
-                                             DCM_ReferringPhysicianName,
-                                             DCM_ReferringPhysicianAddress,
-                                             DCM_ReferringPhysicianTelephoneNumbers,
-                                             DCM_PhysiciansOfRecord,
-                                             DCM_PerformingPhysicianName,
-                                             DCM_NameOfPhysiciansReadingStudy,
-                                             DCM_OperatorsName,
-                                             DCM_RequestingPhysician,
-                                             DCM_InstitutionName,
-                                             DCM_InstitutionAddress,
-                                             DCM_InstitutionalDepartmentName,
-                                             DCM_StationName,
-                                             DCM_AccessionNumber,
-                                             DCM_StudyID,
-                                             DCM_StudyDescription,
-                                             DCM_AdmittingDiagnosesDescription,
-                                             DCM_RequestedProcedureDescription,
-                                             DCM_RequestedProcedureID,
-                                             DCM_PerformedProcedureStepDescription,
-                                             DCM_PerformedProcedureStepID,
-                                             DCM_DeviceSerialNumber,
-                                             DCM_DetectorID,
-                                             DCM_ProtocolName,
-                                             DCM_ImageComments,
-
-                                             DCM_ServiceEpisodeID,
-                                             DCM_AdmissionID,
-                                             DCM_CurrentPatientLocation,
-                                             DCM_PersonName,
-                                             DCM_ClinicalTrialSubjectID,
-                                             DCM_VisitComments,
-                                             DCM_PatientState};
-
-struct Marker {
-    QString attribute;
-    QByteArray text;
-};
-
-/// Puts a text of its own into every identifying attribute, and dates that nothing else has.
-QList<Marker> mark(const QString& path) {
-    DcmFileFormat file;
-    if (file.loadFile(path.toStdString().c_str()).bad()) qFatal("the study cannot be marked");
-    if (file.loadAllDataIntoMemory().bad()) qFatal("the study cannot be marked");  // it is written over itself
-    QList<Marker> markers;
-    const auto put = [&](const DcmTagKey& key, const QByteArray& text) {
-        const DcmTag tag(key);
-        if (file.getDataset()->putAndInsertString(tag, text.constData()).bad()) qFatal("%s", DcmTag(key).getTagName());
-        markers.append({QString::fromLatin1(DcmTag(key).getTagName()), text});
-    };
-    int number = 0;
-    // Short enough for every kind of text, and like no word or number of the program.
-    for (const DcmTagKey& tag : identifyingTags) put(tag, "QZX" + QByteArray::number(100 + number++) + "VKJ");
-    put(DCM_PatientBirthDate, "19130227");
-    put(DCM_StudyDate, "19470411");
-    put(DCM_PatientBirthTime, "031759");
-    put(DCM_PatientAge, "097Y");
-    put(DCM_PatientSex, "O");
-    markers.removeLast();  // a single letter is everywhere
-    if (file.saveFile(path.toStdString().c_str(), EXS_LittleEndianExplicit).bad()) qFatal("the study is not marked");
-    return markers;
-}
-
-/// All forms in which a text may be written.
-QList<QByteArray> formsOf(const QByteArray& text) {
-    QByteArray little, big;
-    for (const char letter : text) {
-        little.append(letter).append('\0');
-        big.append('\0').append(letter);
-    }
-    QList<QByteArray> forms{text, little, big};
-    // In base 64 a text looks different for each of the places where a group of three bytes may begin; the letters that
-    // depend on its neighbours are left out.
-    for (int before = 0; before < 3; ++before) {
-        const QByteArray coded = (QByteArray(before, 'x') + text + "xx").toBase64();
-        const int first = (before * 8 + 5) / 6, last = static_cast<int>((before + text.size()) * 8 / 6);
-        forms << coded.mid(first, last - first);
-    }
-    if (text.size() == 8 && std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; }))
-        forms << text.left(4) + '-' + text.mid(4, 2) + '-' + text.mid(6);
-    return forms;
-}
-
-/// The markers that bytes hold, as "where: attribute".
-QStringList foundIn(const QByteArray& bytes, const QList<Marker>& markers, const QString& where) {
-    QStringList found;
-    for (const Marker& marker : markers)
-        for (const QByteArray& form : formsOf(marker.text))
-            if (bytes.contains(form)) found << where + ": " + marker.attribute;
-    found.removeDuplicates();
-    return found;
-}
-
-}  // namespace
 
 /// What this process writes to its standard error goes into a file for as long as this lives.
 class ErrorsInFile {
@@ -184,6 +62,14 @@ class TestPrivacy : public QObject, private WindowFixture {
         }
         return found;
     }
+    /// A snapshot, a measurement, and the file that keeps both by itself.
+    void keepSomething() {
+        Document next = window().document().document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 10, 10}, {20, 20, 10}}});
+        window().document().edit(next, "measure");
+        QVERIFY(window().sessionKeeping().snapshots().keep("mine", next).isEmpty());
+        QTRY_VERIFY(QFile::exists(window().sessionKeeping().autosave().file()));
+    }
     void writeEverything() {
         using Write = std::pair<QString, std::function<void()>>;
         // Whatever a window can write has its line here; each leaves a file of that name.
@@ -199,15 +85,7 @@ class TestPrivacy : public QObject, private WindowFixture {
              [this] {
                  window().movieFiles().begin(FrameOutput::series, {.path = path("frame.png"), .size = {64, 64}});
              }},
-            {QFileInfo(window().sessionKeeping().autosave().file()).fileName(),
-             [this] {
-                 // A snapshot, a measurement, and the file that keeps both by itself.
-                 Document next = window().document().document();
-                 next.measurements.push_back({.id = 1, .placesMm = {{10, 10, 10}, {20, 20, 10}}});
-                 window().document().edit(next, "measure");
-                 QVERIFY(window().sessionKeeping().snapshots().keep("mine", next).isEmpty());
-                 QTRY_VERIFY(QFile::exists(window().sessionKeeping().autosave().file()));
-             }},
+            {QFileInfo(window().sessionKeeping().autosave().file()).fileName(), [this] { keepSomething(); }},
             {"scan.session.json", [this] { window().sessionKeeping().saveAs(path("scan.session.json")); }},
             {"settings-presets.json", [this] { emit child<PresetsPanel>("presets")->saveRequested(); }},
         };
@@ -308,6 +186,54 @@ private slots:
         QVERIFY2(program.exitCode() == 0, said.constData());
         QCOMPARE(foundIn(said, m_markers, "said"), QStringList());
         QCOMPARE(foundAtHome(), QStringList());
+    }
+
+    /// A session of one of a folder's series, what is kept by itself, and its small picture.
+    void aSeriesOfAFolderTellsNothingOfThePatient() {
+        const QString folder = m_scans.filePath("slices");
+        QVERIFY(QDir().mkpath(folder));
+        for (const char* series : {firstSeriesUid, secondSeriesUid})
+            for (int number = 0; number < (series == firstSeriesUid ? 24 : 20); ++number) {
+                const QString slice = QString("%1/%2-%3.dcm").arg(folder, QString(series).right(1)).arg(number);
+                writeSlice(slice, series, number);
+                m_markers = mark(slice);
+            }
+        for (const char* uid : {studyUid, frameUid, imageUid}) m_markers.append(Marker{"UID", uid});
+        QFile first(folder + "/4-0.dcm");
+        QVERIFY(first.open(QIODevice::ReadOnly));
+        QCOMPARE(foundIn(first.readAll(), {m_markers.last()}, "slice").size(), 1);
+
+        showWithSettings(path("settings.ini"));
+        useLook(Look{});
+        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        window().open(folder);
+        QTRY_VERIFY(window().findChild<QDialog*>("series") && window().idle());
+        QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "choice").isEmpty());
+        QTest::keyClick(child<QWidget>("series.list"), Qt::Key_Down);
+        QTest::keyClick(child<QDialog>("series"), Qt::Key_Return);
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+        QVERIFY(QFile::exists(path("settings-data/recent/") + Settings::hashOf(folder) + ".png"));
+        window().sessionKeeping().autosave().setInterval(1);
+        keepSomething();
+        QCOMPARE(foundAtHome().join('\n'), QString());
+        const QString session = path("slices.session.json");
+        window().sessionKeeping().saveAs(session);
+        waitUntilIdle();
+        QCOMPARE(foundAtHome().join('\n'), QString());
+        QFile saved(session);
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        const QByteArray text = saved.readAll();
+        QVERIFY(text.contains(secondSeriesUid) && !text.contains(firstSeriesUid));
+        window().close();
+        close();
+        showWithSettings(path("settings.ini"));
+        open(session);
+        QCOMPARE(window().openStudy().volume()->geometry().size[2], std::int64_t{20});
+        QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "window").isEmpty());
+        window().close();
+        close();
+        QCOMPARE(foundAtHome().join('\n'), QString());
     }
 };
 
