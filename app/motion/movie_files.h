@@ -33,7 +33,7 @@ public:
         OpenStudy& openStudy;
         Settings& settings;
         MessageBar& messages;
-        const StudyNames& names;
+        StudyNames& names;
         std::function<QSize()> viewPixels;                         ///< of the 3D view, device pixels
         std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
     };

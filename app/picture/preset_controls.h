@@ -35,7 +35,7 @@ public:
         PresetsPanel& panel;
         Settings& settings;
         MessageBar& messages;
-        const StudyNames& names;
+        StudyNames& names;
     };
     explicit PresetControls(const Parts& parts, QObject* parent = nullptr);
 

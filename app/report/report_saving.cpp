@@ -150,7 +150,7 @@ void ReportSaving::write() {
 CaseReport ReportSaving::snapshot() const {
     const OpenStudy& openStudy = m_parts.openStudy;
     const Study& study = *openStudy.study();
-    const StudyNames& names = m_parts.names;
+    StudyNames& names = m_parts.names;
     const auto shown = [&](const std::string& text) { return names.shown(QString::fromStdString(text)).toStdString(); };
     CaseReport report;
     report.study = openStudy.isSimulatedScan() ? tr("simulated scan") : names.nameOf(openStudy.path());

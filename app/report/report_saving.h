@@ -43,7 +43,7 @@ public:
         const OtfEditor& editor;
         Settings& settings;
         MessageBar& messages;
-        const StudyNames& names;
+        StudyNames& names;
         std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
         std::function<QString()> explanation;                      ///< of the 3D view, paragraphs
     };

@@ -140,6 +140,7 @@ void SessionKeeping::begin() {
         m_file = opened;
         m_inFile = saved->session;
     }
+    if (!m_file.isEmpty()) m_parts.names.knowSession(m_file, m_parts.openStudy.path());
     m_snapshots.begin(saved ? saved->session.snapshots : std::vector<Snapshot>{});
     if (m_inFile) m_parts.editor.setManualSaved();
     look();
@@ -219,10 +220,11 @@ void SessionKeeping::write(Order order) {
 }
 
 void SessionKeeping::takeSaved(const Order& order) {
+    m_parts.names.knowSession(order.file, studyPathOf(order.session.document));
     m_parts.settings.addRecentFile(order.file);
     m_parts.settings.setLastSaveFolder(QFileInfo(order.file).absolutePath());
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("The session was saved as %1.").arg(m_parts.names.nameOfOther(order.file)));
+                                 tr("The session was saved as %1.").arg(m_parts.names.nameOf(order.file)));
     // Meanwhile another study may have been opened, with which the window stays.
     const bool same = nameTheSame(order.session.document.study, m_parts.model.document().study);
     if (same) {
@@ -256,8 +258,8 @@ bool SessionKeeping::mayClose() {
     }
     if (m_file.isEmpty() || !m_changed) return true;
     QMessageBox box(QMessageBox::NoIcon, tr("Changed session"),
-                    tr("The session %1 was changed and is not saved.").arg(m_parts.names.nameOfOther(m_file)),
-                    QMessageBox::NoButton, &m_parts.window);
+                    tr("%1 was changed and is not saved.").arg(m_parts.names.nameOf(m_file)), QMessageBox::NoButton,
+                    &m_parts.window);
     box.setObjectName("unsavedSession");
     QPushButton* save = box.addButton(tr("Save session"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("Discard the changes"), QMessageBox::DestructiveRole);

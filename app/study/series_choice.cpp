@@ -33,7 +33,7 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number, const StudyNames& 
 
 }  // namespace
 
-SeriesChoice::SeriesChoice(QWidget& window, const StudyNames& names)
+SeriesChoice::SeriesChoice(QWidget& window, StudyNames& names)
     : QObject(&window), m_window(window), m_names(names), m_pictures(QStringLiteral("pictures of series")) {
     connect(&m_pictures, &NewestWinsThread::busyChanged, this, &SeriesChoice::busyChanged);
 }

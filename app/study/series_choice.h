@@ -23,7 +23,7 @@ class SeriesChoice : public QObject {
 public:
     /// `window` is the parent of the dialog; both must outlive this. Where numbers stand for names, series are called
     /// by their numbers alone.
-    SeriesChoice(QWidget& window, const StudyNames& names);
+    SeriesChoice(QWidget& window, StudyNames& names);
 
     /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
     void ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen);
@@ -38,7 +38,7 @@ private:
     void readPicture(const std::shared_ptr<const SeriesList>& list, std::size_t index);
 
     QWidget& m_window;
-    const StudyNames& m_names;
+    StudyNames& m_names;
     QPointer<SeriesDialog> m_dialog;
     NewestWinsThread m_pictures;
 };

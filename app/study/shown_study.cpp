@@ -46,7 +46,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
 void ShownStudy::nameStudy() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
-    const StudyNames& names = m_parts.names;
+    StudyNames& names = m_parts.names;
     const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
     const QString name = m_parts.openStudy.isSimulatedScan() ? QString::fromStdString(study->name)
                                                              : names.nameOf(m_parts.openStudy.path());

@@ -14,6 +14,12 @@ namespace {
 
 const QString leftOut = QStringLiteral("…");
 
+/// What stands for the name of a file that is no study.
+QString endingOf(const QString& path) {
+    const QString ending = QFileInfo(path).suffix();
+    return ending.isEmpty() ? leftOut : QStringLiteral("*.") + ending;
+}
+
 /// Whether what stands there is no part of a longer word or number: in "0.20240131" the digits stand for nobody.
 bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
     const auto isDigit = [&](qsizetype place) { return place >= 0 && place < text.size() && text[place].isDigit(); };
@@ -57,6 +63,11 @@ void StudyNames::showNumbers(bool numbers) {
     emit changed();
 }
 
+void StudyNames::knowSession(const QString& session, const QString& study) {
+    m_settings.setStudyOfSession(session, study);
+    know(session);
+}
+
 void StudyNames::know(const QString& path, const QStringList& files) {
     const int study = m_settings.studyNumber(path);
     m_studies.insert(path, study);
@@ -98,8 +109,18 @@ StudyNames::Standing StudyNames::standingOf(const QString& name) {
     return word ? Standing::inNames : Standing::anywhere;
 }
 
-QString StudyNames::nameOf(const QString& path) const {
-    return m_numbers ? tr("Study %1").arg(m_settings.studyNumber(path)) : QFileInfo(QDir::cleanPath(path)).fileName();
+QString StudyNames::numberOf(const QString& path) {
+    return (m_settings.isSession(path) ? tr("Study %1 (session)") : tr("Study %1")).arg(m_settings.studyNumber(path));
+}
+
+QString StudyNames::given(const QString& name, const QString& instead) {
+    if (m_numbers) return instead;
+    m_given.insert(name, instead);
+    return name;
+}
+
+QString StudyNames::nameOf(const QString& path) {
+    return given(QFileInfo(QDir::cleanPath(path)).fileName(), numberOf(path));
 }
 
 QString StudyNames::beginningFor(const QString& path) const {
@@ -108,11 +129,7 @@ QString StudyNames::beginningFor(const QString& path) const {
                      : QString::fromStdString(stemOfStudy(path.toStdString()));
 }
 
-QString StudyNames::nameOfOther(const QString& path) const {
-    if (!m_numbers) return QFileInfo(path).fileName();
-    const QString ending = QFileInfo(path).suffix();
-    return ending.isEmpty() ? leftOut : QStringLiteral("*.") + ending;
-}
+QString StudyNames::nameOfOther(const QString& path) { return given(QFileInfo(path).fileName(), endingOf(path)); }
 
 QString StudyNames::numbered(QString text) const {
     for (const Known& known : this->known()) {
@@ -142,16 +159,31 @@ QString StudyNames::shownOfFile(const QString& text) const {
     return shown(text).replace(file, QStringLiteral("*.\\1"));
 }
 
-QString StudyNames::sentenceOf(const Failure& failure) const {
-    if (!m_numbers) return QString::fromStdString(failure.sentence());
-    Failure shownFailure = failure;
+QString StudyNames::shownBefore(const QString& text) const {
+    if (!m_numbers) return text;
+    QStringList names = m_given.keys();
+    std::ranges::sort(names, std::ranges::greater{}, [](const QString& name) { return name.size(); });
+    QString without = text;
+    for (const QString& name : names)
+        for (qsizetype at = 0; (at = without.indexOf(name, at)) >= 0;) {
+            const bool meant = standsAlone(without, at, name.size());
+            if (meant) without.replace(at, name.size(), m_given[name]);
+            at += meant ? m_given[name].size() : name.size();
+        }
+    return shownOfFile(without);
+}
+
+QString StudyNames::sentenceOf(const Failure& failure) {
     const QString path = QString::fromStdString(failure.file);
-    shownFailure.file.clear();
-    const QString words = shownOfFile(QString::fromStdString(shownFailure.sentence()));
-    if (path.isEmpty()) return words;
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    const int study = m_studies.value(absolute, m_files.value(absolute));
-    return (study > 0 ? tr("Study %1").arg(study) : nameOfOther(path)) + QStringLiteral(": ") + words;
+    QString instead = endingOf(path);
+    if (m_studies.contains(absolute))
+        instead = numberOf(absolute);
+    else if (m_files.contains(absolute))
+        instead = tr("Study %1").arg(m_files[absolute]);
+    Failure shownFailure = failure;
+    if (!path.isEmpty()) shownFailure.file = given(path, instead).toStdString();
+    return shownOfFile(QString::fromStdString(shownFailure.sentence()));
 }
 
 }  // namespace echolucent

@@ -165,11 +165,11 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure, cons
         actions << MessageAction{tr("Open it as a curve"), [this, path] { emit curveChosen(path); }};
     if (failure.presets)
         actions << MessageAction{tr("Import them as presets"), [this, path] { emit presetsChosen(path); }};
-    m_parts.names.know(path);
+    m_parts.names.know(path, {QString::fromStdString(failure.file)});
     Failure shown = failure;
-    const QString name = m_parts.names.showsNumbers() ? m_parts.names.nameOf(path)
-                                                      : shownName(path, QString::fromStdString(failure.file));
-    shown.file = name.toStdString();
+    const QString name = m_parts.names.nameOf(path);
+    shown.file =
+        (m_parts.names.showsNumbers() ? name : shownName(path, QString::fromStdString(failure.file))).toStdString();
     if (failure.opacityCurve || failure.presets)
         shown.remedy.clear();  // the button says it
     else
@@ -198,6 +198,8 @@ QAction* StudyOpening::recentFile(QMenu& menu, const QString& path, int place) c
 
 void StudyOpening::fillRecentFiles(QMenu& menu) {
     menu.clear();
+    // It is filled again before it is shown.
+    connect(&m_parts.names, &StudyNames::changed, &menu, &QMenu::clear, Qt::UniqueConnection);
     int place = 0;
     for (const QString& path : m_parts.settings.recentFiles())
         connect(recentFile(menu, path, ++place), &QAction::triggered, this, [this, path] { open(path); });

@@ -32,7 +32,7 @@ public:
         VolumeViewWidget& picture;
         Settings& settings;
         MessageBar& messages;
-        const StudyNames& names;
+        StudyNames& names;
     };
     /// All outlive this, which belongs to the window.
     explicit CurveAndPictureFiles(const Parts& parts);

@@ -158,7 +158,8 @@ void MainWindow::connectResets() {
 /// The bar of messages reads every sentence as names are shown, whoever says it.
 void MainWindow::connectNames() {
     const auto read = [this] {
-        m_widgets.messages->setReading([this](const QString& sentence) { return m_names.shownOfFile(sentence); });
+        m_widgets.messages->setReading([this](const QString& sentence) { return m_names.shownOfFile(sentence); },
+                                       [this](const QString& sentence) { return m_names.shownBefore(sentence); });
     };
     connect(&m_names, &StudyNames::changed, this, read);
     read();

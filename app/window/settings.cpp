@@ -78,6 +78,10 @@ Choice choiceOr(const QVariant& stored, std::optional<Choice> (*fromName)(std::s
     return fromName(stored.toString().toStdString()).value_or(standard);
 }
 
+QString sessionNumberKey(const QString& path) {
+    return QStringLiteral("recent/sessionNumbers/") + Settings::hashOf(path);
+}
+
 }  // namespace
 
 Settings::Settings(const QString& file)
@@ -115,6 +119,7 @@ bool Settings::numbersForNames() const { return boolOr(m_store.value(numbersForN
 void Settings::setNumbersForNames(bool numbers) { m_store.setValue(numbersForNamesKey, numbers); }
 
 int Settings::studyNumber(const QString& path) {
+    if (const int ofStudy = m_store.value(sessionNumberKey(path)).toInt(); ofStudy > 0) return ofStudy;
     QStringList known = m_store.value(studyNumbersKey).toStringList();
     const QString hash = hashOf(path);
     if (const qsizetype place = known.indexOf(hash); place >= 0) return static_cast<int>(place) + 1;
@@ -122,6 +127,12 @@ int Settings::studyNumber(const QString& path) {
     m_store.setValue(studyNumbersKey, known);
     return static_cast<int>(known.size());
 }
+
+void Settings::setStudyOfSession(const QString& session, const QString& study) {
+    m_store.setValue(sessionNumberKey(session), studyNumber(study.isEmpty() ? session : study));
+}
+
+bool Settings::isSession(const QString& path) const { return m_store.contains(sessionNumberKey(path)); }
 
 QString Settings::dataFolder() const { return m_dataFolder; }
 

@@ -35,6 +35,11 @@ public:
     /// The number of a study, from 1 on: its place in a list of all studies that were ever asked for, which holds
     /// hashes of their paths and no name. A study that was not asked for before is added.
     [[nodiscard]] int studyNumber(const QString& path);
+    /// From here on the file at `session` has the number of the study at `study`, and is a session; both are kept as
+    /// hashes. Where `study` is empty, its study has no path, and its number is its own.
+    void setStudyOfSession(const QString& session, const QString& study);
+    /// Whether the study of the file at `path` was set.
+    [[nodiscard]] bool isSession(const QString& path) const;
     /// The folder that holds what the program keeps by itself, small pictures for example. It stands beside `file`
     /// where the settings were given one, else in the person's standard place; it may not be there yet.
     [[nodiscard]] QString dataFolder() const;

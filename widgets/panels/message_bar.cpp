@@ -124,8 +124,9 @@ int MessageBar::widthOfWords() const {
     return margins.left() + words + 2 * layout()->spacing() + buttons + margins.right();
 }
 
-void MessageBar::setReading(std::function<QString(const QString& sentence)> reading) {
+void MessageBar::setReading(Reading reading, Reading ofShown) {
     m_reading = std::move(reading);
+    m_messageReading = m_remarkReading = std::move(ofShown);
     if (!isHidden()) showText();
 }
 
@@ -133,6 +134,7 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
     removeActions();
     m_kind = kind;
     m_message = text;
+    m_messageReading = m_reading;
     for (int i = 0; i < actions.size(); ++i) {
         auto* button =
             named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
@@ -149,21 +151,25 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
 void MessageBar::setRemark(const QString& sentence) {
     if (sentence == m_remark) return;
     m_remark = sentence;
+    m_remarkReading = m_reading;
     m_remarkClosed = false;
     showText();
 }
 
 void MessageBar::showText() {
-    m_text->setText(read(m_message));
+    const auto read = [](const Reading& reading, const QString& sentence) {
+        return reading ? reading(sentence) : sentence;
+    };
+    m_text->setText(read(m_messageReading, m_message));
     m_text->setVisible(!m_message.isEmpty());
-    m_remarkText->setText(remarks() ? read(m_remark) : QString());
+    m_remarkText->setText(remarks() ? read(m_remarkReading, m_remark) : QString());
     m_remarkText->setVisible(remarks());
+    setAccessibleDescription(text());
     if (text().isEmpty()) {
         hide();
         return;
     }
     setAccessibleName(appearanceOf(kind()).name);
-    setAccessibleDescription(text());
     show();
     place();
     update();
@@ -187,6 +193,7 @@ void MessageBar::dismiss() {
     m_remarkClosed = false;
     m_text->clear();
     m_remarkText->clear();
+    setAccessibleDescription({});
     removeActions();
 }
 

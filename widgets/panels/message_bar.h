@@ -33,9 +33,11 @@ public:
     /// its words, between the picture's corners where these leave room, and above native windows in it.
     void lieOver(QWidget& picture);
 
-    /// Sets how sentences are shown, those that are shown now too: `reading` gives the words for a sentence. Without it
-    /// they are shown as they are.
-    void setReading(std::function<QString(const QString& sentence)> reading);
+    /// Gives the words for a sentence.
+    using Reading = std::function<QString(const QString& sentence)>;
+    /// Sets how sentences are shown from here on, and how those that are shown now. Without it they are shown as they
+    /// are.
+    void setReading(Reading reading, Reading ofShown);
 
     /// Shows a sentence; replaces what was shown before.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
@@ -66,7 +68,6 @@ protected:
 private:
     void removeActions();
     void showText();
-    [[nodiscard]] QString read(const QString& sentence) const { return m_reading ? m_reading(sentence) : sentence; }
     void closeByPerson();
     [[nodiscard]] bool remarks() const { return !m_remarkClosed && !m_remark.isEmpty(); }
     void place();
@@ -74,7 +75,8 @@ private:
 
     QWidget* m_picture = nullptr;  ///< over which the bar lies
     MessageKind m_kind = MessageKind::info;
-    std::function<QString(const QString& sentence)> m_reading;
+    Reading m_reading;                          ///< of what will be shown
+    Reading m_messageReading, m_remarkReading;  ///< of what is shown
     QString m_message;
     QString m_remark;
     bool m_remarkClosed = false;
