@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 
 #include "tests/app/session_fixture.h"
 #include "tests/app/telling_names.h"

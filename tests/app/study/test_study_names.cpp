@@ -46,6 +46,46 @@ private slots:
         names.showNumbers(true);
         QTEST(names.shown(text), "shown");
     }
+
+    void whatWasGivenOutIsFoundWhereverItStood() {
+        const QTemporaryDir folder;
+        Settings settings(folder.filePath("settings.ini"));
+        StudyNames names(settings);
+        // Words, which in other texts stand for themselves.
+        const QString said = names.nameOf("/data/slices") + " was not found; " +
+                             names.nameOfOther("/data/Jane Doe 1.json") + " and " + names.nameOfOther("/data/note") +
+                             " stay.";
+        QCOMPARE(said, QString("slices was not found; Jane Doe 1.json and note stay."));
+        QCOMPARE(names.shownBefore(said), said);
+        names.showNumbers(true);
+        QCOMPARE(names.shownBefore(said), QString("Study 1 was not found; *.json and … stay."));
+        QCOMPARE(names.shownOfFile("note: 12 slices"), QString("note: 12 slices"));
+    }
+
+    void aSessionIsCalledByItsStudyAtEveryStart() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("settings.ini"), session = "/data/Doe.session.json";
+        for (int start = 0; start < 2; ++start) {
+            Settings settings(file);
+            StudyNames names(settings);
+            names.showNumbers(true);
+            if (start == 0) {
+                QCOMPARE(names.nameOf("/data/other.mha"), QString("Study 1"));
+                QCOMPARE(names.nameOf(session), QString("Study 2"));  // not known to be one
+                names.know("/data/Doe.mha");
+                names.knowSession(session, "/data/Doe.mha");
+                names.knowSession("/data/scan.session.json", {});
+            }
+            QCOMPARE(names.nameOf("/data/Doe.mha"), QString("Study 3"));
+            QCOMPARE(names.nameOf(session), QString("Study 3 (session)"));
+            QCOMPARE(names.beginningFor(session), QString("study-3"));
+            QCOMPARE(names.nameOf("/data/scan.session.json"), QString("Study 4 (session)"));
+            QVERIFY(settings.save());
+        }
+        QFile written(file);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QVERIFY(!written.readAll().contains("Doe"));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestStudyNames)
