@@ -47,10 +47,9 @@ Autosave::~Autosave() {
 }
 
 void Autosave::beginFile() {
-    m_file = QStringLiteral("%1/%2-%3.autosave.json")
-                 .arg(m_folder)
-                 .arg(QCoreApplication::applicationPid())
-                 .arg(QUuid::createUuid().toString(QUuid::Id128).left(8));
+    // The folder's name may hold what QString::arg() replaces.
+    m_file = m_folder + '/' + QString::number(QCoreApplication::applicationPid()) + '-' +
+             QUuid::createUuid().toString(QUuid::Id128).left(8) + QStringLiteral(".autosave.json");
     m_lock.reset();
     m_written.reset();
     m_earlier.reset();

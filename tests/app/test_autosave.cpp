@@ -56,6 +56,16 @@ private slots:
         QTRY_VERIFY(!autosave.busy());
         ::close(pipe);
     }
+
+    void theFilesLieInTheFolderWhateverItsName() {
+        const QTemporaryDir folder;
+        const QString inside = folder.filePath(QStringLiteral("50%1 %2"));
+        Autosave autosave(inside, [this] { return m_present; });
+        autosave.setInterval(0);
+        QVERIFY2(autosave.file().startsWith(inside + '/'), qPrintable(autosave.file()));
+        change(autosave, 2.0);
+        QTRY_VERIFY(readSession(autosave.file().toStdString()).has_value());
+    }
 };
 
 QTEST_GUILESS_MAIN(TestAutosave)
