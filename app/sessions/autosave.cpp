@@ -26,53 +26,70 @@ QString writeWhole(const QString& file, const SavedSession& session) {
 
 }  // namespace
 
+/// In whatever thread. Gives an empty text, or a sentence that says what went wrong; nothing earlier goes then.
+QString Autosave::carriedOut(const QString& file, const Order& order) {
+    if (!order.session) {
+        QFile::remove(file);
+    } else if (QString problem = writeWhole(file, *order.session); !problem.isEmpty()) {
+        return problem;
+    }
+    for (const Left& earlier : order.earlier) QFile::remove(earlier.file);
+    return {};
+}
+
 Autosave::Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent)
     : QObject(parent), m_folder(folder), m_present(std::move(present)) {
-    m_timer.setSingleShot(true);
-    m_timer.setInterval(standardIntervalMilliseconds);
+    for (QTimer* timer : {&m_timer, &m_again}) timer->setSingleShot(true);
+    setInterval(standardIntervalMilliseconds);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
+    connect(&m_again, &QTimer::timeout, this, &Autosave::tryAgain);
     beginFile();
 }
 
 Autosave::~Autosave() {
-    // What is being written is whole first.
-    m_leaving.clear();
-    m_thread.reset();
-    if (m_keep && ownFile()) {
-        if (!writeWhole(m_file, m_present()).isEmpty()) return;
-    } else if (m_lock && m_lock->isLocked()) {
-        QFile::remove(m_file);
+    // A thread that ends drops what waits in it, and what it did meanwhile nobody heard of: that is done here, if need
+    // be a second time.
+    for (const auto& left : m_leftBehind) {
+        left->thread.reset();
+        const auto lock = left->lock.lock();
+        if (left->due && lock && own(lock)) carriedOut(left->name, *left->due);
     }
-    if (m_earlier) QFile::remove(m_earlier->file);
+    m_file->thread.reset();
+    if (!m_keep || own(m_lock)) carriedOut(m_file->name, newOrder(m_keep ? std::optional(m_present()) : std::nullopt));
+}
+
+void Autosave::setInterval(int milliseconds) {
+    for (QTimer* timer : {&m_timer, &m_again}) timer->setInterval(milliseconds);
 }
 
 void Autosave::beginFile() {
-    // The folder's name may hold what QString::arg() replaces.
-    m_file = m_folder + '/' + QString::number(QCoreApplication::applicationPid()) + '-' +
-             QUuid::createUuid().toString(QUuid::Id128).left(8) + QStringLiteral(".autosave.json");
-    m_lock.reset();
-    m_written.reset();
-    m_earlier.reset();
     // Of one thread's jobs only the newest waits, and what was left behind must not make room for what follows.
-    std::erase_if(m_leaving, [](const auto& thread) { return !thread->busy(); });
-    if (m_thread) m_leaving.push_back(std::move(m_thread));
-    m_thread = std::make_unique<NewestWinsThread>(QStringLiteral("autosave"));
-    connect(m_thread.get(), &NewestWinsThread::busyChanged, this, [this] { emit busyChanged(busy()); });
+    std::erase_if(m_leftBehind, [](const auto& left) { return !left->due && !left->thread->busy(); });
+    if (m_file) m_leftBehind.push_back(std::move(m_file));
+    m_file = std::make_unique<File>();
+    // The folder's name may hold what QString::arg() replaces.
+    m_file->name = m_folder + '/' + QString::number(QCoreApplication::applicationPid()) + '-' +
+                   QUuid::createUuid().toString(QUuid::Id128).left(8) + QStringLiteral(".autosave.json");
+    m_lock = std::make_shared<QLockFile>(lockOf(m_file->name));
+    m_lock->setStaleLockTime(0);  // it is as old as this program
+    m_file->lock = m_lock;
+    m_written.reset();
+    m_file->thread = std::make_unique<NewestWinsThread>(QStringLiteral("autosave"));
+    connect(m_file->thread.get(), &NewestWinsThread::busyChanged, this, [this] { emit busyChanged(busy()); });
 }
 
 bool Autosave::busy() const {
-    return m_thread->busy() || std::ranges::any_of(m_leaving, [](const auto& thread) { return thread->busy(); });
+    return m_file->thread->busy() ||
+           std::ranges::any_of(m_leftBehind, [](const auto& left) { return left->thread->busy(); });
 }
 
-/// Made with the first change: a program in which nobody does anything leaves no trace.
-bool Autosave::ownFile() {
-    if (m_lock) return m_lock->isLocked();
+/// Taken with the first change: a program in which nobody does anything leaves no trace.
+bool Autosave::own(const std::shared_ptr<QLockFile>& lock) const {
+    if (lock->isLocked()) return true;
     // A folder of one's own: what people look at is nobody else's business.
     if (!QDir(m_folder).exists() && QDir().mkpath(m_folder))
         QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    m_lock = std::make_shared<QLockFile>(lockOf(m_file));
-    m_lock->setStaleLockTime(0);  // it is as old as this program
-    return m_lock->tryLock(0);
+    return lock->tryLock(0);
 }
 
 void Autosave::noteChange() {
@@ -86,50 +103,66 @@ void Autosave::write() {
         written.document = withShown(std::move(written.document), present.document);
         if (written == present) return;
     }
-    if (!ownFile()) {
-        m_lock.reset();  // the folder may be there next time
-        if (!std::exchange(m_failed, true))
-            emit failed(tr("%1 cannot be written, so that nothing is kept of an unsaved session.").arg(m_folder));
-        return;
-    }
     m_written = present;
-    m_thread->submit(
-        [this, file = m_file, earlier = m_earlier,
-         session = std::move(present)](const Progress&) -> NewestWinsThread::Deliver {
-            const QString problem = writeWhole(file, session);
-            if (problem.isEmpty()) {
-                if (earlier) QFile::remove(earlier->file);
-                return [this] {
-                    m_failed = false;
-                    emit written();
-                };
-            }
-            return [this, file, sentence = problem] {
-                if (file == m_file) m_written.reset();
-                if (!std::exchange(m_failed, true)) emit failed(sentence);
-            };
+    order(std::move(present));
+}
+
+void Autosave::tryAgain() {
+    for (const auto& left : m_leftBehind)
+        if (left->due && !left->thread->busy()) carryOut(*left);
+    if (m_file->due && !m_file->thread->busy()) carryOut(*m_file);
+}
+
+/// With all that is to go and is not known to have gone.
+Autosave::Order Autosave::newOrder(std::optional<SavedSession> session) {
+    Order next{std::move(session), std::exchange(m_earlier, {})};
+    if (const auto& due = m_file->due)
+        next.earlier.insert(next.earlier.end(), due->earlier.begin(), due->earlier.end());
+    return next;
+}
+
+void Autosave::order(std::optional<SavedSession> session) {
+    m_file->due = std::make_shared<const Order>(newOrder(std::move(session)));
+    carryOut(*m_file);
+}
+
+void Autosave::carryOut(File& file) {
+    const auto lock = file.lock.lock();
+    if (!lock) return file.due.reset();
+    if (file.due->session && !own(lock))  // the folder may be there next time
+        return ended(file, file.due,
+                     tr("%1 cannot be written, so that nothing is kept of an unsaved session.").arg(m_folder));
+    file.thread->submit(
+        [this, &file, name = file.name, order = file.due](const Progress&) -> NewestWinsThread::Deliver {
+            return [this, &file, order, problem = carriedOut(name, *order)] { ended(file, order, problem); };
         },
         NewestWinsThread::WhenSuperseded::finish);
 }
 
+void Autosave::ended(File& file, const std::shared_ptr<const Order>& order, const QString& problem) {
+    const bool newest = file.due == order;
+    if (problem.isEmpty()) {
+        if (newest) file.due.reset();
+        if (!order->session) return;
+        m_failed = false;
+        emit written();
+    } else {
+        if (newest) m_again.start();
+        if (!std::exchange(m_failed, true)) emit failed(problem);
+    }
+}
+
 void Autosave::forget() {
     m_timer.stop();
-    if (!m_written && !m_earlier) return;
+    if (!m_written && m_earlier.empty()) return;
     m_written.reset();
-    m_thread->submit(
-        [file = m_file,
-         earlier = std::exchange(m_earlier, std::nullopt)](const Progress&) -> NewestWinsThread::Deliver {
-            QFile::remove(file);
-            if (earlier) QFile::remove(earlier->file);
-            return {};
-        },
-        NewestWinsThread::WhenSuperseded::finish);
+    order(std::nullopt);
 }
 
 Autosave::Left Autosave::leaveBehind() {
     m_timer.stop();
     write();
-    Left left{m_file, m_lock};
+    Left left{m_file->name, m_lock};
     beginFile();
     return left;
 }

@@ -14,8 +14,10 @@
 
 namespace echolucent {
 
-/// One file a running program, written whole or not at all in a thread of its own, with a lock beside it that says
-/// whose it is: the lock of a program that has died is free. Nothing is written while nothing changes.
+/// One file for each session that is open or was left, written whole or not at all in a thread of its own, with a lock
+/// beside it that says whose it is: the lock of a program that has died is free. Nothing is written while nothing
+/// changes. What could not be written is tried again after the same interval, until it is written, forgotten or
+/// superseded; what was ordered and is not known to be done is done at the end.
 ///
 ///              noteChange()                     interval over: write
 ///   [Clean] ----------------> [Change waits] --------------------------> [Written]
@@ -30,10 +32,12 @@ public:
 
     /// `present` is asked in this thread for what is to be written.
     Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
-    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind.
+    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind. Waits until that is done,
+    /// and what is still to be done with the files that were left.
     ~Autosave() override;
 
-    void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
+    /// Between a change and its being written, and between a failure and the next attempt.
+    void setInterval(int milliseconds);
     /// What `present` gives may be other than before. The phase shown and the frame of the motion alone are not written
     /// anew.
     void noteChange();
@@ -44,15 +48,15 @@ public:
     };
     /// The session is what an earlier run left: its file goes once the session is in this one's, and not before, so
     /// that a program that dies in between finds one of the two; also where forget() says that nothing is to be kept.
-    void replace(const Left& earlier) { m_earlier = earlier; }
+    void replace(const Left& earlier) { m_earlier.push_back(earlier); }
     /// There is nothing to keep: what was written is removed.
     void forget();
     /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives
-    /// what is left.
+    /// what is left. Where its lock has been let go of, what could not be written is not tried again.
     Left leaveBehind();
     /// Whether the file stays when this ends.
     void keepAtEnd(bool keep) { m_keep = keep; }
-    [[nodiscard]] QString file() const { return m_file; }
+    [[nodiscard]] QString file() const { return m_file->name; }
     /// Whether something of the session is on disk, or about to be.
     [[nodiscard]] bool keeps() const { return m_written.has_value() || m_timer.isActive(); }
     /// Whether a change waits to be written.
@@ -65,25 +69,44 @@ signals:
     void busyChanged(bool busy);
     /// The newest of what was there when writing began is on disk.
     void written();
-    /// It could not be written: a sentence. Told once until it works again.
+    /// It could not be written, and is tried again: a sentence. Told once until it works again.
     void failed(const QString& sentence);
 
 private:
+    /// What is to become of a file.
+    struct Order {
+        std::optional<SavedSession> session;  ///< what it is to hold; none where it is to go
+        std::vector<Left> earlier;            ///< what goes once that is done
+    };
+    /// A session's file. It is wanted as long as somebody has its lock.
+    struct File {
+        QString name;
+        std::weak_ptr<QLockFile> lock;
+        std::shared_ptr<const Order> due;  ///< the newest that is not known to be done
+        std::unique_ptr<NewestWinsThread> thread;
+    };
+
     void beginFile();
     void write();
-    bool ownFile();
+    void tryAgain();
+    Order newOrder(std::optional<SavedSession> session);
+    void order(std::optional<SavedSession> session);
+    void carryOut(File& file);
+    void ended(File& file, const std::shared_ptr<const Order>& order, const QString& problem);
+    bool own(const std::shared_ptr<QLockFile>& lock) const;
+    static QString carriedOut(const QString& file, const Order& order);
 
     QString m_folder;
     std::function<SavedSession()> m_present;
-    QString m_file;
-    std::shared_ptr<QLockFile> m_lock;
-    std::optional<Left> m_earlier;          ///< what this session's file takes the place of
-    std::optional<SavedSession> m_written;  ///< newest that was handed to the thread
+    std::vector<Left> m_earlier;            ///< what this session's file takes the place of, until that is ordered
+    std::optional<SavedSession> m_written;  ///< newest that was ordered
     QTimer m_timer;                         ///< runs while a change waits
+    QTimer m_again;                         ///< runs while what could not be written waits
     bool m_keep = false;
     bool m_failed = false;
-    std::unique_ptr<NewestWinsThread> m_thread;                ///< writes the present file
-    std::vector<std::unique_ptr<NewestWinsThread>> m_leaving;  ///< those of files that were left behind
+    std::shared_ptr<QLockFile> m_lock;                ///< of the present file
+    std::unique_ptr<File> m_file;                     ///< the present one
+    std::vector<std::unique_ptr<File>> m_leftBehind;  ///< those that were left behind
 };
 
 }  // namespace echolucent
