@@ -43,6 +43,11 @@ RecentPictures::RecentPictures(const Settings& settings, VolumeViewWidget& view,
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &RecentPictures::busyChanged);
 }
 
+void RecentPictures::setOpened(const QString& path) {
+    if (path != m_opened) m_kept.reset();  // the same picture is wanted under another name
+    m_opened = path;
+}
+
 void RecentPictures::setAtRest(bool atRest) {
     const bool cameToRest = atRest && !m_atRest;
     m_atRest = atRest;

@@ -29,7 +29,7 @@ public:
 
     /// The path under which what is open now stands in the list of recent files, a session's where one was opened;
     /// empty where it does not stand there.
-    void setOpened(const QString& path) { m_opened = path; }
+    void setOpened(const QString& path);
     /// Whether nothing loads, computes or renders, so that the 3D view shows the study that is open. Its picture is
     /// kept each time it is another one; none is cast for it. Pictures of studies that have left the list go.
     void setAtRest(bool atRest);

@@ -114,6 +114,8 @@ void MainWindow::createUnits() {
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
         *this, m_document, *m_openStudy, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
+    connect(m_sessions.get(), &SessionKeeping::saved, this,
+            [this] { m_recentPictures->setOpened(m_sessions->file()); });
     m_history =
         std::make_unique<HistoryControls>(m_document, m_sessions->snapshots(), *m_widgets.history, *m_widgets.messages);
 }
