@@ -167,4 +167,16 @@ Autosave::Left Autosave::leaveBehind() {
     return left;
 }
 
+void Autosave::discard(const Left& left) {
+    const auto own = std::ranges::find_if(m_leftBehind, [&](const auto& each) { return each->name == left.file; });
+    if (own == m_leftBehind.end()) {
+        QFile::remove(left.file);
+    } else {
+        // After what may still be written of it.
+        const auto& due = (*own)->due;
+        (*own)->due = std::make_shared<const Order>(Order{std::nullopt, due ? due->earlier : std::vector<Left>()});
+        carryOut(**own);
+    }
+}
+
 }  // namespace echolucent

@@ -54,6 +54,8 @@ public:
     /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives
     /// what is left. Where its lock has been let go of, what could not be written is not tried again.
     Left leaveBehind();
+    /// What was left is not wanted any more, by this program or an earlier run: its file goes.
+    void discard(const Left& left);
     /// Whether the file stays when this ends.
     void keepAtEnd(bool keep) { m_keep = keep; }
     [[nodiscard]] QString file() const { return m_file->name; }

@@ -46,14 +46,17 @@ SessionKeeping::SessionKeeping(const Parts& parts)
         m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
     });
     connect(&m_parts.openStudy, &OpenStudy::takingChecksumChanged, this, [this](bool taking) {
-        if (!taking) writeWaiting();
+        if (!taking) writeNext();
     });
     constexpr int lookEvery = 100;  // ms
     m_looking.setSingleShot(true);
     m_looking.setInterval(lookEvery);
     connect(&m_looking, &QTimer::timeout, this, &SessionKeeping::look);
     connect(&m_taking, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
-    connect(&m_saving, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
+    connect(&m_saving, &NewestWinsThread::busyChanged, this, [this] {
+        writeNext();
+        emit busyChanged();
+    });
     m_taking.submit([this, folder = m_parts.settings.autosaveFolder()](const Progress&) -> NewestWinsThread::Deliver {
         auto found = takeLeftovers(folder);
         return [this, left = std::move(found)] {
@@ -105,9 +108,12 @@ void SessionKeeping::look() {
 }
 
 void SessionKeeping::leave() {
-    look();
+    const bool first = std::holds_alternative<std::monostate>(m_parts.model.document().study);
+    if (!first) look();
     m_between = true;
-    writeWaiting();  // of the study that is left there will be no checksum
+    const int number = m_number++;
+    if (first) return;
+    writeNext();  // of the study that is left there will be no checksum
     // Another study takes over curves, look and method; a session brings its own.
     const Document& document = m_parts.model.document();
     const Document& opened = m_parts.shown.opened();
@@ -116,12 +122,27 @@ void SessionKeeping::leave() {
                            document.looks != opened.looks || document.method != opened.method);
     if (!m_changed && !replaced) return m_autosave->forget();
     const Autosave::Left left = m_autosave->leaveBehind();
-    m_leftovers.push_back(
-        {left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}});
+    Leftover leftover{left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}};
+    const bool onItsWay = std::ranges::any_of(m_orders, [&](const Order& order) {
+        return order.number == number && order.session.snapshots == m_snapshots.list() &&
+               comparable(order.session.document, document) == document;
+    });
+    if (onItsWay)
+        m_leftWhileSaving.emplace_back(number, std::move(leftover));
+    else
+        m_leftovers.push_back(std::move(leftover));
+}
+
+bool SessionKeeping::isOnItsWay(int number) const {
+    return std::ranges::any_of(m_orders, [&](const Order& order) { return order.number == number; });
 }
 
 void SessionKeeping::begin() {
     const auto& saved = m_parts.openStudy.saved();
+    // What could not be saved after all is offered like any other.
+    for (auto& [number, left] : m_leftWhileSaving)
+        if (!isOnItsWay(number)) m_leftovers.push_back(std::move(left));
+    std::erase_if(m_leftWhileSaving, [&](const auto& left) { return !isOnItsWay(left.first); });
     m_between = false;
     m_changed = false;
     m_left = false;
@@ -133,11 +154,13 @@ void SessionKeeping::begin() {
         std::find_if(m_leftovers.begin(), m_leftovers.end(), [&](const Leftover& each) { return each.file == opened; });
     if (left != m_leftovers.end()) {
         m_file = QString::fromStdString(saved->session.file);
+        m_fileTime = left->time;
         m_left = true;
         m_autosave->replace({left->file, left->lock});
         m_leftovers.erase(left);
     } else if (saved) {
         m_file = opened;
+        m_fileTime = QFileInfo(opened).lastModified();
         m_inFile = saved->session;
     }
     if (!m_file.isEmpty()) m_parts.names.knowSession(m_file, m_parts.openStudy.path());
@@ -155,80 +178,121 @@ QString SessionKeeping::proposedFolder() const {
 
 void SessionKeeping::save() {
     if (m_parts.openStudy.study() == nullptr) return;
-    m_file.isEmpty() ? chooseAndSave() : saveAs(m_file);
+    if (m_file.isEmpty()) return chooseAndSave();
+    if (mayReplace()) saveAs(m_file);
 }
 
-void SessionKeeping::chooseAndSave(const QString& folder) {
+bool SessionKeeping::mayReplace() {
+    const QDateTime now = QFileInfo(m_file).lastModified();
+    if (!now.isValid() || now <= m_fileTime) return true;
+    QMessageBox box(QMessageBox::NoIcon, tr("Save session"),
+                    tr("%1 was saved since, and not from here. Saving replaces what it holds now.")
+                        .arg(m_parts.names.nameOf(m_file)),
+                    QMessageBox::NoButton, &m_parts.window);
+    box.setObjectName("newerSession");
+    QPushButton* replace = box.addButton(tr("Replace it"), QMessageBox::AcceptRole);
+    QPushButton* elsewhere = box.addButton(tr("Save session as…"), QMessageBox::AcceptRole);
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(elsewhere);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, &box, &QDialog::reject);
+    box.exec();
+    if (static_cast<QAbstractButton*>(elsewhere) == box.clickedButton()) chooseAndSave();
+    return static_cast<QAbstractButton*>(replace) == box.clickedButton();
+}
+
+QString SessionKeeping::chosenFile(const QString& named, const QString& folder) {
+    return chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
+                            {.title = tr("Save session"),
+                             .filter = tr("Sessions (*.session.json *.json);;All files (*)"),
+                             .name = m_parts.names.beginningFor(named),
+                             .suffix = QStringLiteral("session.json"),
+                             .folder = folder});
+}
+
+void SessionKeeping::chooseAndSave() {
     if (m_parts.openStudy.study() == nullptr) return;
-    const QString named = m_file.isEmpty() ? m_parts.openStudy.path() : m_file;
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
-                                          {.title = tr("Save session"),
-                                           .filter = tr("Sessions (*.session.json *.json);;All files (*)"),
-                                           .name = m_parts.names.beginningFor(named),
-                                           .suffix = QStringLiteral("session.json"),
-                                           .folder = folder.isEmpty() ? proposedFolder() : folder});
+    const QString path = chosenFile(m_file.isEmpty() ? m_parts.openStudy.path() : m_file, proposedFolder());
     if (!path.isEmpty()) saveAs(path);
 }
 
 void SessionKeeping::saveAs(const QString& file, Then then) {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
-    const QString whole = QFileInfo(file).absoluteFilePath();
-    if (auto allowed = refuseSessionInside(m_parts.openStudy.path().toStdString(), study->files, whole.toStdString());
-        !allowed)
-        return offerAnotherPlace(m_parts.names.sentenceOf(allowed.error()));
-    Order order{whole, present()};
+    Order order{file, present(), study->files, m_number};
     order.session.file.clear();
     m_then = then;
-    if (!m_parts.openStudy.takingChecksum()) return write(std::move(order));
-    m_waiting = std::move(order);
+    send(std::move(order));
+}
+
+void SessionKeeping::send(Order order) {
+    order.file = QFileInfo(order.file).absoluteFilePath();
+    const QString study = studyPathOf(order.session.document);
+    if (auto allowed = refuseSessionInside(study.toStdString(), order.studyFiles, order.file.toStdString()); !allowed)
+        return offerAnotherPlace(order, m_parts.names.sentenceOf(allowed.error()));
+    // The newest for a file is enough of what is not begun.
+    const auto notBegun = m_orders.begin() + (m_saving.busy() ? 1 : 0);
+    m_orders.erase(std::remove_if(notBegun, m_orders.end(), [&](const Order& each) { return each.file == order.file; }),
+                   m_orders.end());
+    m_orders.push_back(std::move(order));
+    writeNext();
     emit busyChanged();
 }
 
 void SessionKeeping::cancelSaving() {
-    if (!m_waiting) return;
-    const QString file = std::exchange(m_waiting, std::nullopt)->file;
+    const auto notBegun = m_orders.begin() + (m_saving.busy() ? 1 : 0);
+    if (notBegun == m_orders.end()) return;
+    QStringList names;
+    for (auto order = notBegun; order != m_orders.end(); ++order) names << m_parts.names.nameOfOther(order->file);
+    m_orders.erase(notBegun, m_orders.end());
     m_then = Then::goOn;
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("Saving %1 was cancelled; it is as it was.").arg(m_parts.names.nameOfOther(file)));
+                                 tr("Saving %1 was cancelled; it is as it was.").arg(names.join(QStringLiteral(", "))));
     emit busyChanged();
 }
 
-void SessionKeeping::writeWaiting() {
-    if (!m_waiting) return;
-    Order order = *std::exchange(m_waiting, std::nullopt);
-    if (nameTheSame(order.session.document.study, m_parts.openStudy.reference()))
-        order.session.document.study = m_parts.openStudy.reference();
-    write(std::move(order));
+/// The orders are written one after the other; one of the open study waits for its checksum.
+void SessionKeeping::writeNext() {
+    if (m_orders.empty() || m_saving.busy()) return;
+    Order& next = m_orders.front();
+    if (next.number == m_number) {
+        if (m_parts.openStudy.takingChecksum()) return;
+        next.session.document.study = m_parts.openStudy.reference();
+    }
+    m_saving.submit([this, order = next](const Progress&) -> NewestWinsThread::Deliver {
+        const std::string file = order.file.toStdString();
+        try {
+            const auto written = writeSession(file, asNamedFrom(file, order.session));
+            if (written) return [this, time = QFileInfo(order.file).lastModified()] { takeSaved(time); };
+            return [this, failure = written.error()] { takeUnsaved(m_parts.names.sentenceOf(failure)); };
+        } catch (const std::exception& problem) {
+            const Failure failure{
+                FailureKind::unwritable, file, {}, std::string("could not be written: ") + problem.what(), {}};
+            return [this, failure] { takeUnsaved(m_parts.names.sentenceOf(failure)); };
+        }
+    });
 }
 
-void SessionKeeping::write(Order order) {
-    m_saving.submit(
-        [this, order = std::move(order)](const Progress&) -> NewestWinsThread::Deliver {
-            const std::string file = order.file.toStdString();
-            try {
-                const auto written = writeSession(file, asNamedFrom(file, order.session));
-                if (written) return [this, order] { takeSaved(order); };
-                return [this, failure = written.error()] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
-            } catch (const std::exception& problem) {
-                const Failure failure{
-                    FailureKind::unwritable, file, {}, std::string("could not be written: ") + problem.what(), {}};
-                return [this, failure] { offerAnotherPlace(m_parts.names.sentenceOf(failure)); };
-            }
-        },
-        NewestWinsThread::WhenSuperseded::finish);
+SessionKeeping::Order SessionKeeping::takeFirst() {
+    Order order = std::move(m_orders.front());
+    m_orders.pop_front();
+    return order;
 }
 
-void SessionKeeping::takeSaved(const Order& order) {
+void SessionKeeping::takeSaved(const QDateTime& time) {
+    const Order order = takeFirst();
     m_parts.names.knowSession(order.file, studyPathOf(order.session.document));
     m_parts.settings.addRecentFile(order.file);
     m_parts.settings.setLastSaveFolder(QFileInfo(order.file).absolutePath());
     m_parts.messages.showMessage(MessageKind::info,
                                  tr("The session was saved as %1.").arg(m_parts.names.nameOf(order.file)));
-    // Meanwhile another study may have been opened, with which the window stays.
-    const bool same = nameTheSame(order.session.document.study, m_parts.model.document().study);
+    for (const auto& [number, left] : m_leftWhileSaving)
+        if (number == order.number) m_autosave->discard({left.file, left.lock});
+    std::erase_if(m_leftWhileSaving, [&](const auto& left) { return left.first == order.number; });
+    // Meanwhile another study or session may have been opened, with which the window stays.
+    const bool same = order.number == m_number;
     if (same) {
         m_file = order.file;
+        m_fileTime = time;
         m_inFile = order.session;
         m_left = false;
         m_parts.editor.setManualSaved();
@@ -236,18 +300,30 @@ void SessionKeeping::takeSaved(const Order& order) {
         if (!m_changed) m_autosave->forget();
     }
     emit saved();
-    if (same && std::exchange(m_then, Then::goOn) == Then::closeWindow) m_parts.window.close();
+    if (m_orders.empty() && std::exchange(m_then, Then::goOn) == Then::closeWindow) m_parts.window.close();
 }
 
-void SessionKeeping::offerAnotherPlace(const QString& sentence) {
+void SessionKeeping::takeUnsaved(const QString& sentence) {
+    const Order order = takeFirst();
+    offerAnotherPlace(order, sentence);
+}
+
+void SessionKeeping::offerAnotherPlace(const Order& order, const QString& sentence) {
     m_then = Then::goOn;
-    m_parts.messages.showMessage(MessageKind::error, sentence, {{tr("Save it elsewhere…"), [this] {
-                                                                     QString folder = QStandardPaths::writableLocation(
-                                                                         QStandardPaths::DocumentsLocation);
-                                                                     if (!QFileInfo(folder).isWritable())
-                                                                         folder = QDir::homePath();
-                                                                     chooseAndSave(folder);
-                                                                 }}});
+    m_parts.messages.showMessage(MessageKind::error, sentence,
+                                 {{tr("Save it elsewhere…"), [this, order] {
+                                       QString folder =
+                                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+                                       if (!QFileInfo(folder).isWritable()) folder = QDir::homePath();
+                                       Order again = order;
+                                       const bool open = order.number == m_number;
+                                       const QString study = studyPathOf(order.session.document);
+                                       again.file = chosenFile(open && !m_file.isEmpty() ? m_file : study, folder);
+                                       if (again.file.isEmpty()) return;
+                                       if (open) again.session = present();
+                                       again.session.file.clear();
+                                       send(std::move(again));
+                                   }}});
 }
 
 bool SessionKeeping::mayClose() {
@@ -269,7 +345,7 @@ bool SessionKeeping::mayClose() {
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, &box, &QDialog::reject);
     box.exec();
     if (static_cast<QAbstractButton*>(save) == box.clickedButton()) {
-        saveAs(m_file, Then::closeWindow);
+        if (mayReplace()) saveAs(m_file, Then::closeWindow);
         return false;
     }
     if (static_cast<QAbstractButton*>(discard) != box.clickedButton()) return false;
@@ -296,12 +372,13 @@ void SessionKeeping::offerLeftovers() {
         tr("A session of %1 was not saved (%2).")
             .arg(left.study.isEmpty() ? tr("the simulated scan") : m_parts.names.nameOf(left.study),
                  QLocale::c().toString(left.time, QStringLiteral("d MMM, HH:mm"))),
-        {{tr("Open it"), [this] { openLeftover(); }}, {tr("Discard it"), [this] {
-                                                           if (m_leftovers.empty()) return;
-                                                           QFile::remove(m_leftovers.front().file);
-                                                           m_leftovers.pop_front();
-                                                           offerLeftovers();
-                                                       }}});
+        {{tr("Open it"), [this] { openLeftover(); }},
+         {tr("Discard it"), [this] {
+              if (m_leftovers.empty()) return;
+              m_autosave->discard({m_leftovers.front().file, m_leftovers.front().lock});
+              m_leftovers.pop_front();
+              offerLeftovers();
+          }}});
 }
 
 void SessionKeeping::openLeftover() {

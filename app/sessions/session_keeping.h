@@ -1,12 +1,16 @@
 // The session of the window: saved, opened, kept by itself, and what earlier runs left of theirs.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QTimer>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/document/document_model.h"
 #include "app/sessions/autosave.h"
@@ -52,16 +56,16 @@ public:
     [[nodiscard]] QString file() const { return m_file; }
     /// Saves into the session's file, or asks for one where it has none.
     void save();
-    /// Asks for a file, in `folder` or, where that is empty, beside the session's file or the study, and saves into it.
-    void chooseAndSave(const QString& folder = {});
+    /// Asks for a file, beside the session's file or the study, and saves into it.
+    void chooseAndSave();
     /// What follows once the session is in its file.
     enum class Then { goOn, closeWindow };
     /// Begins to save, once the study's checksum is there; refused, with a sentence, in the study's folder and over its
     /// files.
     void saveAs(const QString& file, Then then = Then::goOn);
-    /// What waits for the study's checksum is not saved; what is being written is.
+    /// What waits for the study's checksum, or for another file to be written, is not saved; what is being written is.
     void cancelSaving();
-    [[nodiscard]] bool saving() const { return m_waiting.has_value() || m_saving.busy(); }
+    [[nodiscard]] bool saving() const { return !m_orders.empty() || m_saving.busy(); }
     /// Asks where a session with a file was changed. False where the window stays, or closes by itself once the session
     /// is saved, as it does where one is being saved already.
     [[nodiscard]] bool mayClose();
@@ -86,11 +90,21 @@ private:
     struct Order {
         QString file;
         SavedSession session;
+        std::vector<std::string> studyFiles;  ///< which the session never replaces
+        int number = 0;                       ///< of the session that it is
     };
-    void write(Order order);
-    void writeWaiting();
-    void takeSaved(const Order& order);
-    void offerAnotherPlace(const QString& sentence);
+    void send(Order order);
+    void writeNext();
+    /// Whether a session is being written, or about to be, by its number.
+    [[nodiscard]] bool isOnItsWay(int number) const;
+    [[nodiscard]] Order takeFirst();
+    /// The first order is in its file, which was written at a time.
+    void takeSaved(const QDateTime& time);
+    void takeUnsaved(const QString& sentence);
+    void offerAnotherPlace(const Order& order, const QString& sentence);
+    /// Asks where somebody wrote the session's file since it was read or written here; false where it is to stay.
+    [[nodiscard]] bool mayReplace();
+    [[nodiscard]] QString chosenFile(const QString& named, const QString& folder);
     void offerLeftovers();
     void openLeftover();
     [[nodiscard]] QString proposedFolder() const;
@@ -101,12 +115,15 @@ private:
     QString m_file;
     std::optional<SavedSession> m_inFile;  ///< what the file holds; none where there is no file
     bool m_changed = false;
-    bool m_between = false;  ///< another study's document takes the place of the present one
-    bool m_left = false;     ///< what is open was left by an earlier run, and not saved since
-    QTimer m_looking;        ///< runs while a change was not looked at: the document may change with every frame
-    std::optional<Order> m_waiting;  ///< for the study's checksum
-    Then m_then = Then::goOn;        ///< once the session is saved that is on its way
+    bool m_between = false;      ///< another study's document takes the place of the present one
+    bool m_left = false;         ///< what is open was left by an earlier run, and not saved since
+    QTimer m_looking;            ///< runs while a change was not looked at: the document may change with every frame
+    QDateTime m_fileTime;        ///< when the file was written that is known of; later is somebody else's
+    int m_number = 0;            ///< of the session that is open: one more with each
+    std::deque<Order> m_orders;  ///< the first is being written, or waits for the study's checksum
+    Then m_then = Then::goOn;    ///< once the session is saved that is on its way
     std::deque<Leftover> m_leftovers;
+    std::vector<std::pair<int, Leftover>> m_leftWhileSaving;  ///< with the number of their session; not offered
     std::unique_ptr<Autosave> m_autosave;
     NewestWinsThread m_taking, m_saving;
 };
