@@ -28,7 +28,7 @@ tl::unexpected<Failure> cancelled(const FrameOrder& order) {
     return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
 }
 
-PictureLabels labelsOf(const FrameOrder& order, const ViewFrames& frames, int frame, const ViewPicture& picture) {
+PictureLabels frameLabels(const FrameOrder& order, const ViewFrames& frames, int frame, const ViewPicture& picture) {
     const Document shown = frames.documentOf(frame);
     const bool known = picture.voxels->geometry().spacingKnown;
     const MotionChoice& motion = order.document.motion;
@@ -60,7 +60,7 @@ std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, ViewF
     const auto measured =
         shownMeasurements(order.document.measurements, frames.position(frame).phase, picture->voxels->geometry());
     paintMeasurements(painter, placedInPicture(measured, picture->cast.camera), size, scale);
-    paintLabels(painter, size, labelsOf(order, frames, frame, *picture), scale);
+    paintLabels(painter, size, frameLabels(order, frames, frame, *picture), scale);
     painter.end();
     return rgb;
 }

@@ -96,11 +96,11 @@ std::string stretchedImage(double x, double y, double width, double height, cons
 }
 
 /// 8-bit RGB, each pixel the mean of `square` * `square` pixels; those of the last row and column may stand for fewer.
-struct SmallPicture {
+struct CoarsePicture {
     int width, height;
     std::vector<std::uint8_t> rgb;
 };
-SmallPicture coarser(int width, int height, std::vector<std::uint8_t> rgb, int square) {
+CoarsePicture coarser(int width, int height, std::vector<std::uint8_t> rgb, int square) {
     if (square == 1) return {width, height, std::move(rgb)};
     const cv::Mat whole(height, width, CV_8UC3, rgb.data());
     cv::Mat small;
@@ -116,7 +116,7 @@ std::string svgOf(const HeatMap& map, int coarseness) {
     std::string body = fmt::format(
         "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", left,
         escaped(map.title));
-    const SmallPicture image = coarser(columns, rows, coloured(map.values), coarseness);
+    const CoarsePicture image = coarser(columns, rows, coloured(map.values), coarseness);
     body += stretchedImage(left, top, wide, high, pngDataUri(image.width, image.height, image.rgb));
     std::vector<double> scale(64);
     for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = 1.0 - static_cast<double>(i) / 63.0;
@@ -191,7 +191,7 @@ void HtmlPage::picture(int width, int height, std::vector<std::uint8_t> rgb, con
         rgb.size() != std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw std::invalid_argument("HtmlPage::picture: the bytes do not fill the picture");
     m_pieces.emplace_back([=, rgb = std::move(rgb)](int coarseness) {
-        const SmallPicture image = coarser(width, height, rgb, coarseness);
+        const CoarsePicture image = coarser(width, height, rgb, coarseness);
         const bool pixelated = zoom > 1 || coarseness > 1;
         return fmt::format(
             "<figure><img alt=\"{0}\" width=\"{1}\" height=\"{2}\"{4} src=\"{3}\"/>"

@@ -114,7 +114,7 @@ void ReportSaving::setAtRest(bool atRest) {
 }
 
 void ReportSaving::begin() {
-    m_taken = Taken{snapshot(), 0};
+    m_taken = Taken{windowState(), 0};
     takeNextSoon();
 }
 
@@ -147,7 +147,7 @@ void ReportSaving::write() {
         [this, path = wanted.path](const Result<void>& written) { tell(path, written); });
 }
 
-CaseReport ReportSaving::snapshot() const {
+CaseReport ReportSaving::windowState() const {
     const OpenStudy& openStudy = m_parts.openStudy;
     const Study& study = *openStudy.study();
     StudyNames& names = m_parts.names;

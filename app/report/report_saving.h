@@ -83,7 +83,7 @@ private:
     void takeNext();
     void write();
     void endUnwritten(const QString& sentence);
-    [[nodiscard]] CaseReport snapshot() const;
+    [[nodiscard]] CaseReport windowState() const;
     [[nodiscard]] std::optional<ReportPane> pane(std::size_t index) const;
     [[nodiscard]] std::vector<ReportTime> times() const;
     void tell(const QString& path, const Result<void>& written);
