@@ -130,10 +130,7 @@ void MeasuringHand::markInPlane(PlanePane& pane, const QPointF& pixel) {
     const Vec3 place = pane.mapping().gridAt(pixel);
     if (!holds(m_parts.openStudy.volume()->dataBox(), place))
         return tell(tr("There is no data where you clicked, so nothing was marked. Click within the volume."));
-    const bool again = m_pane == &pane && length(place - m_places.back()) < samePlace * pane.mapping().mmPerPixel();
-    if (again) return;
-    m_pointer = pixel;
-    mark(&pane, place);
+    mark(&pane, pixel, place, pane.mapping().mmPerPixel());
 }
 
 void MeasuringHand::markOnSurface(const QPointF& pixel) {
@@ -148,14 +145,19 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
     if (!place)
         return tell(tr("Nothing shows where you clicked, so nothing was marked. Click on what the picture shows."));
     m_parts.picture.setFocus(Qt::MouseFocusReason);
-    m_pointer = pixel;
-    mark(&m_parts.picture, *place);
+    const Camera camera = m_parts.picture.shownCamera();
+    const auto seenAtDepth = [&](const QPointF& at) {
+        return gridPlaceAt(camera, placeIn3d(at), camera.frame.forward.dot(*place));
+    };
+    mark(&m_parts.picture, pixel, *place, length(seenAtDepth(pixel + QPointF(1, 0)) - seenAtDepth(pixel)));
 }
 
-void MeasuringHand::mark(QObject* pane, const Vec3& gridMm) {
+void MeasuringHand::mark(QObject* pane, const QPointF& pixel, const Vec3& gridMm, double mmPerPixel) {
     tell({});
     const int phase = phaseOf(m_parts.model.document(), m_parts.view);
     if (m_pane != pane || m_phase != phase) m_places.clear();
+    if (!m_places.empty() && length(gridMm - m_places.back()) < samePlace * mmPerPixel) return;
+    m_pointer = pixel;
     m_pane = pane;
     m_phase = phase;
     m_places.push_back(gridMm);

@@ -70,7 +70,7 @@ private:
     void hoverInPlane(PlanePane& pane, const QPointF& pixel);
     void markInPlane(PlanePane& pane, const QPointF& pixel);
     void markOnSurface(const QPointF& pixel);
-    void mark(QObject* pane, const Vec3& gridMm);
+    void mark(QObject* pane, const QPointF& pixel, const Vec3& gridMm, double mmPerPixel);
     void finish();
     [[nodiscard]] std::optional<Mark> markAt(const PlanePane& pane, const QPointF& pixel) const;
     void moveMark(PlanePane& pane, const QPointF& pixel);

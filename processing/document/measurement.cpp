@@ -37,7 +37,13 @@ Result<double> measuredValue(const Measurement& measurement, const VolumeGeometr
     const std::vector<Vec3>& places = measurement.placesMm;
     // Origin and voxel counts play no part in what lies between two places.
     const auto way = [&](const Vec3& from, const Vec3& to) { return geometry.direction * (to - from); };
-    if (measurement.kind == MeasurementKind::distance) return cv::norm(way(places[0], places[1]));
+    if (measurement.kind == MeasurementKind::distance) {
+        const double distance = cv::norm(way(places[0], places[1]));
+        if (distance == 0.0)
+            return fail(FailureKind::wrongUsage, {}, {}, "a distance needs two places that lie apart",
+                        "Mark another place.");
+        return distance;
+    }
     const Vec3 first = way(places[1], places[0]), second = way(places[1], places[2]);
     if (cv::norm(first) == 0.0 || cv::norm(second) == 0.0)
         return fail(FailureKind::wrongUsage, {}, {}, "an angle needs a vertex that lies apart from its other places",

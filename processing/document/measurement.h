@@ -43,8 +43,8 @@ struct Measurement {
 
 /// What a measurement comes to: mm of a distance, degrees from 0 to 180 of an angle. Lengths are those between patient
 /// positions, so that oblique and anisotropic grids measure alike. Fails (wrong usage) where the spacing of the volume
-/// is not known, with the reason: neither lengths nor angles are facts then. Fails where an angle's vertex coincides
-/// with one of its other places.
+/// is not known, with the reason: neither lengths nor angles are facts then. Fails where the places of a distance
+/// coincide, or an angle's vertex with one of its other places.
 [[nodiscard]] Result<double> measuredValue(const Measurement& measurement, const VolumeGeometry& geometry);
 
 /// What is wrong with a measurement that was read from a file, lower case, no full stop; an empty text where nothing

@@ -199,6 +199,24 @@ private slots:
         waitUntilIdle();
     }
 
+    void aDoubleClickOnASurfaceMarksOnePlace() {
+        open(file("ball.mha", {ball()}));
+        Document next = document();
+        next.curves.manual = {{{0.5, 0.0}, {0.5, 1.0}, {1.0, 1.0}}};
+        viewOf(next, 1).curve = CurveKind::manual;
+        window().document().edit(next, "ball");
+        waitUntilIdle();
+        key(Qt::Key_M);
+        const QPoint middle = QRect({}, window().volumeView().size()).center();
+        QTest::mouseDClick(pictureWindow(), Qt::LeftButton, {}, middle);
+        QCOMPARE(measurements().size(), 0u);
+        QTRY_COMPARE(window().volumeView().overlay().discs.size(), 1u);  // the place that is marked
+        QTest::mouseClick(pictureWindow(), Qt::LeftButton, {}, middle + QPoint(40, 20));
+        QCOMPARE(measurements().size(), 1u);
+        QVERIFY(value(0) > 1.0);
+        waitUntilIdle();
+    }
+
     void withoutASpacingTheToolIsRefused() {
         VolumeGeometry unknown = obliqueGrid();
         unknown.spacingKnown = false;

@@ -35,11 +35,13 @@ TEST(Measurement, AnglesKeepTheirDigitsNearTheirEnds) {
     }
 }
 
-TEST(Measurement, IsRefusedWhereTheSpacingIsUnknownOrAnAngleHasNoSides) {
+TEST(Measurement, IsRefusedWhereTheSpacingIsUnknownOrItsPlacesCoincide) {
     VolumeGeometry geometry = turnedGrid();
     const Measurement angle{.kind = MeasurementKind::angle, .placesMm = {{1, 1, 1}, {1, 1, 1}, {2, 2, 2}}};
     EXPECT_EQ(measuredValue(angle, geometry).error().sentence(),
               "an angle needs a vertex that lies apart from its other places. Mark three places that lie apart.");
+    EXPECT_EQ(measuredValue(Measurement{.placesMm = {{1, 1, 1}, {1, 1, 1}}}, geometry).error().sentence(),
+              "a distance needs two places that lie apart. Mark another place.");
     geometry.spacingKnown = false;
     const Measurement distance{.placesMm = {{1, 1, 1}, {2, 2, 2}}};
     EXPECT_EQ(measuredValue(distance, geometry).error().kind, FailureKind::wrongUsage);

@@ -21,7 +21,7 @@ TEST(ShownMeasurement, SaysMillimetresWithEnoughDigits) {
     EXPECT_EQ(distanceText(1.0), "1.0 mm");
     EXPECT_EQ(distanceText(0.474), "0.47 mm");
     EXPECT_EQ(distanceText(0.0474), "0.047 mm");
-    EXPECT_EQ(distanceText(0.0), "0.000 mm");
+    EXPECT_EQ(distanceText(0.0002), "0.000 mm");
     const double radians = 47.13 * std::numbers::pi / 180.0;
     const Measurement angle{.kind = MeasurementKind::angle,
                             .placesMm = {{6, 2, 3}, {2, 2, 3}, {2 + std::cos(radians), 2 + std::sin(radians), 3}}};
