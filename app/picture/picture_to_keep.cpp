@@ -2,15 +2,23 @@
 
 #include <QPainter>
 
-#include "processing/document/shown_measurement.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
 
-QImage pictureToKeep(VolumeViewWidget& picture, const Document& document, int view, const VolumeGeometry& geometry) {
+std::vector<ShownMeasurement> measurementsIn(const VolumeViewWidget& picture, const OpenStudy& openStudy,
+                                             const std::vector<Measurement>& measurements) {
+    const auto& measured = picture.measured();
+    const auto phase = measured ? openStudy.phaseOfVoxels(*measured) : std::nullopt;
+    if (!phase) return {};
+    return shownMeasurements(measurements, *phase, measured->geometry());
+}
+
+QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy,
+                     const std::vector<Measurement>& measurements) {
     QImage image = picture.convergedImage();
-    const auto shown = shownMeasurements(document.measurements, phaseOf(document, view), geometry);
+    const auto shown = measurementsIn(picture, openStudy, measurements);
     if (image.isNull() || shown.empty()) return image;
     QPainter painter(&image);
     paintMeasurements(painter, placedInPicture(shown, picture.shownCamera()), image.size(),

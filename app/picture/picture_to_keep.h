@@ -2,17 +2,23 @@
 #pragma once
 
 #include <QImage>
+#include <vector>
 
-#include "processing/document/document.h"
-#include "processing/volume/volume.h"
+#include "app/study/open_study.h"
+#include "processing/document/shown_measurement.h"
 
 namespace echolucent {
 
 class VolumeViewWidget;
 
-/// VolumeViewWidget::convergedImage() with the document's measurements of the phase that its view shows, as panes draw
-/// them. `geometry` is that of the volume shown. The image is null where the view was never drawn.
-[[nodiscard]] QImage pictureToKeep(VolumeViewWidget& picture, const Document& document, int view,
-                                   const VolumeGeometry& geometry);
+/// Those of the measurements that belong to what a view shows: to the phase of its own volume. While the OTF of another
+/// phase is computed, that is not yet the phase of the document; while another study's is, none belong to it.
+[[nodiscard]] std::vector<ShownMeasurement> measurementsIn(const VolumeViewWidget& picture, const OpenStudy& openStudy,
+                                                           const std::vector<Measurement>& measurements);
+
+/// VolumeViewWidget::convergedImage() with measurementsIn() the view, as panes draw them. The image is null where the
+/// view was never drawn.
+[[nodiscard]] QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy,
+                                   const std::vector<Measurement>& measurements);
 
 }  // namespace echolucent

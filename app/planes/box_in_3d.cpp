@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/picture/picture_to_keep.h"
 #include "app/planes/measurement_overlay.h"
 #include "processing/document/box_editing.h"
-#include "processing/document/shown_measurement.h"
 #include "widgets/planes/plane_colours.h"
 #include "widgets/volume_view/grip_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -51,6 +51,7 @@ BoxIn3d::BoxIn3d(DocumentModel& model, int view, OpenStudy& openStudy, VolumeVie
     : QObject(parent), m_model(model), m_view(view), m_openStudy(openStudy), m_picture(picture) {
     connect(&m_model, &DocumentModel::changed, this, &BoxIn3d::show);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &BoxIn3d::show);
+    connect(&m_picture, &VolumeViewWidget::measuredChanged, this, &BoxIn3d::show);
     GripPointer& grips = m_picture.grips();
     connect(&grips, &GripPointer::dragStarted, this, [this](std::size_t grip) {
         m_held = m_grips.at(grip);
@@ -91,9 +92,7 @@ void BoxIn3d::show() {
 }
 
 void BoxIn3d::addMeasurements(Overlay& overlay) const {
-    const Document& document = m_model.document();
-    append(overlay, overlayOf(shownMeasurements(document.measurements, phaseOf(document, m_view),
-                                                m_openStudy.volume()->geometry())));
+    append(overlay, overlayOf(measurementsIn(m_picture, m_openStudy, m_model.document().measurements)));
     append(overlay, m_marking);
 }
 

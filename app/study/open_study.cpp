@@ -245,6 +245,14 @@ std::shared_ptr<const Volume> OpenStudy::volumeOf(int phase) {
     return m_study ? m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]) : nullptr;
 }
 
+std::optional<int> OpenStudy::phaseOfVoxels(const Volume& volume) const {
+    if (!m_study) return std::nullopt;
+    const auto found =
+        std::ranges::find(m_study->phases, &volume.voxels(), [](const auto& phase) { return &phase->voxels(); });
+    if (found == m_study->phases.end()) return std::nullopt;
+    return static_cast<int>(found - m_study->phases.begin());
+}
+
 std::shared_ptr<const Volume> OpenStudy::newestVoxelsOf(int phase) {
     const std::shared_ptr<const Volume> quiet = m_quiet.of(phase);
     return quiet ? m_cut.of(phase, quiet) : volumeOf(phase);

@@ -96,6 +96,8 @@ public:
     /// them; of the raw ones where there is no OTF.
     [[nodiscard]] const IntensityHistogram& histogramOfOtf() const;
     [[nodiscard]] int phase() const { return m_phase; }
+    /// The phase whose raw voxels a volume holds, whatever is cut of them; no value where it is none of this study.
+    [[nodiscard]] std::optional<int> phaseOfVoxels(const Volume& volume) const;
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
 

@@ -118,9 +118,7 @@ void CurveAndPictureFiles::copyPicture() {
 }
 
 QImage CurveAndPictureFiles::pictureToSave() {
-    const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume();
-    if (!volume) return m_parts.picture.convergedImage();
-    return pictureToKeep(m_parts.picture, m_parts.model.document(), m_parts.view, volume->geometry());
+    return pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document().measurements);
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {

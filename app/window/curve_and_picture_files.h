@@ -26,7 +26,6 @@ public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         OtfEditor& editor;
         VolumeViewWidget& picture;

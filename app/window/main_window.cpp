@@ -99,8 +99,8 @@ void MainWindow::createUnits() {
     m_opening = std::make_unique<StudyOpening>(
         StudyOpening::Parts{*this, *m_openStudy, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
-        CurveAndPictureFiles::Parts{*this, m_document, mainView, *m_openStudy, *m_widgets.editor, *m_widgets.picture,
-                                    m_settings, *m_widgets.messages, m_names});
+        CurveAndPictureFiles::Parts{*this, m_document, *m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
+                                    *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
         *this, m_document, mainView, *m_openStudy, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },

@@ -159,7 +159,8 @@ void VolumeViewWidget::moveLight(const LightDirection& light) {
 
 void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured) {
     Parts& parts = *m_parts;
-    parts.measured = measured ? std::move(measured) : volume;
+    if (!measured) measured = volume;
+    if (std::exchange(parts.measured, measured) != measured) emit measuredChanged();
     if (volume == parts.volume) return;
     if (volume && parts.volume && volume->isSameScanAs(*parts.volume)) {
         // Only what a scalpel cut of it is another: the caster goes on with what it knows, and the picture stays until

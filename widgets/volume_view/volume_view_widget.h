@@ -165,7 +165,8 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void cameraChanged();  ///< the person has moved the camera: pose() is another
+    void measuredChanged();  ///< by setVolume(): the next picture is of another phase, or of what a scalpel left of it
+    void cameraChanged();    ///< the person has moved the camera: pose() is another
     /// The hand has let go; what it moved stays. Wheel turns have no end.
     void dragEnded();
     /// Escape has ended the drag; pose() and look() are again as before it.

@@ -1,9 +1,12 @@
 // The measuring tools in the hand in the real main window: steps, drags of marks, Escape, the list.
 #include <QAction>
+#include <QClipboard>
+#include <QImage>
 #include <QToolButton>
 #include <cmath>
 
 #include "app/motion/motion_player.h"
+#include "app/picture/picture_image.h"
 #include "tests/app/planes/measuring_fixture.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
@@ -210,6 +213,41 @@ private slots:
         QCOMPARE(measurements().size(), 1u);
         QCOMPARE(measurements()[0].phase, 1);
         waitUntilIdle();
+    }
+
+    void aPictureShowsTheMeasurementsOfTheVolumeThatItIsOf() {
+        openPhases();
+        Document next = document();
+        next.motion.scenario = MotionScenario::object;
+        next.motion.otf = MotionOtf::eachView;
+        const Vec3 centre = (dataBox().lowMm + dataBox().highMm) * 0.5;
+        next.measurements = {{.id = 1, .placesMm = {centre - Vec3(20, 0, 0), centre + Vec3(20, 0, 0)}, .phase = 0},
+                             {.id = 2, .placesMm = {centre - Vec3(0, 30, 0), centre + Vec3(0, 30, 0)}, .phase = 1}};
+        window().document().edit(next, "each phase's OTF");
+        waitUntilIdle();
+        const auto saved = [&](const QString& name) {
+            const QString path = temporaryFolder().filePath(name);
+            if (!window().savePicture(path)) qFatal("not saved");
+            return QImage(path);
+        };
+        const auto texts = [&] {
+            QStringList all;
+            for (const auto& words : window().volumeView().overlay().texts) all << QString::fromStdString(words.text);
+            return all;
+        };
+        const QImage first = saved("first.png");
+        QCOMPARE(texts(), QStringList{"40.0 mm"});
+        // The view keeps the picture of a phase until the OTF of the next one is there.
+        QTest::keyClick(&window(), Qt::Key_Period);
+        QCOMPARE(phaseOf(document(), 1), 1);
+        QVERIFY(window().volumeView().measured() != window().openStudy().volume());
+        QCOMPARE(texts(), QStringList{"40.0 mm"});
+        QCOMPARE(saved("stepped.png"), first);
+        QTest::keyClick(&window(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(rgbBytesOf(QApplication::clipboard()->image()), rgbBytesOf(first));
+        waitUntilIdle();
+        QCOMPARE(texts(), QStringList{"60.0 mm"});
+        QVERIFY(saved("second.png") != first);
     }
 
     void anotherStudyEndsTheDragOfAMark() {
