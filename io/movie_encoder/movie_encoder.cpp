@@ -66,10 +66,13 @@ void echolucentCloseMovie(void* encoder) {
     }
 }
 
-int echolucentCountPictures(const char* path, int (*cancelled)(const void*), const void* context) {
+int echolucentCountPictures(const char* path, int width, int height, int (*cancelled)(const void*),
+                            const void* context) {
     try {
         cv::VideoCapture movie(path, cv::CAP_FFMPEG);
-        if (!movie.isOpened()) return -1;
+        if (!movie.isOpened() || movie.get(cv::CAP_PROP_FRAME_WIDTH) != width ||
+            movie.get(cv::CAP_PROP_FRAME_HEIGHT) != height)
+            return -1;
         int count = 0;
         for (; movie.grab(); ++count)
             if (cancelled(context) != 0) return -1;

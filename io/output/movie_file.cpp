@@ -111,13 +111,16 @@ struct MovieFile::Parts {
     std::string path;
     MovieContainer container;
     std::optional<UnfinishedFile> file{};
-    std::size_t pictureBytes = 0;
+    int width = 0, height = 0;
     void* movie = nullptr;
     int pictures = 0;
 
     Parts(std::string where, const MovieContainer& what) : path(std::move(where)), container(what) {}
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
+    [[nodiscard]] std::size_t pictureBytes() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+    }
     ~Parts() {
         if (movie) encoder().close(movie);
     }
@@ -131,10 +134,10 @@ MovieFile::~MovieFile() = default;
 Result<void> MovieFile::check(const std::string& path, int width, int height) {
     const auto container = movieContainerOf(path);
     if (!container) return tl::unexpected<Failure>(container.error());
-    if (container->evenSizes && (width % 2 != 0 || height % 2 != 0))
+    if (width % 2 != 0 || height % 2 != 0)
         return fail(FailureKind::wrongUsage, path, "",
-                    "would have " + std::to_string(width) + " x " + std::to_string(height) + " pixels, but those of " +
-                        std::string(container->words) + " are counted in twos",
+                    "would have " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels, but those of movies are counted in twos",
                     "Take an even width and height.");
     return checkFolder(path);
 }
@@ -150,7 +153,8 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
             path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
                       " is neither beside the program nor in its library folder, or is not the one of this version");
     auto parts = std::make_unique<Parts>(path, *movieContainerOf(path));
-    parts->pictureBytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+    parts->width = width;
+    parts->height = height;
     auto file = UnfinishedFile::beside(path, parts->container.ending);
     if (!file) return tl::unexpected<Failure>(file.error());
     parts->file = std::move(*file);
@@ -163,7 +167,7 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
 }
 
 Result<void> MovieFile::add(std::span<const std::uint8_t> rgb) {
-    if (!m_parts || !m_parts->movie || rgb.size() != m_parts->pictureBytes)
+    if (!m_parts || !m_parts->movie || rgb.size() != m_parts->pictureBytes())
         throw std::invalid_argument("MovieFile::add: the picture's bytes do not match the movie's size");
     if (encoder().add(m_parts->movie, rgb.data()) != 0)
         return cannotWrite(m_parts->path, "could not be made a movie: a picture could not be encoded");
@@ -184,10 +188,12 @@ Result<void> MovieFile::finish(const Progress& progress) {
     const auto wasCancelled = [](const void* asked) {
         return static_cast<const Progress*>(asked)->cancelled() ? 1 : 0;
     };
-    const int whole = encoder().count(m_parts->file->name().c_str(), wasCancelled, &progress);
+    const int whole =
+        encoder().count(m_parts->file->name().c_str(), m_parts->width, m_parts->height, wasCancelled, &progress);
     if (progress.cancelled()) return fail(FailureKind::cancelled, m_parts->path, "", "was cancelled");
     if (whole != m_parts->pictures)
-        return cannotWrite(m_parts->path, "could not be made a movie: the disk may be full");
+        return cannotWrite(m_parts->path,
+                           "could not be made a movie: it does not read back whole, and the disk may be full");
     return m_parts->file->putInPlace();
 }
 

@@ -19,11 +19,10 @@ namespace echolucent {
 struct MovieContainer {
     std::string_view ending;  ///< of the file's name, lower case
     std::string_view words;   ///< "Motion JPEG in AVI"
-    bool evenSizes = false;   ///< width and height must be even
     friend bool operator==(const MovieContainer&, const MovieContainer&) = default;
 };
 inline constexpr std::array movieContainers{MovieContainer{".avi", "Motion JPEG in AVI"},
-                                            MovieContainer{".mp4", "H.264 in MP4", true},
+                                            MovieContainer{".mp4", "H.264 in MP4"},
                                             MovieContainer{".mkv", "lossless FFV1 in Matroska"}};
 
 /// The container that the name's ending asks for, capital letters or not; the path "-" (standard output) asks for AVI.
@@ -33,13 +32,13 @@ inline constexpr std::array movieContainers{MovieContainer{".avi", "Motion JPEG 
 /// A movie being written. Nothing is at its path before finish(), and nothing is left where finish() is not reached.
 class MovieFile {
 public:
-    /// Fails as begin() does before anything is rendered: where the name's ending is none of movieContainers or the
-    /// container needs even sizes (wrongUsage), or the folder of `path` cannot be written into (unwritable).
+    /// Fails as begin() does before anything is rendered: where the name's ending is none of movieContainers or a side
+    /// is odd (wrongUsage: OpenCV would cut it), or the folder of `path` cannot be written into (unwritable).
     [[nodiscard]] static Result<void> check(const std::string& path, int width, int height);
 
-    /// Begins a movie of `width` x `height` pixels (1 to 16384 each) at `framesPerSecond` (above 0, at most 1000);
-    /// throws std::invalid_argument where one of them lies outside. Fails as check() does, and (unwritable) where the
-    /// module is missing or has no encoder for the container.
+    /// Begins a movie of `width` x `height` pixels (even, 1 to 16384 each) at `framesPerSecond` (above 0, at most
+    /// 1000); throws std::invalid_argument where one of them lies outside. Fails as check() does, and (unwritable)
+    /// where the module is missing or has no encoder for the container.
     [[nodiscard]] static Result<MovieFile> begin(const std::string& path, int width, int height,
                                                  double framesPerSecond);
     MovieFile(MovieFile&&) noexcept;
@@ -49,9 +48,9 @@ public:
     /// Adds a picture: 8-bit red, green, blue, rows from the top, width * height * 3 bytes (std::invalid_argument where
     /// `rgb` has another size). Fails (unwritable) where the picture cannot be encoded.
     [[nodiscard]] Result<void> add(std::span<const std::uint8_t> rgb);
-    /// Reads the movie back to see that it is whole, and puts it in its place as UnfinishedFile does. Fails
-    /// (unwritable) where the movie has no pictures, is an AVI of more than 2 GB or cannot be written, and (cancelled)
-    /// where progress.cancel was raised before it was read back.
+    /// Reads the movie back to see that it is whole and of its size, and puts it in its place as UnfinishedFile does.
+    /// Fails (unwritable) where the movie has no pictures, is an AVI of more than 2 GB or cannot be written, and
+    /// (cancelled) where progress.cancel was raised before it was read back.
     [[nodiscard]] Result<void> finish(const Progress& progress = {});
 
 private:

@@ -91,23 +91,23 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Outputs, ExitStatus,
-    testing::Values(Row{"render VOLUME -o FOLDER/x.jpg", 2,
-                        "x.jpg\", but pictures are written as PNG. Give it a name that ends in .png."},
-                    Row{"render VOLUME -o FOLDER/x.TIFF", 2, "pictures are written as PNG"},
-                    Row{"render VOLUME -o FOLDER/x.avi", 2, "pictures are written as PNG"},
-                    Row{"render --document FOLDER/none.json -o FOLDER/x.jpeg", 2, "pictures are written as PNG"},
-                    Row{"sweep VOLUME --movie FOLDER/x.webm", 2,
-                        "x.webm: --movie ends in .webm, which is no kind of movie that can be written. Give it a name "
-                        "that ends in .avi, .mp4 or .mkv."},
-                    Row{"sweep VOLUME --movie FOLDER/x.GIF", 2, "ends in .gif, which is no kind of movie"},
-                    Row{"sweep VOLUME --movie FOLDER/x", 2, "does not say by its ending what kind of movie"},
-                    Row{"sweep VOLUME --size 33x32 --movie FOLDER/x.mp4", 2,
-                        "would have 33 x 32 pixels, but those of H.264 in MP4 are counted in twos. Take an even width"},
-                    Row{"quiet VOLUME -o FOLDER/x.nrrd", 2,
-                        "volumes are written as MetaImage. Give it a name that ends in .mha."},
-                    Row{"phantom FOLDER/x.nrrd", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
-                    Row{"phantom FOLDER/x.mha.gz", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
-                    Row{"phantom FOLDER/x.png", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."}));
+    testing::Values(
+        Row{"render VOLUME -o FOLDER/x.jpg", 2,
+            "x.jpg\", but pictures are written as PNG. Give it a name that ends in .png."},
+        Row{"render VOLUME -o FOLDER/x.TIFF", 2, "pictures are written as PNG"},
+        Row{"render VOLUME -o FOLDER/x.avi", 2, "pictures are written as PNG"},
+        Row{"render --document FOLDER/none.json -o FOLDER/x.jpeg", 2, "pictures are written as PNG"},
+        Row{"sweep VOLUME --movie FOLDER/x.webm", 2,
+            "x.webm: --movie ends in .webm, which is no kind of movie that can be written. Give it a name "
+            "that ends in .avi, .mp4 or .mkv."},
+        Row{"sweep VOLUME --movie FOLDER/x.GIF", 2, "ends in .gif, which is no kind of movie"},
+        Row{"sweep VOLUME --movie FOLDER/x", 2, "does not say by its ending what kind of movie"},
+        Row{"sweep VOLUME --size 33x32 --movie FOLDER/x.mp4", 2,
+            "would have 33 x 32 pixels, but those of movies are counted in twos. Take an even width and height."},
+        Row{"quiet VOLUME -o FOLDER/x.nrrd", 2, "volumes are written as MetaImage. Give it a name that ends in .mha."},
+        Row{"phantom FOLDER/x.nrrd", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+        Row{"phantom FOLDER/x.mha.gz", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+        Row{"phantom FOLDER/x.png", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."}));
 
 INSTANTIATE_TEST_SUITE_P(
     NearCuts, ExitStatus,

@@ -144,21 +144,33 @@ TEST(MovieFile, RefusesNamesThatSayNothingItCanWrite) {
     EXPECT_EQ(movieContainerOf("a.b.MKV")->ending, ".mkv");
 }
 
-TEST(MovieFile, SaysWhichSizesTheContainerTakes) {
+TEST(MovieFile, HasTheSizeThatWasAskedForOrNone) {
     const TemporaryFolder folder;
     for (const std::string& ending : endings()) {
-        const std::string path = folder.file("odd" + ending);
-        const auto possible = MovieFile::check(path, 33, 32);
-        EXPECT_EQ(possible.has_value(), ending != ".mp4");
-        if (!possible) {
-            EXPECT_NE(possible.error().sentence().find("33 x 32 pixels"), std::string::npos);
-            EXPECT_FALSE(MovieFile::begin(path, 32, 33, 25));
-            continue;
+        const std::string odd = folder.file("odd" + ending);
+        for (const auto& [columns, rows] : {std::pair(33, 32), {32, 33}, {33, 31}, {1, 1}}) {
+            const auto possible = MovieFile::check(odd, columns, rows);
+            ASSERT_FALSE(possible) << ending << ", " << columns << " x " << rows;
+            EXPECT_EQ(possible.error().kind, FailureKind::wrongUsage);
+            EXPECT_NE(
+                possible.error().sentence().find(std::to_string(columns) + " x " + std::to_string(rows) + " pixels"),
+                std::string::npos)
+                << possible.error().sentence();
+            EXPECT_FALSE(MovieFile::begin(odd, columns, rows, 25));
         }
-        auto movie = MovieFile::begin(path, 33, 31, 25);
-        ASSERT_TRUE(movie);
-        ASSERT_TRUE(movie->add(std::vector<std::uint8_t>(std::size_t{33} * 31 * 3, 90)));
-        EXPECT_TRUE(movie->finish());
+        for (const auto& [columns, rows] : {std::pair(2, 2), {16, 18}, {34, 30}, {510, 126}}) {
+            const std::string path = folder.file("even" + ending);
+            auto movie = MovieFile::begin(path, columns, rows, 25);
+            ASSERT_TRUE(movie) << ending << ", " << columns << " x " << rows;
+            const auto bytes = std::size_t{3} * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+            ASSERT_TRUE(movie->add(std::vector<std::uint8_t>(bytes, 90)));
+            const auto finished = movie->finish();
+            ASSERT_TRUE(finished) << finished.error().sentence();
+            cv::VideoCapture written(path, cv::CAP_FFMPEG);
+            cv::Mat picture;
+            ASSERT_TRUE(written.read(picture)) << ending;
+            EXPECT_EQ(picture.size(), cv::Size(columns, rows)) << ending;
+        }
     }
     EXPECT_THROW((void)MovieFile::begin(folder.file("a.avi"), 0, 32, 25), std::invalid_argument);
     EXPECT_THROW((void)MovieFile::begin(folder.file("a.avi"), 32, 32, 0), std::invalid_argument);

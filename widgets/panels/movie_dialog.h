@@ -41,8 +41,8 @@ struct MovieHindrance {
 
 /// Objects: movieDialog (this), movieDialog.plays, .preset (of sizes), .width, .height, .rate (of a movie), .labels,
 /// .path, .choosePath, .sentence (what stands in the way, or how long the movie is), .replace (seen where files are
-/// there already), .save, .cancel. Save is enabled only where nothing stands in the way. Movies have even sizes, since
-/// most codecs count pixels in twos: an odd one is rounded down.
+/// there already), .save, .cancel. Save is enabled only where nothing stands in the way. Movies have even sizes,
+/// since their pixels are counted in twos: an odd one is rounded down.
 class MovieDialog : public QDialog {
     Q_OBJECT
 
