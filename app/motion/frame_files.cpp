@@ -123,8 +123,9 @@ std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, 
     const int digits = std::max(4, static_cast<int>(QString::number(frames).size()));
     std::vector<std::string> files;
     for (int frame = 1; frame <= frames; ++frame)
+        // The name may hold what QString::arg() would replace.
         files.push_back(
-            QStringLiteral("%1-%2.%3").arg(stem).arg(frame, digits, 10, QChar(u'0')).arg(pictureEnding).toStdString());
+            (stem + '-' + QString::number(frame).rightJustified(digits, u'0') + '.' + pictureEnding).toStdString());
     return files;
 }
 

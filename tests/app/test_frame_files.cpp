@@ -26,6 +26,8 @@ private slots:
         QCOMPARE(filesOf(FrameOutput::series, choice, 2),
                  (std::vector<std::string>{"/x/heart.b-0001.png", "/x/heart.b-0002.png"}));
         QCOMPARE(filesOf(FrameOutput::series, choice, 12345).front(), std::string("/x/heart.b-00001.png"));
+        QCOMPARE(filesOf(FrameOutput::series, {.path = "/50%1/heart%2 %3.png"}, 1),
+                 std::vector<std::string>{"/50%1/heart%2 %3-0001.png"});
         QCOMPARE(filesOf(FrameOutput::movie, choice, 5), std::vector<std::string>{"/x/heart.b.png"});
     }
 

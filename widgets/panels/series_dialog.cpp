@@ -41,7 +41,8 @@ SeriesDialog::SeriesDialog(const QString& source, const QList<SeriesRow>& rows, 
     setObjectName("series");
     setAccessibleName(tr("Choice of a series"));
     setWindowTitle(tr("Several series"));
-    auto* head = new QLabel(tr("%1 holds %2 series. Which one is to be opened?").arg(source).arg(rows.size()));
+    auto* head =
+        new QLabel(tr("%1 holds %2 series. Which one is to be opened?").arg(source, QString::number(rows.size())));
     head->setTextFormat(Qt::PlainText);  // names of folders may hold anything
     head->setWordWrap(true);
     m_list->setIconSize({pictureEdge, pictureEdge});

@@ -141,6 +141,19 @@ private slots:
         QCOMPARE(proposed, m_series.path() + ".session.json");
     }
 
+    void aFolderIsCalledByItsNameWhateverThatHolds() {
+        const QTemporaryDir above;
+        const QString folder = above.filePath("50%1 %2");
+        QVERIFY(QDir().mkdir(folder));
+        for (const char* name : {"a.dcm", "b.dcm"}) QVERIFY(QFile::copy(m_series.filePath(name), folder + '/' + name));
+        window().open(folder);
+        QTRY_VERIFY(dialog() && dialog()->isVisible());
+        QStringList told;
+        for (const QLabel* label : dialog()->findChildren<QLabel*>()) told << label->text();
+        QVERIFY2(told.contains("50%1 %2 holds 2 series. Which one is to be opened?"), qPrintable(told.join('\n')));
+        QTRY_VERIFY(window().idle());
+    }
+
     void aDoubleClickOpens() {
         ask();
         const QRect row = list()->visualItemRect(list()->item(0));
