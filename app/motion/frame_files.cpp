@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "app/picture/picture_caption.h"
 #include "io/output/movie_file.h"
@@ -100,6 +101,27 @@ private:
     std::vector<bool> m_isNew;
 };
 
+/// The picture of a frame, counted from 1, in a series of so many.
+std::string fileOfSeries(const MovieChoice& choice, int frame, int frames) {
+    const QFileInfo name(choice.path);
+    const auto digits = std::max<qsizetype>(4, QString::number(frames).size());
+    // The name may hold what QString::arg() would replace.
+    const QString file = name.path() + '/' + name.completeBaseName() + '-' +
+                         QString::number(frame).rightJustified(digits, u'0') + '.' + pictureEnding;
+    return file.toStdString();
+}
+
+Result<void> removePictures(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        std::error_code problem;
+        std::filesystem::remove(file, problem);
+        if (problem)
+            return fail(FailureKind::unwritable, file, "", "is of a longer series and could not be removed",
+                        "Remove it by hand: all pictures before it are of the new series.");
+    }
+    return {};
+}
+
 /// Hands each frame to `take`, in turn.
 template <typename Take>
 Result<void> eachFrame(const FrameOrder& order, ViewFrames& frames, const Progress& progress, const Take& take) {
@@ -118,15 +140,19 @@ Result<void> eachFrame(const FrameOrder& order, ViewFrames& frames, const Progre
 
 std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, int frames) {
     if (output == FrameOutput::movie) return {choice.path.toStdString()};
-    const QFileInfo name(choice.path);
-    const QString stem = name.path() + '/' + name.completeBaseName();
-    const int digits = std::max(4, static_cast<int>(QString::number(frames).size()));
     std::vector<std::string> files;
-    for (int frame = 1; frame <= frames; ++frame)
-        // The name may hold what QString::arg() would replace.
-        files.push_back(
-            (stem + '-' + QString::number(frame).rightJustified(digits, u'0') + '.' + pictureEnding).toStdString());
+    for (int frame = 1; frame <= frames; ++frame) files.push_back(fileOfSeries(choice, frame, frames));
     return files;
+}
+
+std::vector<std::string> filesOfLongerSeries(FrameOutput output, const MovieChoice& choice, int frames) {
+    std::vector<std::string> files;
+    if (output == FrameOutput::movie) return files;
+    for (int frame = frames + 1;; ++frame) {
+        std::string file = fileOfSeries(choice, frame, frames);
+        if (!QFileInfo(QString::fromStdString(file)).isFile()) return files;
+        files.push_back(std::move(file));
+    }
 }
 
 Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
@@ -144,7 +170,9 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
             return fail(FailureKind::unwritable, path, "",
                         "could not be written: its folder is not there or read-only");
     }
-    return refuseToOverwrite(study, filesOf(output, choice, frames));
+    std::vector<std::string> files = filesOf(output, choice, frames);
+    std::ranges::move(filesOfLongerSeries(output, choice, frames), std::back_inserter(files));
+    return refuseToOverwrite(study, files);
 }
 
 Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
@@ -156,7 +184,9 @@ Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
         const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
             return series.add(paths[static_cast<std::size_t>(frame)], size, rgb);
         });
-        return taken ? series.finish() : taken;
+        if (!taken) return taken;
+        if (const auto finished = series.finish(); !finished || !order.choice.replace) return finished;
+        return removePictures(filesOfLongerSeries(order.output, order.choice, frames.count()));
     }
     auto movie =
         MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);

@@ -92,10 +92,15 @@ MovieHindrance MovieFiles::hindrance(FrameOutput output, const MovieChoice& choi
     const std::vector<std::string> files = filesOf(output, choice, frames);
     const auto there = std::ranges::count_if(
         files, [](const std::string& file) { return QFileInfo::exists(QString::fromStdString(file)); });
-    if (there == 0) return {};
+    const std::vector<std::string> longer = filesOfLongerSeries(output, choice, frames);
+    if (there == 0 && longer.empty()) return {};
     if (output == FrameOutput::movie) return {tr("%1 is there already.").arg(namesOf(files)), true};
+    if (there == 0)
+        return {tr("A longer series left %1 there. Replacing removes what it left.").arg(namesOf(longer)), true};
     const QString some = there == 1 ? tr("one is") : tr("%1 are").arg(there);
-    return {tr("Of %1, %2 there already.").arg(namesOf(files), some), true};
+    const QString sentence = tr("Of %1, %2 there already.").arg(namesOf(files), some);
+    if (longer.empty()) return {sentence, true};
+    return {sentence + ' ' + tr("Replacing also removes %1, which a longer series left.").arg(namesOf(longer)), true};
 }
 
 QString MovieFiles::choosePath(FrameOutput output, const QString& present) const {

@@ -129,6 +129,40 @@ private slots:
         QVERIFY(save(dialog));
         QCOMPARE(QImage(old.fileName()).size(), QSize(32, 32));
     }
+
+    void aShorterSeriesLeavesNoneOfALongerOne() {
+        open(moving());
+        playThePhases();
+        // A series of six pictures, and what is none of its.
+        const QStringList longer{"heart-0001.png", "heart-0002.png", "heart-0003.png",
+                                 "heart-0004.png", "heart-0005.png", "heart-0006.png"};
+        const QStringList others{"heart-0008.png", "heart-0005.jpg", "lung-0005.png", "heart-5.png"};
+        for (const QString& name : longer + others) {
+            QFile file(out().filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("old") == 3);
+        }
+        child<QAction>("file.savePictureSeries")->trigger();
+        QDialog* dialog = theDialog();
+        auto* sentence = in<QLabel>(dialog, "sentence");
+        type(in<QSpinBox>(dialog, "width"), "32");
+        type(in<QSpinBox>(dialog, "height"), "32");
+        write(in<QLineEdit>(dialog, "path"), out().filePath("heart.png"));
+        QCOMPARE(sentence->text(),
+                 QString("Of heart-0001.png to heart-0004.png, 4 are there already. "
+                         "Replacing also removes heart-0005.png to heart-0006.png, which a longer series left."));
+        QVERIFY(!in<QPushButton>(dialog, "save")->isEnabled());
+        for (int frame = 1; frame <= 4; ++frame)
+            QVERIFY(QFile::remove(out().filePath(QStringLiteral("heart-000%1.png").arg(frame))));
+        write(in<QLineEdit>(dialog, "path"), out().filePath("heart.png"));
+        QCOMPARE(sentence->text(), QString("A longer series left heart-0005.png to heart-0006.png there. "
+                                           "Replacing removes what it left."));
+        QVERIFY(!in<QPushButton>(dialog, "save")->isEnabled());
+        tick(in<QCheckBox>(dialog, "replace"));
+        QVERIFY(save(dialog));
+        QStringList expected = longer.first(4) + others;
+        expected.sort();
+        QCOMPARE(QDir(out().path()).entryList(QDir::Files, QDir::Name), expected);
+    }
 };
 
 int main(int count, char** arguments) {
