@@ -56,9 +56,10 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     connect(m_snapshots, &QListWidget::itemActivated, this, choose);
     connect(m_snapshots, &QListWidget::currentRowChanged, this, &HistoryPanel::enableButtons);
     connect(m_snapshots, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        const int row = m_snapshots->row(item);
         // Told later, as the list is made anew then and its editor is still at work. The item may be gone by that time.
         QMetaObject::invokeMethod(
-            this, [this, row = m_snapshots->row(item), name = item->text()] { emit renameRequested(row, name); },
+            this, [this, row, before = m_names.at(row), name = item->text()] { requestRename(row, before, name); },
             Qt::QueuedConnection);
     });
     connect(m_rename, &QToolButton::clicked, this, [this] { editName(m_snapshots->currentRow()); });
@@ -70,6 +71,7 @@ void HistoryPanel::setSteps(QUndoStack& steps) { m_steps->setStack(&steps); }
 
 void HistoryPanel::setSnapshots(const QStringList& names) {
     const QSignalBlocker quiet(m_snapshots);
+    m_names = names;
     const int current = m_snapshots->currentRow();
     m_snapshots->clear();
     m_snapshots->addItems(names);
@@ -82,6 +84,11 @@ void HistoryPanel::setSnapshots(const QStringList& names) {
     m_none->setVisible(names.isEmpty());
     m_snapshots->setVisible(!names.isEmpty());
     enableButtons();
+}
+
+/// The list may have been made anew since the name was typed.
+void HistoryPanel::requestRename(int snapshot, const QString& before, const QString& name) {
+    if (snapshot < m_names.size() && m_names.at(snapshot) == before) emit renameRequested(snapshot, name);
 }
 
 void HistoryPanel::editName(int snapshot) {

@@ -35,10 +35,12 @@ signals:
     void removeRequested(int snapshot);
 
 private:
+    void requestRename(int snapshot, const QString& before, const QString& name);
     void enableButtons();
 
     QUndoView* m_steps;
     QListWidget* m_snapshots;
+    QStringList m_names;  ///< of the snapshots, as they were set
     QLabel* m_none;
     QToolButton *m_rename, *m_remove;
 };

@@ -1,0 +1,69 @@
+// The panel of steps and snapshots: a name that is typed goes to the snapshot that it was typed for, or to none.
+#include <QtTest>
+#include <QtWidgets>
+
+#include "widgets/panels/history_panel.h"
+
+using namespace echolucent;
+
+class TestPanelsHistory : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_panel = std::make_unique<HistoryPanel>();
+        m_panel->setSnapshots({"first", "second", "third"});
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+        // A virtual display has no window manager that would make it the active window, in which fields have a focus.
+        QApplication::setActiveWindow(m_panel.get());
+    }
+    void cleanup() { m_panel.reset(); }
+
+    void aNameThatIsTypedIsAskedFor() {
+        QSignalSpy renamed(m_panel.get(), &HistoryPanel::renameRequested);
+        type(1, "face");
+        QTRY_COMPARE(renamed.count(), 1);
+        QCOMPARE(renamed.first(), (QVariantList{1, "face"}));
+    }
+
+    /// A rename is told later than it is typed; meanwhile the list may have become another.
+    void aNameThatWasTypedForAnotherListIsAskedForNever_data() {
+        QTest::addColumn<QStringList>("then");
+        QTest::newRow("the row is gone") << QStringList{"first"};
+        QTest::newRow("the list is empty") << QStringList{};
+        QTest::newRow("another snapshot stands there") << QStringList{"first", "third"};
+    }
+    void aNameThatWasTypedForAnotherListIsAskedForNever() {
+        QFETCH(QStringList, then);
+        QSignalSpy renamed(m_panel.get(), &HistoryPanel::renameRequested);
+        type(1, "face");
+        QCOMPARE(renamed.count(), 0);
+        m_panel->setSnapshots(then);
+        QCoreApplication::processEvents();  // what was to be told later is told now
+        QCOMPARE(renamed.count(), 0);
+    }
+
+    void aNameGoesToTheSnapshotThatStandsWhereItStoodBefore() {
+        QSignalSpy renamed(m_panel.get(), &HistoryPanel::renameRequested);
+        type(1, "face");
+        m_panel->setSnapshots({"first", "second", "third", "fourth"});
+        QTRY_COMPARE(renamed.count(), 1);
+        QCOMPARE(renamed.first(), (QVariantList{1, "face"}));
+    }
+
+private:
+    /// The key Tab takes a name at once.
+    void type(int snapshot, const QString& name) {
+        m_panel->editName(snapshot);
+        auto* field = m_panel->findChild<QListWidget*>("history.snapshots")->findChild<QLineEdit*>();
+        QVERIFY(field);
+        QTest::keyClicks(field, name);
+        QTest::keyClick(field, Qt::Key_Tab);
+    }
+
+    std::unique_ptr<HistoryPanel> m_panel;
+};
+
+QTEST_MAIN(TestPanelsHistory)
+#include "test_panels_history.moc"
