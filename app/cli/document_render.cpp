@@ -5,12 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "io/document/session_file.h"
 #include "io/output/overwriting.h"
+#include "io/simulated_study.h"
 #include "io/study_checksum.h"
-#include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
 
@@ -24,17 +23,13 @@ constexpr std::array besideDocument{"VOLUME",           "--document",
                                     "--raw-spacing",    "--frames-as-slices",
                                     "--all-voxels",     "--help"};
 
-/// Where the study of a document is: where it says, or else in its folder, under another name.
+/// Where the study of a document is, or where the document says, if that is nowhere.
 std::string placeOf(const StudyFile& file, const std::string& document) {
     const std::string stated = studyPathFrom(document, file.path);
-    std::error_code error;
-    if (std::filesystem::exists(stated, error)) return stated;
-    const std::filesystem::path folder = std::filesystem::path(document).parent_path();
-    const std::string found =
-        findStudy(file, {.folders = {folder.empty() ? "." : folder.string()}, .paths = {}}).value_or("");
-    if (found.empty()) return stated;
-    std::fprintf(stderr, "%s is not there; its bytes were found in %s.\n", file.path.c_str(), found.c_str());
-    return found;
+    const std::string place = placeOfStudy(file, document).value_or(stated);
+    if (place != stated)
+        std::fprintf(stderr, "%s is not there; its bytes were found in %s.\n", file.path.c_str(), place.c_str());
+    return place;
 }
 
 Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
@@ -51,20 +46,11 @@ Result<Study> readReferenced(const StudyFile& file, const std::string& document,
     return study;
 }
 
-Study simulated(const SimulatedScan& scan) {
-    PhantomConfig config = defaultPhantom(scan.scene);
-    config.size = scan.size;
-    config.seed = scan.seed;
-    Study study;
-    study.phases.push_back(std::make_shared<const Volume>(*makePhantom(config)));
-    return study;
-}
-
 Result<Study> studyOf(const Document& document, const DocumentOptions& options, const VolumeOptions& volume,
                       const std::string& output) {
     if (!volume.path.empty()) return volume.readAll({output});
     if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, options.path, output);
-    if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulated(*scan);
+    if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulatedStudy(*scan);
     return fail(FailureKind::wrongUsage, options.path, "study", "is null: the document names no study",
                 "Give the volume on the command line.");
 }

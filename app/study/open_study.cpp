@@ -7,6 +7,7 @@
 
 #include "app/study/freed_elsewhere.h"
 #include "io/document/session_file.h"
+#include "io/simulated_study.h"
 
 namespace echolucent {
 

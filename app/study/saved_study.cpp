@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "io/document/session_file.h"
+#include "io/simulated_study.h"
 
 namespace echolucent {
 
@@ -53,17 +56,6 @@ void nameStudy(SavedSession& session, const StudyReference& study) {
     for (Snapshot& snapshot : session.snapshots) snapshot.document.study = study;
 }
 
-/// Where the study is; an empty path where it is nowhere.
-std::string placeOf(const StudyFile& study, const std::string& file, const SavedStudyAnswer& answer, StudySearch search,
-                    const Progress& progress) {
-    if (!answer.study.empty()) return answer.study;
-    const std::string stated = studyPathFrom(file, study.path);
-    std::error_code error;
-    if (fs::exists(stated, error)) return stated;
-    search.folders.insert(search.folders.begin(), fs::path(file).parent_path().string());
-    return findStudy(study, search, progress).value_or("");
-}
-
 /// The study at `place`, with the series beside it.
 Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& options, const Progress& progress) {
     if (!holdsSeries(place)) {
@@ -83,20 +75,6 @@ Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& opti
 
 }  // namespace
 
-Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress) {
-    PhantomConfig config = defaultPhantom(scan.scene);
-    config.size = scan.size;
-    config.seed = scan.seed;
-    auto volume = makePhantom(config, progress);
-    if (!volume) return fail(FailureKind::cancelled, {}, {}, "cancelled");
-    Study study;
-    study.name = "Simulated fetal scan";
-    study.phases.push_back(std::make_shared<const Volume>(std::move(*volume)));
-    study.lossyCompression = LossyCompression::no;
-    study.facts.push_back({"origin", "simulated by the program, no patient", "built in"});
-    return study;
-}
-
 Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer, StudySearch search,
                                const Progress& progress) {
     auto session = readSession(file);
@@ -113,24 +91,24 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
         return fail(FailureKind::unreadable, file, "study", "is null: the session names no study",
                     "Open the study, and then save its session again.");
     const StudyFile saved = *named;
-    const std::string place = placeOf(saved, file, answer, std::move(search), progress);
+    const std::optional<std::string> place =
+        answer.study.empty() ? placeOfStudy(saved, file, std::move(search), progress) : answer.study;
     if (progress.cancelled()) return fail(FailureKind::cancelled, {}, {}, "cancelled");
-    if (place.empty())
-        return SavedStudyProblem{SavedStudyProblem::Kind::missing, file, studyPathFrom(file, saved.path), {}};
+    if (!place) return SavedStudyProblem{SavedStudyProblem::Kind::missing, file, studyPathFrom(file, saved.path), {}};
 
-    auto read = readPlaced(place, saved.options, progress);
+    auto read = readPlaced(*place, saved.options, progress);
     if (!read) return tl::unexpected(read.error());
     const Study& study = read->study;
     const auto checksum = checksumOf(study.files, progress);
     if (!checksum) return tl::unexpected(checksum.error());
     if (const std::string change = changeOf(saved, *checksum); !change.empty() && !answer.evenChanged)
-        return SavedStudyProblem{SavedStudyProblem::Kind::changed, file, place, change};
+        return SavedStudyProblem{SavedStudyProblem::Kind::changed, file, *place, change};
     if (auto shown = requireShowable(*session, file, study.phases.size()); !shown)
         return tl::unexpected<Failure>(shown.error());
     StudyFile found = withChecksum(saved, *checksum);
     std::error_code error;
-    const fs::path absolute = fs::absolute(place, error).lexically_normal();
-    found.path = error ? place : absolute.string();
+    const fs::path absolute = fs::absolute(*place, error).lexically_normal();
+    found.path = error ? *place : absolute.string();
     nameStudy(*session, found);
     keepToPhases(*session, study.phases.size());
     read->opened = {file, std::move(*session)};

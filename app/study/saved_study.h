@@ -51,7 +51,4 @@ using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
 [[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
                                              StudySearch search, const Progress& progress);
 
-/// The simulated scan as a study. Fails (cancelled) where the person ended it.
-[[nodiscard]] Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress);
-
 }  // namespace echolucent

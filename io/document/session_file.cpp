@@ -68,6 +68,16 @@ std::string studyPathFrom(const std::string& file, const std::string& path) {
     return fromWorkingFolder ? path : beside.string();
 }
 
+std::optional<std::string> placeOfStudy(const StudyFile& study, const std::string& file, StudySearch search,
+                                        const Progress& progress) {
+    std::string stated = studyPathFrom(file, study.path);
+    std::error_code error;
+    if (fs::exists(stated, error)) return stated;
+    const std::string folder = fs::path(file).parent_path().string();
+    search.folders.insert(search.folders.begin(), folder.empty() ? "." : folder);
+    return findStudy(study, search, progress);
+}
+
 namespace {
 
 constexpr std::string_view sessionEnding = ".session.json";

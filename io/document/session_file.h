@@ -1,10 +1,12 @@
 // Session files: a document as JSON, with its snapshots, and the study named so that both can move together.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "io/document/document_file.h"
+#include "io/study_checksum.h"
 #include "processing/document/saved_session.h"
 #include "processing/result.h"
 
@@ -33,6 +35,11 @@ namespace echolucent {
 /// Where the study of a session file at `file` is: its path, where that is relative, from the file's folder. A relative
 /// path that leads nowhere from there is one from the working folder, if it leads somewhere.
 [[nodiscard]] std::string studyPathFrom(const std::string& file, const std::string& path);
+
+/// The study of a session file at `file` where it is there, as studyPathFrom(); else what findStudy() finds in the
+/// file's folder and by `search`. No value where that finds nothing.
+[[nodiscard]] std::optional<std::string> placeOfStudy(const StudyFile& study, const std::string& file,
+                                                      StudySearch search = {}, const Progress& progress = {});
 
 /// What names of files begin with that belong to the study or the session at `study`: its own name without its ending,
 /// "heart" of "heart.nii.gz" and of "heart.session.json", and of a folder its whole name.
