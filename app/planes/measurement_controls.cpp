@@ -1,6 +1,7 @@
 #include "app/planes/measurement_controls.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "processing/document/planes_holding.h"
 #include "processing/document/shown_measurement.h"
@@ -43,18 +44,19 @@ void MeasurementControls::list() {
 }
 
 void MeasurementControls::show(int id) {
-    const std::vector<Measurement>& all = m_parts.model.document().measurements;
-    const auto found = std::ranges::find(all, id, &Measurement::id);
-    if (found == all.end() || !m_parts.openStudy.volume()) return;
+    // A copy: the document that holds it is another once its phase is shown.
+    std::optional<Measurement> measurement;
+    for (const Measurement& each : m_parts.model.document().measurements)
+        if (each.id == id) measurement = each;
+    if (!measurement || !m_parts.openStudy.volume()) return;
     m_parts.player.pause();
-    const Measurement measurement = *found;
-    if (phaseOf(m_parts.model.document(), m_parts.view) != measurement.phase)
-        m_parts.model.showPhase(m_parts.view, measurement.phase);
-    if (measurement.ground != MeasurementGround::plane) return;
+    if (phaseOf(m_parts.model.document(), m_parts.view) != measurement->phase)
+        m_parts.model.showPhase(m_parts.view, measurement->phase);
+    if (measurement->ground != MeasurementGround::plane) return;
     Document next = m_parts.model.document();
     Planes& planes = planesOf(next, m_parts.view);
-    planes = planesHolding(planes, measurement.placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
-    m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement.kind))).arg(id));
+    planes = planesHolding(planes, measurement->placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
+    m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement->kind))).arg(id));
 }
 
 void MeasurementControls::remove(int id) {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 
@@ -53,8 +54,9 @@ private slots:
     void everyControlIsOneStepThatIsUndoneAndRedone_data() {
         QTest::addColumn<Change>("change");
         QTest::addColumn<std::function<void(MotionChoice&)>>("expected");
-        const auto row = [](const char* name, Change change, std::function<void(MotionChoice&)> expected) {
-            QTest::newRow(name) << std::move(change) << std::move(expected);
+        const auto row = [](const char* name, const Change& change,
+                            const std::function<void(MotionChoice&)>& expected) {
+            QTest::newRow(name) << change << expected;
         };
         const auto key = [this](const char* name, Qt::Key pressed) {
             return Change([this, name, pressed] { QTest::keyClick(child<QWidget>(name), pressed); });
@@ -185,17 +187,14 @@ private slots:
         open(timed());
         auto* panel = child<MotionPanel>("motion");
         auto* scenario = child<QComboBox>("motion.scenario");
-        const auto isWhole = [&] {
-            for (const QWidget* control : panel->findChildren<QWidget*>()) {
-                if (!control->isVisible() || control->objectName().startsWith("qt_")) continue;
-                const QRect place(control->mapTo(panel, QPoint(0, 0)), control->size());
-                const bool fits =
-                    panel->rect().contains(place) && control->width() >= control->minimumSizeHint().width();
-                if (!fits) qWarning("%s", qPrintable(control->objectName()));
-                if (!fits) return false;
-            }
-            return true;
+        const auto fits = [&](const QWidget* control) {
+            if (!control->isVisible() || control->objectName().startsWith("qt_")) return true;
+            const QRect place(control->mapTo(panel, QPoint(0, 0)), control->size());
+            const bool whole = panel->rect().contains(place) && control->width() >= control->minimumSizeHint().width();
+            if (!whole) qWarning("%s", qPrintable(control->objectName()));
+            return whole;
         };
+        const auto isWhole = [&] { return std::ranges::all_of(panel->findChildren<QWidget*>(), fits); };
         QVERIFY(isWhole());
         const int ofTwoLines = panel->height();
         QTest::keyClick(scenario, Qt::Key_Up);

@@ -149,8 +149,9 @@ private slots:
         key(Qt::Key_M);
         const Camera camera = window().volumeView().shownCamera();
         const QSize size = window().volumeView().size();
-        const std::vector<QPointF> clicks{{size.width() / 2 - 70.5, size.height() / 2 + 40.5},
-                                          {size.width() / 2 + 90.5, size.height() / 2 - 33.5}};
+        const QPoint centre(size.width() / 2, size.height() / 2);
+        const std::vector<QPointF> clicks{{centre.x() - 70.5, centre.y() + 40.5},
+                                          {centre.x() + 90.5, centre.y() - 33.5}};
         std::vector<Vec3> expected;
         for (const QPointF& pixel : clicks) {
             clickIn3d(pixel);
