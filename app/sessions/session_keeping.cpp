@@ -311,19 +311,17 @@ void SessionKeeping::takeUnsaved(const QString& sentence) {
 void SessionKeeping::offerAnotherPlace(const Order& order, const QString& sentence) {
     m_then = Then::goOn;
     m_parts.messages.showMessage(MessageKind::error, sentence,
-                                 {{tr("Save it elsewhere…"), [this, order] {
-                                       QString folder =
-                                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-                                       if (!QFileInfo(folder).isWritable()) folder = QDir::homePath();
-                                       Order again = order;
-                                       const bool open = order.number == m_number;
-                                       const QString study = studyPathOf(order.session.document);
-                                       again.file = chosenFile(open && !m_file.isEmpty() ? m_file : study, folder);
-                                       if (again.file.isEmpty()) return;
-                                       if (open) again.session = present();
-                                       again.session.file.clear();
-                                       send(std::move(again));
-                                   }}});
+                                 {{tr("Save it elsewhere…"), [this, order] { saveElsewhere(order); }}});
+}
+
+void SessionKeeping::saveElsewhere(Order order) {
+    const bool open = order.number == m_number;
+    const QString named = open && !m_file.isEmpty() ? m_file : studyPathOf(order.session.document);
+    order.file = chosenFile(named, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    if (order.file.isEmpty()) return;
+    if (open) order.session = present();
+    order.session.file.clear();
+    send(std::move(order));
 }
 
 bool SessionKeeping::mayClose() {

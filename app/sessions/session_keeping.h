@@ -102,6 +102,7 @@ private:
     void takeSaved(const QDateTime& time);
     void takeUnsaved(const QString& sentence);
     void offerAnotherPlace(const Order& order, const QString& sentence);
+    void saveElsewhere(Order order);
     /// Asks where somebody wrote the session's file since it was read or written here; false where it is to stay.
     [[nodiscard]] bool mayReplace();
     [[nodiscard]] QString chosenFile(const QString& named, const QString& folder);

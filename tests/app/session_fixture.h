@@ -101,6 +101,18 @@ public:
             static_cast<QDialog&>(dialog).done(accept ? QDialog::Accepted : QDialog::Rejected);
         });
     }
+    /// Chooses a file in the dialog that the first action of the message opens; gives the one that it proposed.
+    QString chooseInMessage(const QString& path) {
+        QString proposed;
+        answerDialog(
+            [&](QFileDialog& dialog) {
+                proposed = dialog.selectedFiles().value(0);
+                dialog.selectFile(path);
+            },
+            true);
+        click("message.action.0");
+        return proposed;
+    }
     /// A name that a person types into the file dialog that the next event opens, with Return after it.
     void typeIntoDialog(const QString& name) {
         QTimer::singleShot(0, &window(), [name] {

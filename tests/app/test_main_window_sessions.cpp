@@ -245,14 +245,7 @@ private slots:
         QVERIFY(document() == before);
         QTRY_VERIFY(window().isWindowModified());
         const QString elsewhere = inFolder("elsewhere.session.json");
-        QString proposed;
-        answerDialog(
-            [&](QFileDialog& dialog) {
-                proposed = dialog.selectedFiles().value(0);
-                dialog.selectFile(elsewhere);
-            },
-            true);
-        click("message.action.0");
+        const QString proposed = chooseInMessage(elsewhere);
         QTRY_COMPARE(message()->text(), QString("The session was saved as elsewhere.session.json."));
         QCOMPARE(QFileInfo(proposed).fileName(), QString("heart.session.json"));
         QVERIFY(QFileInfo(QFileInfo(proposed).absolutePath()).isWritable());

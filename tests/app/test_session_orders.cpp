@@ -90,14 +90,7 @@ private slots:
         waitUntilIdle();
         QCOMPARE(autosaves().size(), 1);  // until it is saved
         const QString elsewhere = inFolder("elsewhere.session.json");
-        QString proposed;
-        answerDialog(
-            [&](QFileDialog& dialog) {
-                proposed = dialog.selectedFiles().value(0);
-                dialog.selectFile(elsewhere);
-            },
-            true);
-        click("message.action.0");
+        const QString proposed = chooseInMessage(elsewhere);
         QTRY_COMPARE(message()->text(), QString("The session was saved as elsewhere.session.json."));
         QCOMPARE(QFileInfo(proposed).fileName(), QString("held.session.json"));
         QVERIFY(nameless(readSession(elsewhere.toStdString()).value().document) == nameless(left));
