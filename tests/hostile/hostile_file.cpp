@@ -1,0 +1,40 @@
+#include "hostile_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace echolucent {
+
+void writeBytes(const std::filesystem::path& path, std::string_view bytes) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream stream(path, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!stream.flush()) throw std::runtime_error("a hostile file could not be written: " + path.string());
+}
+
+HostileFile hostileFile(std::string name, std::string file, std::string bytes, std::vector<std::string> words,
+                        HostileOutcome outcome) {
+    HostileFile row;
+    row.name = std::move(name);
+    row.opened = file;
+    row.write = [file = std::move(file), bytes = std::move(bytes)](const std::filesystem::path& folder) {
+        writeBytes(folder / file, bytes);
+    };
+    row.outcome = outcome;
+    row.words = std::move(words);
+    return row;
+}
+
+std::vector<HostileFile> hostileFiles() {
+    std::vector<HostileFile> all;
+    for (const auto rows : {hostileTextHeaders, hostileNifti, hostileKretz, hostileCompression, hostileDicomStructure,
+                            hostileDicomPixels, hostileDicomSeries}) {
+        std::vector<HostileFile> topic = rows();
+        all.insert(all.end(), std::make_move_iterator(topic.begin()), std::make_move_iterator(topic.end()));
+    }
+    return all;
+}
+
+}  // namespace echolucent

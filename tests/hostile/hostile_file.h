@@ -1,0 +1,53 @@
+// Files that are damaged or made to hurt, each with what the program has to say of it: one table for all ways of
+// opening.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "processing/document/read_options.h"
+
+namespace echolucent {
+
+/// How opening a hostile file has to end.
+enum class HostileOutcome {
+    refused,        ///< in one sentence, which holds the row's words
+    opensWithNote,  ///< as a study whose warnings hold the row's words
+    opens,          ///< as a study without any of the row's words in its warnings: what looks wrong is not
+};
+
+/// One row of the table.
+struct HostileFile {
+    std::string name;    ///< unique, a topic and what is wrong: "dicom-structure/pixel-spacing-of-200000-values"
+    std::string opened;  ///< what is opened, below the folder that write() wrote into; "." is that folder itself
+    /// Writes the row's files into an empty folder.
+    std::function<void(const std::filesystem::path& folder)> write;
+    HostileOutcome outcome = HostileOutcome::refused;
+    /// Each of them stands in the sentence or, of a study that opens, in one of its warnings.
+    std::vector<std::string> words;
+    ReadOptions options{};
+};
+
+/// A row with one file of these bytes, which is opened.
+[[nodiscard]] HostileFile hostileFile(std::string name, std::string file, std::string bytes,
+                                      std::vector<std::string> words, HostileOutcome outcome = HostileOutcome::refused);
+
+/// Writes bytes into a new file, and the folders above it. Throws where that fails.
+void writeBytes(const std::filesystem::path& path, std::string_view bytes);
+
+// The rows by topic; each stands in a source file of its own name.
+[[nodiscard]] std::vector<HostileFile> hostileTextHeaders();     ///< MetaImage, NRRD, raw layouts
+[[nodiscard]] std::vector<HostileFile> hostileNifti();           ///< NIfTI and Analyze
+[[nodiscard]] std::vector<HostileFile> hostileKretz();           ///< GE Voluson, in files of its own and in DICOM
+[[nodiscard]] std::vector<HostileFile> hostileCompression();     ///< gzip, zlib and bzip2, whatever they hold
+[[nodiscard]] std::vector<HostileFile> hostileDicomStructure();  ///< elements, lengths, nesting, values
+[[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< codecs, fragments, frames
+[[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, DICOMDIR
+
+/// All rows.
+[[nodiscard]] std::vector<HostileFile> hostileFiles();
+
+}  // namespace echolucent
