@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/file_access.h"
 #include "io/headers/header_text.h"
 
 namespace echolucent {
@@ -30,11 +31,8 @@ bool staysBelow(const std::string& name) {
 
 /// Whether a path that may lead over links ends below a folder. What is not there yet stays below.
 bool endsBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
-    std::error_code error;
-    const auto root = std::filesystem::canonical(folder.empty() ? "." : folder, error);
-    if (error) return true;
-    const auto end = std::filesystem::weakly_canonical(path, error);
-    if (error) return true;
+    const std::filesystem::path root = fileAccess().resolved(folder.empty() ? "." : folder.string());
+    const std::filesystem::path end = fileAccess().resolved(path.string());
     return std::mismatch(root.begin(), root.end(), end.begin(), end.end()).first == root.end();
 }
 

@@ -1,6 +1,5 @@
 #include "io/input_file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +9,8 @@
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "io/file_access.h"
 
 namespace echolucent {
 
@@ -47,12 +48,9 @@ InputFile::InputFile(std::string path, std::shared_ptr<const Descriptor> descrip
     : m_path(std::move(path)), m_descriptor(std::move(descriptor)), m_size(size) {}
 
 Result<InputFile> InputFile::open(const std::string& path) {
-    // O_NONBLOCK keeps a named pipe without a writer from holding the program; regular files ignore it.
-    const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (number < 0)
-        return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),
-                    "Check the name and the permissions.");
-    return adopt(path, number);
+    const auto number = fileAccess().open(path);
+    if (!number) return tl::unexpected(number.error());
+    return adopt(path, *number);
 }
 
 Result<InputFile> InputFile::adopt(const std::string& path, int number) {

@@ -8,6 +8,7 @@
 #include "io/dicom/dicom_reader.h"
 #include "io/dicom/dicom_scan.h"
 #include "io/document/preset_file.h"
+#include "io/file_access.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/headers/meta_image.h"
@@ -207,13 +208,15 @@ Result<Study> readFile(const std::string& path, const ReadOptions& options, cons
 
 Result<Study> readStudy(const std::string& path, const ReadOptions& options, const Progress& progress) {
     try {
-        std::error_code error;
         if (path.empty()) return fail(FailureKind::wrongUsage, "", "", "no file was named", "Name a volume.");
-        if (!std::filesystem::exists(path, error))
+        const FileKind kind = fileAccess().kindOf(path);
+        if (kind == FileKind::missing)
             return fail(FailureKind::unreadable, path, "", "does not exist", "Check the name.");
+        if (kind == FileKind::forbidden)
+            return fail(FailureKind::unreadable, path, "", "lies in a folder that you may not look into",
+                        "Ask for permission to read it, or copy it to a folder of your own.");
         if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
-        return std::filesystem::is_directory(path, error) ? readDicomFolder(path, options, progress)
-                                                          : readFile(path, options, progress);
+        return kind == FileKind::folder ? readDicomFolder(path, options, progress) : readFile(path, options, progress);
     } catch (const std::bad_alloc&) {
         return fail(FailureKind::unreadable, path, "", "needs more memory than there is",
                     "Close other programs, or open it on a larger machine.");

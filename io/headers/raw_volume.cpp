@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "io/file_access.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
 #include "io/json_values.h"
@@ -72,8 +72,7 @@ Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout)
 
 Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
     const std::string file = rawLayoutPath(path);
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) return std::optional<RawLayout>();
+    if (fileAccess().kindOf(file) == FileKind::missing) return std::optional<RawLayout>();
     const auto text = readWholeFile(file, layoutLimit);
     if (!text) return tl::unexpected(text.error());
     const auto object = jsonObject(*text, file, formatName, remedy);

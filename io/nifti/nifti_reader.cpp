@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "io/file_access.h"
 #include "io/gzip_file.h"
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
@@ -274,8 +275,7 @@ Result<void> NiftiReader::readVoxelPlace(const Progress& progress) {
     for (const std::string& candidate : {name, name + ".gz"}) {
         auto beside = dataFileBeside({m_stored.path, "the magic \"ni\""}, candidate);
         if (!beside) return tl::unexpected(beside.error());
-        std::error_code error;
-        if (!std::filesystem::exists(beside->path, error)) continue;
+        if (fileAccess().kindOf(beside->path) == FileKind::missing) continue;
         auto file = beside->open();
         if (!file) return tl::unexpected(file.error());
         const auto beginning = file->beginning(3);
@@ -309,8 +309,7 @@ std::optional<std::string> niftiHeaderBeside(const std::string& path) {
         std::filesystem::path header = plain;
         header.replace_extension();
         header += ending;
-        std::error_code error;
-        if (std::filesystem::is_regular_file(header, error)) return header.string();
+        if (fileAccess().kindOf(header.string()) == FileKind::file) return header.string();
     }
     return std::nullopt;
 }

@@ -25,12 +25,4 @@ struct DirectoryFiles {
 /// file holds no records; (cancelled) where the person ended it. To be called in a thread with a large stack.
 [[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
 
-/// The files in and below a folder.
-struct FilesBelow {
-    std::vector<std::string> paths;     ///< in the order of their names
-    std::vector<std::string> warnings;  ///< sentences on what was not looked at
-};
-/// All files in a folder and in those below it down to `deepest`, 50,000 at most. Links to folders are not followed.
-[[nodiscard]] FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress);
-
 }  // namespace echolucent

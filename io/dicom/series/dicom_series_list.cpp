@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -20,6 +19,7 @@
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/dicom/series/series_description.h"
+#include "io/file_access.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
@@ -228,15 +228,12 @@ void nameApart(std::vector<SeriesEntry>& entries) {
     }
 }
 
-bool isFolder(const std::string& path) {
-    std::error_code error;
-    return std::filesystem::is_directory(path, error);
-}
+bool isFolder(const std::string& path) { return fileAccess().kindOf(path) == FileKind::folder; }
 
 /// The files that a folder or a DICOMDIR holds.
 Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progress) {
     if (isFolder(list.path)) {
-        FilesBelow found = filesBelow(list.path, deepestFolder, progress);
+        FilesBelow found = fileAccess().filesBelow(list.path, deepestFolder, progress);
         list.warnings = std::move(found.warnings);
         return std::move(found.paths);
     }
@@ -263,11 +260,10 @@ Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progr
 }  // namespace
 
 bool holdsSeries(const std::string& path) {
-    std::error_code error;
-    if (isFolder(path)) return true;
-    const auto input = std::filesystem::is_regular_file(path, error)
-                           ? InputFile::open(path)
-                           : fail(FailureKind::unreadable, path, "", "is no file");
+    const FileKind kind = fileAccess().kindOf(path);
+    if (kind == FileKind::folder) return true;
+    const auto input =
+        kind == FileKind::file ? InputFile::open(path) : fail(FailureKind::unreadable, path, "", "is no file");
     return input && isDirectoryFile(*input, {});
 }
 
