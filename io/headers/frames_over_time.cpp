@@ -1,6 +1,7 @@
 #include "io/headers/frames_over_time.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -82,6 +83,11 @@ void takeAsSlices(StoredVolume& stored, std::size_t axis, const std::string& sto
 }
 
 }  // namespace
+
+bool mayBeAxisOfVolume(std::string_view kind) {
+    constexpr std::array<std::string_view, 7> kinds{"", "domain", "space", "???", "none", "time", "list"};
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices) {
     const SequenceKeys keys = sequenceKeys(words.keys);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/stored_volume.h"
@@ -17,6 +18,10 @@ struct FrameWords {
     std::vector<std::string> keys;     ///< all keys of the header, of which Seq_Frame0000_ProbeToTrackerTransform and
                                        ///< the like tell of frames
 };
+
+/// Whether an axis of that kind (lower case, as NRRD names them) may be one of a volume's, over time or not: space,
+/// time, a list, or nothing that is said. Vectors, colours, matrices and all other kinds are none.
+[[nodiscard]] bool mayBeAxisOfVolume(std::string_view kind);
 
 /// Settles whether `stored` (its size, spacing and phases are read) holds frames, not a volume: one slice over time, an
 /// axis of kind time, or keys of several frames along z. Fails (unreadable) where it

@@ -184,7 +184,9 @@ void MetaImageHeader::readPhaseTime(const std::vector<double>& spacing) {
 
 Result<void> MetaImageHeader::readPosition() {
     const auto dimensions = static_cast<std::size_t>(m_dimensions);
-    if (const auto key = firstOf({"TransformMatrix", "Rotation", "Orientation"}); !key.empty()) {
+    const auto turned = m_keys.onlyOf({"TransformMatrix", "Rotation", "Orientation"});
+    if (!turned) return tl::unexpected(turned.error());
+    if (const std::string& key = *turned; !key.empty()) {
         const std::string& text = *find(key);
         const auto values = realNumbers(text);
         if (!values || values->size() != dimensions * dimensions)
@@ -200,7 +202,9 @@ Result<void> MetaImageHeader::readPosition() {
             m_stored.warnings.push_back(std::move(warning));
         m_stored.geometry.patientFrameKnown = saysMoreThanItsAxes(m_stored.geometry.direction);
     }
-    if (const auto key = firstOf({"Offset", "Position", "Origin"}); !key.empty()) {
+    const auto placed = m_keys.onlyOf({"Offset", "Position", "Origin"});
+    if (!placed) return tl::unexpected(placed.error());
+    if (const std::string& key = *placed; !key.empty()) {
         const std::string& text = *find(key);
         const auto values = realNumbers(text);
         const bool finite =
@@ -223,7 +227,9 @@ Result<void> MetaImageHeader::readPosition() {
 }
 
 Result<void> MetaImageHeader::readByteOrder() {
-    const auto key = firstOf({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+    const auto only = m_keys.onlyOf({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+    if (!only) return tl::unexpected(only.error());
+    const std::string& key = *only;
     const auto big = flag(key);
     if (!big) return tl::unexpected(big.error());
     m_stored.bigEndian = *big;
@@ -251,11 +257,17 @@ Result<void> MetaImageHeader::readFrames() {
     words.kindsKey = "Kinds";
     if (const auto* text = find("Kinds")) {
         const auto kinds = wordsOf(*text);
-        if (static_cast<std::int64_t>(kinds.size()) == m_dimensions)
+        if (static_cast<std::int64_t>(kinds.size()) == m_dimensions) {
             for (std::size_t axis = 0; axis < 3; ++axis) words.kinds[axis] = lowerCase(kinds[axis]);
-        else
+            for (const std::string& kind : kinds)
+                if (!mayBeAxisOfVolume(lowerCase(kind)))
+                    return wrong("Kinds",
+                                 "has an axis of kind " + quotedText(kind) + ", which is neither space nor time",
+                                 "Save one scalar for each voxel.");
+        } else {
             m_stored.warnings.push_back(
                 fmt::format("Kinds is ignored: it must be {} words, not {}.", m_dimensions, quotedText(*text)));
+        }
     }
     for (const auto& [key, value] : m_keys.values) words.keys.push_back(key);
     return settleFrames(m_stored, words, m_framesAsSlices);

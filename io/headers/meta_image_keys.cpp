@@ -37,6 +37,14 @@ constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "WhiteLevel",
                                                    "ElementDataFile"};
 
+const std::string incomplete = "The file is incomplete or damaged: copy or export it again.";
+
+/// Whether two values of keys for the same thing say the same.
+bool saySame(const std::string& one, const std::string& other) {
+    const auto numbers = realNumbers(one), others = realNumbers(other);
+    return lowerCase(one) == lowerCase(other) || (numbers && others && *numbers == *others);
+}
+
 Result<void> readListedNames(const InputFile& file, std::string_view rest, MetaImageKeys& keys) {
     if (file.size() > headerLimit)
         return keys.wrong("ElementDataFile", fmt::format("begins a list that is longer than {} bytes", headerLimit),
@@ -63,6 +71,15 @@ std::string MetaImageKeys::firstOf(std::initializer_list<const char*> keys) cons
     return {};
 }
 
+Result<std::string> MetaImageKeys::onlyOf(std::initializer_list<const char*> keys) const {
+    std::string first = firstOf(keys);
+    for (const char* key : keys)
+        if (find(key) != nullptr && !saySame(*find(first), *find(key)))
+            return wrong(key, fmt::format("is {} beside {} = {}, which means the same thing", quotedText(*find(key)),
+                                          first, quotedText(*find(first))));
+    return first;
+}
+
 Result<bool> MetaImageKeys::flag(const std::string& key) const {
     const std::string* value = find(key);
     if (value == nullptr) return false;
@@ -85,7 +102,11 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
     std::string_view rest = *beginning;
     for (int number = 1; const auto line = nextLine(rest); ++number) {
         if (trimmed(*line).empty()) continue;
+        const bool isCut = rest.empty() && !beginning->ends_with('\n');
         const auto equals = line->find('=');
+        if (isCut && equals == std::string_view::npos && number > 1)
+            return keys.wrong("", fmt::format("ends within line {} of its header ({})", number, quotedText(*line)),
+                              incomplete);
         if (equals == std::string_view::npos || trimmed(line->substr(0, equals)).empty())
             return keys.wrong(
                 "", fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
@@ -95,6 +116,10 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
         const bool ours = std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end();
         if (!isNew && ours) return keys.wrong(key, "appears twice in the header");
         if (key != "ElementDataFile") continue;
+        if (const std::string& name = *keys.find(key);
+            isCut && !name.empty() && name != "LOCAL" && std::string_view("LOCAL").starts_with(name))
+            return keys.wrong(key, fmt::format("is cut off after {}, where the file ends", quotedText(name)),
+                              incomplete);
         keys.headerBytes = beginning->size() - rest.size();
         if (isMetaImageList(*keys.find(key)))
             if (auto listed = readListedNames(file, rest, keys); !listed) return tl::unexpected(listed.error());
@@ -102,7 +127,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
     }
     return keys.wrong("ElementDataFile",
                       fmt::format("is missing from the header (looked through {} bytes)", beginning->size()),
-                      "The file is cut off or damaged: copy or export it again.");
+                      incomplete);
 }
 
 }  // namespace echolucent

@@ -22,6 +22,8 @@ struct MetaImageKeys {
     [[nodiscard]] const std::string* find(const std::string& key) const;
     /// The first of several keys for the same thing that the header holds; empty where it holds none of them.
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const;
+    /// As firstOf(). Fails (unreadable) where two of them say different things.
+    [[nodiscard]] Result<std::string> onlyOf(std::initializer_list<const char*> keys) const;
     /// True or False; false where the header does not hold the key. Fails (unreadable) for other values.
     [[nodiscard]] Result<bool> flag(const std::string& key) const;
     /// A failure (unreadable) about one key.
@@ -34,6 +36,7 @@ struct MetaImageKeys {
 [[nodiscard]] bool isMetaImageList(const std::string& dataFile);
 
 /// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) where a line is no "Key = Value",
+/// where the file ends within a line,
 /// where ElementDataFile is missing, and where a key that decides how voxels are read appears twice.
 [[nodiscard]] Result<MetaImageKeys> readMetaImageKeys(const InputFile& file);
 

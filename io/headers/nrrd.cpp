@@ -68,6 +68,7 @@ private:
     NrrdAxes m_axes;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
+    std::vector<double> m_spacings;  // as the header gives them beside directions, which count; else empty
     StoredVolume m_stored;
 };
 
@@ -75,6 +76,9 @@ Result<StoredVolume> NrrdHeader::read() {
     auto fields = readNrrdFields(m_file);
     if (!fields) return tl::unexpected(fields.error());
     m_fields = std::move(*fields);
+    if (!m_fields.ended && find("data file") == nullptr)
+        return wrong("", "has a header without the empty line that ends it",
+                     "The file is incomplete or damaged: copy or export it again.");
     for (const Step step :
          {&NrrdHeader::readType, &NrrdHeader::placeAxes, &NrrdHeader::readSpacing, &NrrdHeader::readDirections,
           &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,
@@ -99,6 +103,7 @@ Result<void> NrrdHeader::placeAxes() {
     auto axes = readNrrdAxes(m_path, m_fields, m_stored.type);
     if (!axes) return tl::unexpected(axes.error());
     m_axes = std::move(*axes);
+    m_stored.warnings = m_axes.warnings;
     std::size_t next = 0;
     for (std::size_t axis = 0; axis < m_axes.sizes.size(); ++axis) {
         if (m_axes.roles[axis] == NrrdAxisRole::space) {
@@ -133,7 +138,10 @@ Result<void> NrrdHeader::readSpacing() {
     const auto spacings = realNumbers(*text);
     if (!spacings || spacings->size() != m_axes.sizes.size())
         return wrong("spacings", fmt::format("must be {} numbers, not {}", m_axes.sizes.size(), quotedText(*text)));
-    if (!m_axes.directions.empty()) return {};
+    if (!m_axes.directions.empty()) {
+        m_spacings = *spacings;
+        return {};
+    }
     m_stored.spacingSource = "spacings";
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
@@ -178,6 +186,15 @@ Result<void> NrrdHeader::readDirections() {
         for (int row = 0; row < 3; ++row) direction(row, axis) = step[row];
     }
     m_stored.spacingSource = "space directions";
+    for (std::size_t axis = 0; axis < 3 && !m_spacings.empty(); ++axis) {
+        const double stated = std::abs(m_spacings[m_spaceAxes[axis]]) * mmOfAxis(m_spaceAxes[axis], "units");
+        const double spacing = m_stored.geometry.spacing[static_cast<int>(axis)];
+        if (!std::isfinite(stated) || std::abs(stated - spacing) <= 1e-4 * spacing) continue;
+        m_stored.warnings.push_back(
+            fmt::format("spacings gives {:.6g} mm along {} where space directions gives {:.6g} mm; space directions "
+                        "counts.",
+                        stated, "xyz"[axis], spacing));
+    }
     if (withoutDirection) {
         const auto column = [&](int axis) { return Vec3(direction(0, axis), direction(1, axis), direction(2, axis)); };
         const Vec3 normal = column((*withoutDirection + 1) % 3).cross(column((*withoutDirection + 2) % 3));
@@ -289,9 +306,6 @@ Result<void> NrrdHeader::readEncoding() {
 Result<void> NrrdHeader::readDataPlace() {
     const auto* name = find("data file");
     if (name == nullptr) {
-        if (!m_fields.ended)
-            return wrong("", "has a header without the empty line that ends it",
-                         "The file is cut off or damaged: copy or export it again.");
         m_stored.data = {{m_path, m_file}};
         m_stored.extent.offset = m_fields.headerBytes;
         return {};

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
 
 namespace echolucent {
@@ -26,6 +27,7 @@ private:
     Result<void> readRoles();
     Result<void> readThreeAxes();
     Result<void> readFourAxes();
+    Result<void> checkKind(std::size_t axis, const std::string& problem);
     Result<void> checkColourAxis(std::size_t axis) const;
     [[nodiscard]] bool isPlainSpace(std::size_t axis) const;
     [[nodiscard]] bool isColour(std::size_t axis) const {
@@ -93,17 +95,25 @@ bool AxesReader::isPlainSpace(std::size_t axis) const {
     return saysSpace(m_axes.kindOf(axis)) && (m_axes.directions.empty() || m_axes.directions[axis]);
 }
 
+/// Refuses an axis that is neither space nor time. One value along it is a scalar, whatever it is called.
+Result<void> AxesReader::checkKind(std::size_t axis, const std::string& problem) {
+    const std::string kind = m_axes.kindOf(axis);
+    if (mayBeAxisOfVolume(kind)) return {};
+    if (m_axes.sizes[axis] != 1)
+        return wrong("kinds", "has an axis of kind " + quotedText(kind) + problem, "Save one scalar for each voxel.");
+    if (kind != "scalar" && kind != "stub")
+        m_axes.warnings.push_back(fmt::format(
+            "kinds calls the axis {} {}; it has one value, which is taken as a scalar.", axis + 1, quotedText(kind)));
+    return {};
+}
+
 Result<void> AxesReader::readThreeAxes() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (isColour(axis))
             return wrong("kinds", "says that one of three axes is colour: this is a 2D colour picture, not a volume",
                          "Open a 3D or 4D volume.");
-        const std::string kind = m_axes.kindOf(axis);
-        if (!saysSpace(kind) && !m_axes.mayBeNoSpace(axis) && m_axes.sizes[axis] != 1)
-            return wrong("kinds",
-                         "has an axis of kind " + quotedText(kind) +
-                             ": this is a 2D picture of several values a pixel, not a volume",
-                         "Open a 3D or 4D volume.");
+        if (auto known = checkKind(axis, ": this is a 2D picture of several values a pixel, not a volume"); !known)
+            return known;
     }
     return {};
 }
@@ -123,15 +133,12 @@ Result<void> AxesReader::readFourAxes() {
     if (others.size() > 1 && !colourFrames)
         return wrong("kinds", "names more than one axis that is not space", "Save one scalar volume over time.");
     const std::size_t axis = others.empty() ? 3 : others[0];
-    const std::string kind = m_axes.kindOf(axis);
     if (isColour(axis)) {
         if (auto colour = checkColourAxis(axis); !colour) return colour;
         m_axes.roles[axis] = NrrdAxisRole::colour;
         return {};
     }
-    if (!saysSpace(kind) && !m_axes.mayBeNoSpace(axis) && m_axes.sizes[axis] != 1)
-        return wrong("kinds", "has an axis of kind " + quotedText(kind) + ", which cannot be read",
-                     "Save one scalar for each voxel.");
+    if (auto known = checkKind(axis, ", which cannot be read"); !known) return known;
     if (axis != 0 && axis != 3)
         return wrong("kinds", "has its time axis in the middle; it must be the first or the last",
                      "Export the volume with time as the last axis.");

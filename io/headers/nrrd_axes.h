@@ -18,6 +18,7 @@ struct NrrdAxes {
     std::vector<std::string> kinds;      ///< in lower case; empty where the header says none
     std::vector<NrrdVector> directions;  ///< steps in space; empty where the header says none
     std::vector<NrrdAxisRole> roles;     ///< three of them are space
+    std::vector<std::string> warnings;   ///< sentences on kinds that play no part
 
     [[nodiscard]] std::string kindOf(std::size_t axis) const { return kinds.empty() ? "" : kinds[axis]; }
     /// Whether an axis that counts as space may stand for something else: frames over time, a list.

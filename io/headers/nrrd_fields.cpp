@@ -55,13 +55,21 @@ constexpr std::array<TypeAlias, 38> typeAliases{{{"signed char", StoredType::int
                                                  {"float", StoredType::float32},
                                                  {"double", StoredType::float64}}};
 
+const std::string incomplete = "The file is incomplete or damaged: copy or export it again.";
+
 Result<void> readLine(const std::string& path, std::string_view line, int number, NrrdFields& result) {
     if (line.starts_with('#')) return {};
     const auto colon = line.find(':');
     const bool isKey = colon != std::string_view::npos && line.substr(colon).starts_with(":=");
     const bool isField = colon != std::string_view::npos && line.substr(colon).starts_with(": ");
     if (isKey) {
-        result.keys[trimmed(line.substr(0, colon))] = trimmed(line.substr(colon + 2));
+        const std::string key = trimmed(line.substr(0, colon));
+        const std::string value = trimmed(line.substr(colon + 2));
+        const auto [known, isNew] = result.keys.emplace(key, value);
+        // Of all keys this one alone is read.
+        if (!isNew && key == "WhiteLevel" && known->second != value)
+            return fail(FailureKind::unreadable, path, key, "appears twice in the header, with different values",
+                        "Correct the header or export the volume again.");
         return {};
     }
     if (!isField && !(colon != std::string_view::npos && colon + 1 == line.size()))
@@ -86,6 +94,10 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
     if (!beginning) return tl::unexpected(beginning.error());
     std::string_view rest = *beginning;
     const auto magic = nextLine(rest);
+    if (beginning->size() < 8 && std::string_view("NRRD000").starts_with(beginning->substr(0, 7)))
+        return fail(FailureKind::unreadable, path, "",
+                    fmt::format("ends after {} bytes, within the first line of its header", beginning->size()),
+                    incomplete);
     if (!magic || magic->size() != 8 || !magic->starts_with("NRRD000"))
         return fail(FailureKind::unreadable, path, "", "does not begin with NRRD and a version",
                     "This is no NRRD file.");
@@ -99,6 +111,10 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
             result.ended = true;
             break;
         }
+        if (rest.empty() && !beginning->ends_with('\n') && line->find(':') == std::string_view::npos &&
+            !line->starts_with('#'))
+            return fail(FailureKind::unreadable, path, "",
+                        fmt::format("ends within line {} of its header ({})", number, quotedText(*line)), incomplete);
         if (const auto read = readLine(path, *line, number, result); !read) return tl::unexpected(read.error());
         if (const auto data = result.fields.find("data file");
             data != result.fields.end() && isNrrdList(data->second)) {
