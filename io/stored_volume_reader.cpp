@@ -84,6 +84,10 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
         if (stored.channels == 3) reduceToLuma(bytes, stored.type);
     }
 
+    if (const auto problem = problemOfFloats(*phases, stored.type, stored.rescale.value_or(Rescale{})))
+        return fail(FailureKind::unreadable, stored.path, stored.rescale ? stored.rescaleSource : stored.typeKey,
+                    *problem, "Correct the values or their scale, and save the volume as float32.");
+
     StudyParts parts;
     parts.path = stored.path;
     parts.files = {stored.path};

@@ -122,6 +122,21 @@ void rescaleAll(std::vector<Bytes>& phases, const Rescale& rescale, ConvertedVox
     }
 }
 
+/// The smallest and the largest finite value; no value where there is none.
+template <typename T>
+std::optional<std::array<double, 2>> finiteRange(const std::vector<Bytes>& phases) {
+    T low = std::numeric_limits<T>::infinity(), high = -low;
+    for (const Bytes& bytes : phases)
+        for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
+            const T value = valueAt<T>(bytes, i);
+            if (!std::isfinite(value)) continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    if (low > high) return std::nullopt;
+    return std::array{static_cast<double>(low), static_cast<double>(high)};
+}
+
 ConvertedVoxels convertFloats(std::vector<Bytes> phases, StoredType type) {
     ConvertedVoxels result;
     if (type == StoredType::float64) {
@@ -186,6 +201,23 @@ std::array<double, 2> rangeOf(StoredType type) {
         case StoredType::float64: break;
     }
     return {-1.0, 1.0};
+}
+
+std::optional<std::string> problemOfFloats(const std::vector<std::vector<std::uint8_t>>& phases, StoredType type,
+                                           const Rescale& rescale) {
+    const bool isDouble = type == StoredType::float64;
+    if (!isDouble && (type != StoredType::float32 || rescale.isIdentity())) return std::nullopt;
+    const auto range = isDouble ? finiteRange<double>(phases) : finiteRange<float>(phases);
+    if (!range) return std::nullopt;
+    const auto [low, high] = *range;
+    constexpr double most = std::numeric_limits<float>::max();
+    if (std::abs(rescale.of(low)) <= most && std::abs(rescale.of(high)) <= most) {
+        // Voxels that are all the same are so before and after.
+        if (low == high || rescale.isIdentity() || !problemOf(rescale, low, high)) return std::nullopt;
+        return fmt::format("makes one value of all voxels, which are stored from {:.6g} to {:.6g}", low, high);
+    }
+    return fmt::format("makes values from {:.6g} to {:.6g}, larger than float32 can hold", rescale.of(low),
+                       rescale.of(high));
 }
 
 void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian) {

@@ -55,6 +55,12 @@ struct Rescale {
 /// The smallest and the largest value of a whole-number type; -1 and 1, which stand for all, of a float type.
 [[nodiscard]] std::array<double, 2> rangeOf(StoredType type);
 
+/// What is wrong with keeping these values (machine byte order) of a float type as float32, on the line where there is
+/// one: finite ones become too large for it, or different ones become all the same. Lower case and without full stop;
+/// no value where all is well, as it always is of whole numbers.
+[[nodiscard]] std::optional<std::string> problemOfFloats(const std::vector<std::vector<std::uint8_t>>& phases,
+                                                         StoredType type, const Rescale& rescale);
+
 /// As convertVoxels(), but every value is put on that line, in double, and kept as float32.
 [[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,
                                                     const Rescale& rescale);
