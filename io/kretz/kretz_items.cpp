@@ -66,7 +66,10 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
                               static_cast<std::uint16_t>(littleEndian(all.subspan(2, 2)))},
                              offset + headerBytes,
                              littleEndian(all.subspan(4, 4))};
-        if (item.tag == kretz::end) break;
+        if (item.tag == kretz::end) {
+            items.m_ended = true;
+            break;
+        }
         if (item.length > rest - headerBytes)
             return items.refused(item.tag,
                                  fmt::format("at byte {} declares {} bytes where only {} follow", offset, item.length,

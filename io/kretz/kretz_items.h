@@ -49,6 +49,8 @@ public:
 
     [[nodiscard]] const KretzSource& source() const { return m_source; }
     [[nodiscard]] const std::vector<KretzItem>& all() const { return m_items; }
+    /// Whether the list of items has the end that it must have; what was cut off between two items has none.
+    [[nodiscard]] bool ended() const { return m_ended; }
     /// The items of a tag, in the order of the file.
     [[nodiscard]] std::vector<KretzItem> allOf(KretzTag tag) const;
     [[nodiscard]] bool has(KretzTag tag) const { return !allOf(tag).empty(); }
@@ -74,6 +76,7 @@ private:
 
     KretzSource m_source;
     std::vector<KretzItem> m_items;
+    bool m_ended = false;
 };
 
 }  // namespace echolucent

@@ -38,6 +38,11 @@ private:
     Result<void> checkLength(const KretzItem& item, std::uint64_t bytes, const Size& size) const;
     [[nodiscard]] tl::unexpected<Failure> compressed() const;
     [[nodiscard]] bool saysCompressed() const;
+    /// What to do where an item is missing.
+    [[nodiscard]] std::string missingRemedy() const {
+        return m_items.ended() ? "Copy or export it again."
+                               : "The file is incomplete, since its items have no end: copy or export it again.";
+    }
     Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredPhases& phases) const;
     Result<std::optional<PolarGeometry>> readGeometry(const Size& size) const;
     Result<double> needed(KretzTag tag) const;
@@ -57,7 +62,7 @@ Result<std::array<std::int64_t, 3>> KretzReader::readSize() const {
         if (!count) return tl::unexpected(count.error());
         if (!*count) {
             if (saysCompressed()) return compressed();
-            return m_items.refused(tags[axis], "is missing: the size of the volume is not known");
+            return m_items.refused(tags[axis], "is missing: the size of the volume is not known", missingRemedy());
         }
         if (**count < 1) return m_items.refused(tags[axis], "is 0: there is no volume");
         size[axis] = **count;
@@ -112,8 +117,9 @@ Result<StoredPhases> KretzReader::findPhases(const Size& size) const {
         phases.source = tagText(kretz::voxels);
         if (volumes.empty()) {
             if (saysCompressed()) return compressed();
-            return m_items.refused(kretz::voxels, "is missing: the file holds no voxels, or compressed ones",
-                                   "Save it without compression on the scanner or in its software.");
+            return m_items.refused(
+                kretz::voxels, "is missing: the file holds no voxels, or compressed ones",
+                m_items.ended() ? "Save it without compression on the scanner or in its software." : missingRemedy());
         }
     }
     if (auto few =
@@ -147,7 +153,8 @@ Result<std::vector<std::vector<std::uint8_t>>> KretzReader::readPhases(const Sto
 Result<double> KretzReader::needed(KretzTag tag) const {
     const auto number = m_items.number(tag);
     if (!number) return tl::unexpected(number.error());
-    if (!*number) return m_items.refused(tag, "is missing although there are angles: the geometry is not known");
+    if (!*number)
+        return m_items.refused(tag, "is missing although there are angles: the geometry is not known", missingRemedy());
     return **number;
 }
 
@@ -157,9 +164,12 @@ Result<std::optional<PolarGeometry>> KretzReader::readGeometry(const Size& size)
     const auto planes = m_items.numbers(kretz::planeAngles, size[2], fmt::format("the angles of {} planes", size[2]));
     if (!planes) return tl::unexpected(planes.error());
     if (!*lines && !*planes) return std::optional<PolarGeometry>();
-    if (!*lines) return m_items.refused(kretz::lineAngles, "is missing: there are angles of planes, but none of lines");
+    if (!*lines)
+        return m_items.refused(kretz::lineAngles, "is missing: there are angles of planes, but none of lines",
+                               missingRemedy());
     if (!*planes)
-        return m_items.refused(kretz::planeAngles, "is missing: there are angles of lines, but none of planes");
+        return m_items.refused(kretz::planeAngles, "is missing: there are angles of lines, but none of planes",
+                               missingRemedy());
     const auto resolution = needed(kretz::resolution), firstSample = needed(kretz::firstSample),
                planesAxis = needed(kretz::planesAxis);
     for (const auto* number : {&resolution, &firstSample, &planesAxis})
@@ -202,6 +212,9 @@ Result<void> KretzReader::setCartesian(const Size& size, StudyParts& parts) cons
 }
 
 void KretzReader::noteWhatIsLeftOut(StudyParts& parts) const {
+    if (!m_items.ended() && m_items.source().element.empty())
+        parts.warnings.emplace_back(
+            "The items of the file have no end: it may have been cut off, and what followed is missing.");
     if (m_items.has(kretz::filteredVoxels))
         parts.warnings.push_back(
             fmt::format("The file also holds a filtered copy of the volume ({}), which is left out.",
