@@ -29,10 +29,12 @@ bool staysBelow(const std::string& name) {
            path.filename() != ".";
 }
 
-/// Whether a path that may lead over links ends below a folder. What is not there yet stays below.
+/// Where a path that may lead over links ends. What is not there yet ends at itself.
+std::filesystem::path endOf(const std::filesystem::path& path) { return fileAccess().resolved(path.string()); }
+
+/// Whether a path ends below a folder, links resolved.
 bool endsBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
-    const std::filesystem::path root = fileAccess().resolved(folder.empty() ? "." : folder.string());
-    const std::filesystem::path end = fileAccess().resolved(path.string());
+    const auto root = endOf(folder), end = endOf(path);
     return std::mismatch(root.begin(), root.end(), end.begin(), end.end()).first == root.end();
 }
 
@@ -79,13 +81,32 @@ std::string nameWith(const Pattern& pattern, std::int64_t number) {
 
 }  // namespace
 
-Result<InputFile> DataFile::open() const { return opened ? Result<InputFile>(*opened) : InputFile::open(path); }
+Result<InputFile> DataFile::open() const {
+    if (opened) return *opened;
+    auto file = InputFile::open(path);
+    // The name is the header's, which may be cut off within it.
+    if (!file)
+        file.error().remedy =
+            "Put it beside the header with the permission to read it; where the header is cut off, copy both again.";
+    return file;
+}
+
+Result<void> requireInItsFolder(const std::string& path) {
+    if (endsBelow(path, std::filesystem::path(path).parent_path())) return {};
+    return fail(FailureKind::unreadable, path, "", "is a link out of its folder, which is not followed",
+                "Put the file itself into the folder, or remove the link.");
+}
 
 Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name) {
     const auto folder = std::filesystem::path(key.headerPath).parent_path();
+    if (name.empty())
+        return wrong(key, "names no file", "The header is incomplete or damaged: copy or export it again.");
     if (!staysBelow(name) || !endsBelow(folder / name, folder))
         return wrong(key, "names " + quotedText(name) + ", which does not lie in or below the header's own folder",
                      "Put all files into one folder and correct the name in the header.");
+    if (endOf(folder / name) == endOf(key.headerPath))
+        return wrong(key, "names " + quotedText(name) + ", which is the header itself and holds no voxels",
+                     "Put the file of voxels beside the header and correct the name in it.");
     std::string plain = name;
     while (plain.starts_with("./")) plain.erase(0, 2);
     return DataFile{(folder / plain).string()};

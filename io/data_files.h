@@ -37,8 +37,10 @@ struct DataFileKey {
     std::string key;  ///< "ElementDataFile", "data file"
 };
 
+/// Fails (unreadable) where the file at `path`, which was found beside another one, is a link out of its own folder.
+[[nodiscard]] Result<void> requireInItsFolder(const std::string& path);
 /// The data file `name`. Fails (unreadable) where it is no name in or below the header's folder (absolute paths, "..",
-/// and links that lead out of it are none).
+/// and links that lead out of it are none), or is the header itself.
 [[nodiscard]] Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name);
 /// The data files of these names, in their order. Fails as dataFileBeside(), and where there are none or more than
 /// mostDataFiles.

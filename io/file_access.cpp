@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -41,7 +41,7 @@ public:
         // O_NONBLOCK keeps a named pipe without a writer from holding the program; regular files ignore it.
         const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
         if (number >= 0) return number;
-        return fail(FailureKind::unreadable, path, "", std::string("could not be opened: ") + std::strerror(errno),
+        return fail(FailureKind::unreadable, path, "", "could not be opened: " + inputProblem(errno),
                     "Check the name and the permissions.");
     }
 
@@ -54,7 +54,10 @@ public:
 
     std::string resolved(const std::string& path) override {
         std::error_code error;
-        const auto end = std::filesystem::weakly_canonical(path.empty() ? "." : path, error);
+        // What is missing on a relative path would stay relative otherwise.
+        const auto whole = std::filesystem::absolute(path.empty() ? "." : path, error);
+        if (error) return path;
+        const auto end = std::filesystem::weakly_canonical(whole, error);
         return error ? path : end.string();
     }
 
@@ -85,7 +88,9 @@ public:
         }
         deeper.say(fmt::format("deeper than {} were not looked into", deepest), found.warnings);
         closed.say("could not be opened", found.warnings);
-        if (error) found.warnings.push_back(fmt::format("The folder was not read to its end: {}.", error.message()));
+        if (error)
+            found.warnings.push_back(
+                fmt::format("The folder was not read to its end: {}.", inputProblem(error.value())));
         std::sort(found.paths.begin(), found.paths.end());
         return found;
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,7 +32,7 @@ public:
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
 
-    /// False, with errno set, where there is not enough memory.
+    /// False where there is not enough memory.
     [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) {
         while (m_descriptor >= 0 && !bytes.empty()) {
             const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
@@ -52,7 +51,7 @@ private:
 
 }  // namespace
 
-bool looksLikeGzip(std::string_view beginning) { return beginning.starts_with("\x1f\x8b\x08"); }
+bool looksLikeGzip(std::string_view beginning) { return beginning.starts_with(gzipSignature); }
 
 std::string withoutGzipEnding(const std::string& path) {
     const std::string lower = lowerCase(path);
@@ -87,14 +86,14 @@ Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) 
                 fmt::format("unpacks to more than {} bytes out of {}, which no volume does", most, packed.size()),
                 "Unpack it with gunzip if you trust it, and open what comes out.");
         if (!memory.write(std::span(piece).first(*count)))
-            return wrong(fmt::format("needs more memory than there is to be unpacked ({})", std::strerror(errno)),
+            return wrong("needs more memory than there is to be unpacked",
                          "Unpack it with gunzip and open what comes out.");
     }
     if (!source.ended())
         return wrong(fmt::format("is gzip that ends too early, after {} bytes", packed.size()),
                      "The file is incomplete: copy it again.");
     if (!memory.write({}))
-        return wrong(std::string("cannot be unpacked in memory: ") + std::strerror(errno),
+        return wrong("needs more memory than there is to be unpacked",
                      "Unpack it with gunzip and open what comes out.");
     progress.at(1.0);
     return InputFile::adopt(packed.path(), memory.release());

@@ -11,6 +11,8 @@
 
 namespace echolucent {
 
+/// What gzip files begin with.
+constexpr std::string_view gzipSignature = "\x1f\x8b\x08";
 /// Whether a file begins as gzip files do.
 [[nodiscard]] bool looksLikeGzip(std::string_view beginning);
 /// The path without ".gz" or ".gzip" at its end; the path itself where it ends otherwise.

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "io/file_access.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -68,11 +68,12 @@ Result<void> InputFile::readAt(std::uint64_t offset, std::span<std::uint8_t> byt
             pread(m_descriptor->number, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0)
-            return fail(FailureKind::unreadable, m_path, "", std::string("could not be read: ") + std::strerror(errno));
+            return fail(FailureKind::unreadable, m_path, "", "could not be read: " + inputProblem(errno),
+                        "Check the disc and the connection to it.");
         if (count == 0)
             return fail(FailureKind::unreadable, m_path, "",
                         fmt::format("ends after {} bytes where {} are needed", offset + done, offset + bytes.size()),
-                        "Copy or export it again.");
+                        "The file is incomplete: copy or export it again.");
         done += static_cast<std::size_t>(count);
     }
     return {};

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/reading_memory.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
@@ -16,6 +17,8 @@ namespace {
 constexpr std::uint64_t deflateRatio = 1032;
 // Above this ratio the decompressed bytes are counted before memory is taken for them.
 constexpr std::uint64_t plausibleRatio = 32;
+// Compressed bytes are decoded to their end for the sake of their checksum, but not for longer than this.
+constexpr std::uint64_t mostBeyond = std::uint64_t{256} << 20;
 
 /// The least encoded bytes that can stand for so many bytes of voxels.
 std::uint64_t leastEncoded(const StoredVolume& stored, std::uint64_t bytes) {
@@ -74,7 +77,11 @@ Result<VoxelExtent> StoredBytes::extentIn(const InputFile& file) const {
 Result<VoxelExtent> StoredBytes::extentOfRaw(const InputFile& file, VoxelExtent extent) const {
     const std::string name = nameFromPath(file.path());
     if (m_stored.dataAtEnd) {
-        if (m_part > file.size()) return tooShort(fmt::format("{} holds only {}", name, file.size()));
+        // What stands before the offset is header, or lines to skip, and never voxels.
+        const std::uint64_t left = file.size() - std::min(extent.offset, file.size());
+        if (m_part > left)
+            return tooShort(
+                fmt::format("{} holds only {}{}", name, left, extent.offset > 0 ? " after its header" : ""));
         extent.offset = file.size() - m_part;
     }
     const std::uint64_t rest = extent.offset <= file.size() ? file.size() - extent.offset : 0;
@@ -93,6 +100,11 @@ Result<VoxelExtent> StoredBytes::extentOfEncoded(const InputFile& file, VoxelExt
                     "The file is incomplete: copy or export it again.");
     if (rest == 0) return tooShort(name + " holds none");
     if (extent.length == 0) extent.length = rest;
+    if (isCompressed(extent.encoding) && extent.skipBytes > mostBeyond)
+        return fail(FailureKind::unreadable, m_stored.path, "byte skip",
+                    fmt::format("is {}, more than the {} bytes that are unpacked and skipped before voxels",
+                                extent.skipBytes, mostBeyond),
+                    "Correct the header or export the volume again.");
     if (leastEncoded(m_stored, m_part + extent.skipBytes) <= extent.length) return extent;
     if (isCompressed(extent.encoding))
         return tooShort(
@@ -104,7 +116,7 @@ Result<void> StoredBytes::checkDecoded(const InputFile& file, const VoxelExtent&
                                        const Progress& progress) const {
     // Without trusting the declaration: whether the compressed bytes can give the declared ones.
     const std::uint64_t needed = m_part + extent.skipBytes;
-    if (!isCompressed(extent.encoding) || needed / plausibleRatio <= extent.length) return {};
+    if (needed / plausibleRatio <= extent.length) return {};
     const auto counted = VoxelSource(file, extent, m_stored.type).countBytes(needed, progress);
     if (!counted) return tl::unexpected(counted.error());
     if (*counted < needed) return tooShort(fmt::format("the compressed data hold only {}", *counted));
@@ -119,14 +131,28 @@ void StoredBytes::noteRest(const InputFile& file, const VoxelExtent& extent) {
 }
 
 Result<void> StoredBytes::check(const Progress& progress) {
+    std::uint64_t storedBytes = m_stored.packedBytes;
     for (const DataFile& data : m_stored.data) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, m_stored.path, "", "was not read: cancelled");
         const auto file = data.open();
         if (!file) return tl::unexpected(file.error());
         const auto extent = extentIn(*file);
         if (!extent) return tl::unexpected(extent.error());
-        if (auto decoded = checkDecoded(*file, *extent, progress); !decoded) return decoded;
+        const bool unpacked = data.opened && m_stored.packedBytes > 0;
+        if (!unpacked) storedBytes += file->size();
         noteRest(*file, *extent);
+    }
+    if (auto modest =
+            requireReadingMemory(m_stored.path, m_stored.sizeKey, memoryToRead(m_stored, m_counts), storedBytes);
+        !modest)
+        return modest;
+    if (!isCompressed(m_stored.extent.encoding)) return {};
+    for (const DataFile& data : m_stored.data) {
+        const auto file = data.open();
+        if (!file) return tl::unexpected(file.error());
+        const auto extent = extentIn(*file);
+        if (!extent) return tl::unexpected(extent.error());
+        if (auto decoded = checkDecoded(*file, *extent, progress); !decoded) return decoded;
     }
     return {};
 }
@@ -136,6 +162,7 @@ Result<void> StoredBytes::beginNext(const Progress& progress) {
     if (!file) return tl::unexpected(file.error());
     const auto extent = extentIn(*file);
     if (!extent) return tl::unexpected(extent.error());
+    m_file = file->path();
     m_source = std::make_unique<VoxelSource>(*file, *extent, m_stored.type);
     m_left = m_part;
     std::vector<std::uint8_t> scratch;
@@ -146,12 +173,22 @@ Result<void> StoredBytes::beginNext(const Progress& progress) {
     return {};
 }
 
-Result<void> StoredBytes::endFile() {
+Result<void> StoredBytes::endFile(const Progress& progress) {
     const VoxelEncoding encoding = m_stored.extent.encoding;
     if (encoding == VoxelEncoding::raw) return {};  // check() has said what is left
-    const auto more = m_source->hasMore();
-    if (!more && isCompressed(encoding)) return tl::unexpected(more.error());
-    if (more && !*more) return {};
+    const bool compressed = isCompressed(encoding);
+    const auto more = m_source->skipRest(compressed ? mostBeyond : 0, progress);
+    if (!more && (compressed || more.error().kind == FailureKind::cancelled)) return tl::unexpected(more.error());
+    if (compressed && *more > mostBeyond)
+        return fail(FailureKind::unreadable, m_file, "",
+                    fmt::format("holds compressed data that go on for more than {} bytes after the declared voxels",
+                                mostBeyond),
+                    "The file is damaged, or its header belongs to another one: export it again.");
+    if (compressed && !m_source->ended())
+        return fail(FailureKind::unreadable, m_file, "",
+                    "ends within its compressed data, so that their checksum cannot be verified",
+                    "The file is incomplete or damaged: copy or export it again.");
+    if (more && *more == 0) return {};
     if (m_warnings.empty())
         m_warnings.emplace_back("The file holds more than the declared voxels; what follows them is ignored.");
     return {};
@@ -170,7 +207,7 @@ Result<void> StoredBytes::read(std::span<std::uint8_t> bytes, const Progress& pr
         done += count;
         m_left -= count;
         if (m_left > 0) continue;
-        if (auto ended = endFile(); !ended) return ended;
+        if (auto ended = endFile(progress); !ended) return ended;
     }
     return {};
 }

@@ -16,13 +16,14 @@ public:
     StoredBytes(const StoredVolume& stored, const ByteCounts& counts);
 
     /// Checks of every data file, before memory is taken, that it can hold its part. Fails (unreadable) where it holds
-    /// less; compressed bytes that claim to be many times more are counted.
+    /// less, and where reading would take far more memory than the files' bytes are worth (requireReadingMemory());
+    /// compressed bytes that claim to be many times more are counted.
     [[nodiscard]] Result<void> check(const Progress& progress);
     /// Sentences of check() and read() on bytes that play no part.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
-    /// Fills `bytes` with what comes next, as VoxelSource::read(). At the end of a data file the checksum of compressed
-    /// voxels is verified.
+    /// Fills `bytes` with what comes next, as VoxelSource::read(). At the end of a data file compressed voxels are
+    /// decoded to their own end and their checksums verified.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
 private:
@@ -35,13 +36,14 @@ private:
                                             const Progress& progress) const;
     void noteRest(const InputFile& file, const VoxelExtent& extent);
     [[nodiscard]] Result<void> beginNext(const Progress& progress);
-    [[nodiscard]] Result<void> endFile();
+    [[nodiscard]] Result<void> endFile(const Progress& progress);
     [[nodiscard]] tl::unexpected<Failure> tooShort(const std::string& held) const;
 
     const StoredVolume& m_stored;
     ByteCounts m_counts;
     std::uint64_t m_part;      // bytes of voxels in each data file
     std::size_t m_begun = 0;   // data files that were begun
+    std::string m_file;        // path of the one begun last
     std::uint64_t m_left = 0;  // bytes that the one begun last has still to give
     std::unique_ptr<VoxelSource> m_source;
     std::vector<std::string> m_warnings;

@@ -23,6 +23,8 @@ struct StoredVolume {
     std::string sizeKey;     ///< the key or option that declared the size: "DimSize", "sizes", "--raw-size"
     /// What to do where the file holds fewer voxels than declared.
     std::string sizeRemedy = "The file is incomplete or its header is wrong: copy or export it again.";
+    /// Where a data file was packed as a whole: its bytes on the disc, and what it was unpacked to in memory.
+    std::uint64_t packedBytes = 0, unpackedBytes = 0;
     VoxelExtent extent;          ///< in each data file; a length of 0 means that the voxels end with the file
     bool dataAtEnd = false;      ///< the voxels end where the file ends (HeaderSize = -1, byte skip: -1)
     std::int64_t skipLines = 0;  ///< lines of each data file before the extent's offset is counted (line skip)
@@ -60,5 +62,8 @@ struct ByteCounts {
 /// Counts the bytes that `stored` declares. Fails (unreadable) where they cannot be counted in 63 bits,
 /// or where there are too many phases.
 [[nodiscard]] Result<ByteCounts> countBytes(const StoredVolume& stored);
+/// The most memory, in bytes, that reading takes at any one time: what was unpacked, the bytes as they are stored, the
+/// voxels as they are kept, and the mask of data.
+[[nodiscard]] std::uint64_t memoryToRead(const StoredVolume& stored, const ByteCounts& counts);
 
 }  // namespace echolucent

@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -5,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/curve_file.h"
+#include "io/data_files.h"
 #include "io/dicom/dicom_reader.h"
 #include "io/dicom/dicom_scan.h"
 #include "io/document/preset_file.h"
@@ -14,7 +16,9 @@
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
+#include "io/kretz/kretz_items.h"
 #include "io/kretz/kretz_reader.h"
+#include "io/nifti/nifti_header.h"
 #include "io/nifti/nifti_reader.h"
 #include "io/stored_volume_reader.h"
 #include "io/study.h"
@@ -42,6 +46,27 @@ Format formatFromName(const std::string& path) {
     if (extension == ".nii") return Format::nifti;
     if (extension == ".dcm" || extension == ".dicom" || extension == ".ima") return Format::dicom;
     return Format::unknown;
+}
+
+/// A sentence for files that end within the first bytes of a known format; no value for all others.
+std::optional<Failure> cutWithinItsBeginning(const std::string& path, std::string_view beginning) {
+    struct Signature {
+        std::string_view bytes;
+        const char* format;
+    };
+    constexpr std::array<Signature, 4> signatures{{{"NRRD000", "an NRRD file"},
+                                                   {kretzSignature, "a GE Voluson volume (Kretz)"},
+                                                   {"ObjectType", "a MetaImage"},
+                                                   {gzipSignature, "a gzip file"}}};
+    const char* format = beginsLikeNifti(beginning) ? "a NIfTI header" : nullptr;
+    for (const Signature& signature : signatures)
+        if (!beginning.empty() && beginning.size() < signature.bytes.size() && signature.bytes.starts_with(beginning))
+            format = signature.format;
+    if (format == nullptr) return std::nullopt;
+    return fail(FailureKind::unreadable, path, "",
+                fmt::format("ends after {} bytes, within the beginning of {}", beginning.size(), format),
+                "The file is incomplete: copy or export it again.")
+        .value();
 }
 
 /// A sentence for files of formats that are known but not read; no value for all others.
@@ -87,12 +112,26 @@ Result<std::optional<KnownLayout>> knownLayout(const std::string& path, const Re
     return std::optional<KnownLayout>();
 }
 
-Result<Study> readUnknown(const InputFile& file, std::string_view beginning, const ReadOptions& options,
-                          const Progress& progress) {
+/// The bytes of a file that was packed as a whole; 0 where it was not.
+struct Packing {
+    std::uint64_t packedBytes = 0, unpackedBytes = 0;
+};
+
+Result<Study> readStored(Result<StoredVolume> stored, const Packing& packing, const ReadOptions& options,
+                         const Progress& progress) {
+    if (!stored) return tl::unexpected(stored.error());
+    stored->packedBytes += packing.packedBytes;
+    stored->unpackedBytes += packing.unpackedBytes;
+    return readStoredVolume(std::move(*stored), options, progress);
+}
+
+Result<Study> readUnknown(const InputFile& file, std::string_view beginning, const Packing& packing,
+                          const ReadOptions& options, const Progress& progress) {
     const std::string& path = file.path();
     const auto known = knownLayout(path, options);
     if (!known) return tl::unexpected(known.error());
     if (!*known) {
+        if (auto refused = cutWithinItsBeginning(path, beginning)) return tl::unexpected(*refused);
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
         auto unknown =
             fail(FailureKind::unreadable, path, "",
@@ -106,39 +145,39 @@ Result<Study> readUnknown(const InputFile& file, std::string_view beginning, con
     auto stored = storedVolumeFromLayout(file, (*known)->layout, (*known)->source);
     if (!stored) return tl::unexpected(stored.error());
     stored->layoutPath = (*known)->path;
-    return readStoredVolume(std::move(*stored), options, progress);
-}
-
-Result<Study> readStored(Result<StoredVolume> stored, const ReadOptions& options, const Progress& progress) {
-    if (!stored) return tl::unexpected(stored.error());
-    return readStoredVolume(std::move(*stored), options, progress);
+    return readStored(std::move(stored), packing, options, progress);
 }
 
 /// Half the way is unpacking the voxels, where they are packed in a file of their own.
-Result<Study> readNifti(const InputFile& file, const ReadOptions& options, const Progress& progress) {
+Result<Study> readNifti(const InputFile& file, const Packing& packing, const ReadOptions& options,
+                        const Progress& progress) {
     double reached = 0;
     auto stored = readNiftiHeader(file, options.framesAsSlices,
                                   {[&](double share) { progress.at(reached = 0.5 * share); }, progress.cancel});
-    return readStored(std::move(stored), options,
+    return readStored(std::move(stored), packing, options,
                       {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel});
 }
 
 /// Reads an opened file; what was packed as a whole is unpacked.
-Result<Study> readOpened(const InputFile& file, const ReadOptions& options, const Progress& progress) {
+Result<Study> readOpened(const InputFile& file, const Packing& packing, const ReadOptions& options,
+                         const Progress& progress) {
     const auto beginning = file.beginning(4096);
     if (!beginning) return tl::unexpected(beginning.error());
     Format format = formatFromContent(*beginning);
-    if (format == Format::unknown && !knownButNotRead(file.path(), *beginning))
+    const bool cutGzip =
+        !beginning->empty() && beginning->size() < gzipSignature.size() && gzipSignature.starts_with(*beginning);
+    if (format == Format::unknown && !cutGzip && !knownButNotRead(file.path(), *beginning))
         format = formatFromName(withoutGzipEnding(file.path()));
     switch (format) {
-        case Format::metaImage: return readStored(readMetaImageHeader(file, options.framesAsSlices), options, progress);
-        case Format::nrrd: return readStored(readNrrdHeader(file, options.framesAsSlices), options, progress);
-        case Format::nifti: return readNifti(file, options, progress);
+        case Format::metaImage:
+            return readStored(readMetaImageHeader(file, options.framesAsSlices), packing, options, progress);
+        case Format::nrrd: return readStored(readNrrdHeader(file, options.framesAsSlices), packing, options, progress);
+        case Format::nifti: return readNifti(file, packing, options, progress);
         case Format::dicom: return readDicom(file, options, progress);
         case Format::kretz: return readKretz(kretzSource(file), options, progress);
         case Format::unknown: break;
     }
-    return readUnknown(file, *beginning, options, progress);
+    return readUnknown(file, *beginning, packing, options, progress);
 }
 
 /// Whether a file is to be unpacked. Voxels that a layout describes may begin like gzip by chance; then the name tells.
@@ -160,8 +199,8 @@ Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, co
     if (beginning && looksLikeGzip(*beginning))
         return fail(FailureKind::unreadable, packed.path(), "", "is compressed with gzip twice",
                     "Unpack it with gunzip and open what comes out.");
-    auto study =
-        readOpened(*unpacked, options, {[&](double share) { progress.at(0.5 + 0.5 * share); }, progress.cancel});
+    auto study = readOpened(*unpacked, {packed.size(), unpacked->size()}, options,
+                            {[&](double share) { progress.at(0.5 + 0.5 * share); }, progress.cancel});
     if (study)
         study->facts.push_back(
             {"file", fmt::format("gzip, {} bytes unpacked to {}", packed.size(), unpacked->size()), "its beginning"});
@@ -179,6 +218,8 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
     const auto own = voxels.beginning(4096);
     if (!own) return tl::unexpected(own.error());
     if (layout->has_value() || formatFromContent(*own) != Format::unknown) return std::optional<InputFile>();
+    // A link may lead anywhere; what is read lies in the folder that was named.
+    if (auto inside = requireInItsFolder(*beside); !inside) return tl::unexpected(inside.error());
     auto header = InputFile::open(*beside);
     if (!header) return tl::unexpected(header.error());
     auto beginning = header->beginning(niftiHeaderBytes);
@@ -188,7 +229,8 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
         beginning = unpacked->beginning(niftiHeaderBytes);
     }
     if (!beginning) return tl::unexpected(beginning.error());
-    if (!looksLikeNifti(*beginning) && !looksLikeAnalyze(*beginning)) return std::optional<InputFile>();
+    if (!looksLikeNifti(*beginning) && !looksLikeAnalyze(*beginning) && !beginsLikeNifti(*beginning))
+        return std::optional<InputFile>();
     return std::optional(std::move(*header));
 }
 
@@ -201,7 +243,7 @@ Result<Study> readFile(const std::string& path, const ReadOptions& options, cons
     if (*header) file = std::move(**header);
     const auto packed = isPacked(*file, options);
     if (!packed) return tl::unexpected(packed.error());
-    return *packed ? readPacked(*file, options, progress) : readOpened(*file, options, progress);
+    return *packed ? readPacked(*file, options, progress) : readOpened(*file, {}, options, progress);
 }
 
 }  // namespace

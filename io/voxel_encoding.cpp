@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "io/headers/header_text.h"
 
@@ -21,9 +22,36 @@ using Step = VoxelDecoder::Step;
 using Problem = VoxelDecoder::Problem;
 using Decoded = tl::expected<Step, Problem>;
 
-constexpr const char* damaged = "has damaged compressed data";
+/// The failure of compressed bytes, of which `detail` says what is wrong.
+tl::unexpected<Problem> damagedBy(std::string detail) {
+    Problem problem;
+    problem.what = "has damaged compressed data";
+    problem.detail = std::move(detail);
+    return tl::unexpected<Problem>(std::move(problem));
+}
+
 // What a member of gzip or bzip2 begins with. Files may hold several, one behind the other.
 constexpr std::string_view gzipMagic = "\x1f\x8b", bzip2Magic = "BZh";
+
+/// What zlib found wrong, in words that need no knowledge of zlib.
+const char* zlibProblem(int status, const char* message, bool isGzip) {
+    const std::string_view says = message != nullptr ? message : "";
+    if (status == Z_NEED_DICT) return "they need a dictionary that the file does not hold";
+    if (says == "incorrect data check")
+        return isGzip ? "their checksum (CRC-32) does not match" : "their checksum (Adler-32) does not match";
+    if (says == "incorrect length check") return "the length beside their checksum does not match";
+    if (says == "header crc mismatch") return "the checksum of the gzip header does not match";
+    for (const std::string_view unlike :
+         {"incorrect header check", "unknown compression method", "invalid window size", "unknown header flags set"})
+        if (says == unlike) return "they begin like neither zlib nor gzip";
+    return "a block cannot be decoded";
+}
+
+/// What bzip2 found wrong, in words that need no knowledge of bzip2.
+const char* bzip2Problem(int status) {
+    return status == BZ_DATA_ERROR_MAGIC ? "they do not begin like bzip2"
+                                         : "a block cannot be decoded, or its checksum (CRC) does not match";
+}
 
 std::string_view textOf(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -58,8 +86,9 @@ public:
                 m_gzip = rest.front() == gzipMagic.front();
             }
             const int status = inflate(&m_stream, Z_NO_FLUSH);
+            if (status == Z_MEM_ERROR) throw std::bad_alloc();
             if (status != Z_STREAM_END && status != Z_OK && status != Z_BUF_ERROR)
-                return tl::unexpected(Problem{damaged, m_stream.msg != nullptr ? m_stream.msg : "not zlib or gzip"});
+                return damagedBy(zlibProblem(status, m_stream.msg, m_gzip));
             m_between = status == Z_STREAM_END;
             if (!m_between) return step(false);
         }
@@ -97,9 +126,7 @@ public:
             }
             const int status = BZ2_bzDecompress(&m_stream);
             if (status == BZ_MEM_ERROR) throw std::bad_alloc();
-            if (status != BZ_OK && status != BZ_STREAM_END)
-                return tl::unexpected(
-                    Problem{damaged, status == BZ_DATA_ERROR_MAGIC ? "not bzip2" : "the bzip2 checks do not hold"});
+            if (status != BZ_OK && status != BZ_STREAM_END) return damagedBy(bzip2Problem(status));
             m_between = status == BZ_STREAM_END;
             if (!m_between) return step(false);
         }

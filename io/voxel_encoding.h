@@ -31,7 +31,7 @@ public:
         std::size_t given = 0;  ///< bytes of the output that are filled
         bool ended = false;     ///< whether the stream is over
     };
-    /// What is wrong with the bytes: "has damaged compressed data", "invalid block type".
+    /// What is wrong with the bytes: "has damaged compressed data", "a block cannot be decoded".
     struct Problem {
         std::string what;
         std::string detail;

@@ -1,7 +1,6 @@
 #include "io/voxel_source.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <utility>
 
@@ -89,30 +88,30 @@ Result<void> VoxelSource::read(std::span<std::uint8_t> bytes, const Progress& pr
             return fail(FailureKind::unreadable, m_file.path(), "",
                         fmt::format("holds only {} bytes of voxels where {} or more are declared", m_given,
                                     m_given - done + bytes.size()),
-                        "Copy or export it again.");
+                        "The file is incomplete or damaged: copy or export it again.");
         done += *count;
         m_given += *count;
     }
     return {};
 }
 
-Result<bool> VoxelSource::hasMore() {
-    std::array<std::uint8_t, 8> oneValue{};
-    const auto count = readSome(oneValue);
-    if (!count) return tl::unexpected(count.error());
-    return *count > 0;
-}
-
-Result<std::uint64_t> VoxelSource::countBytes(std::uint64_t limit, const Progress& progress) {
+Result<std::uint64_t> VoxelSource::skipRest(std::uint64_t most, const Progress& progress) {
     std::vector<std::uint8_t> scratch(std::size_t{1} << 20);
     std::uint64_t total = 0;
-    while (total < limit) {
+    while (total <= most) {
         if (progress.cancelled()) return cancelled(m_file.path());
-        const auto count = readSome(scratch);
+        // Whole values of any type, and one of them is enough to tell that there is more.
+        const auto piece = std::min<std::uint64_t>(scratch.size(), std::max<std::uint64_t>(most / 8 * 8, 8));
+        const auto count = readSome(std::span(scratch).first(static_cast<std::size_t>(piece)));
         if (!count) return tl::unexpected(count.error());
         if (*count == 0) break;
         total += *count;
     }
+    return total;
+}
+
+Result<std::uint64_t> VoxelSource::countBytes(std::uint64_t limit, const Progress& progress) {
+    const auto total = skipRest(limit, progress);
     rewind();
     return total;
 }

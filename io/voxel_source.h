@@ -41,9 +41,10 @@ public:
     /// The share of the extent that was taken from the file, in [0,1].
     [[nodiscard]] double shareTaken() const;
 
-    /// Whether more follows the bytes that were read. Where nothing does, the checksum of compressed bytes has been
-    /// verified once this is answered. Fails (unreadable) where what follows is damaged or no voxels.
-    [[nodiscard]] Result<bool> hasMore();
+    /// Reads on without keeping what comes, to the end or until `most` bytes have come, and returns how many did (where
+    /// there are more than `most`, up to 1 MiB more than that). Where ended() is true then, the checksums of compressed
+    /// bytes have been verified. Fails (unreadable) where what follows is damaged or no voxels.
+    [[nodiscard]] Result<std::uint64_t> skipRest(std::uint64_t most, const Progress& progress);
 
     /// How many bytes there are to be read, counted up to `limit` without keeping them. To be called before the first
     /// read().

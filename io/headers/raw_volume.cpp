@@ -73,6 +73,7 @@ Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout)
 Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
     const std::string file = rawLayoutPath(path);
     if (fileAccess().kindOf(file) == FileKind::missing) return std::optional<RawLayout>();
+    if (auto inside = requireInItsFolder(file); !inside) return tl::unexpected(inside.error());
     const auto text = readWholeFile(file, layoutLimit);
     if (!text) return tl::unexpected(text.error());
     const auto object = jsonObject(*text, file, formatName, remedy);

@@ -9,7 +9,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::size_t bytesOfOne = 348, bytesOfTwo = 540;
+constexpr std::size_t bytesOfOne = shortestNiftiHeader, bytesOfTwo = niftiHeaderBytes;
 constexpr std::string_view magicOfTwo("+2\0\r\n\x1a\n", 7);
 
 /// Values in a header's bytes, in the order that it was written in.
@@ -118,6 +118,17 @@ bool looksLikeNifti(std::string_view beginning) { return niftiHeaderIn(beginning
 bool looksLikeAnalyze(std::string_view beginning) {
     constexpr std::size_t regularAt = 38;  // Analyze's own constant, "r"
     return bigEndianOf(beginning, bytesOfOne) && !looksLikeNifti(beginning) && beginning[regularAt] == 'r';
+}
+
+bool beginsLikeNifti(std::string_view beginning) {
+    constexpr std::size_t lengthBytes = 4;
+    if (beginning.size() < lengthBytes) return false;
+    for (const bool big : {false, true}) {
+        const auto length = HeaderReader(beginning, big).at<std::int32_t>(0);
+        if (length == static_cast<std::int32_t>(bytesOfOne) || length == static_cast<std::int32_t>(bytesOfTwo))
+            return beginning.size() < static_cast<std::size_t>(length);
+    }
+    return false;
 }
 
 std::optional<NiftiHeader> niftiHeaderIn(std::string_view beginning) {

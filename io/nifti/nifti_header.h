@@ -35,6 +35,8 @@ struct NiftiHeader {
 /// (cal_max) may be any program's choice of contrast; this is no choice.
 [[nodiscard]] std::string niftiWhiteText(double whiteLevel, std::string_view typeName);
 
+/// How many bytes of a file's beginning the header takes at least.
+constexpr std::size_t shortestNiftiHeader = 348;
 /// How many bytes of a file's beginning the header takes at most.
 constexpr std::size_t niftiHeaderBytes = 540;
 
@@ -42,6 +44,8 @@ constexpr std::size_t niftiHeaderBytes = 540;
 [[nodiscard]] bool looksLikeNifti(std::string_view beginning);
 /// Whether it is an Analyze 7.5 header, the like of NIfTI without its magic and without an orientation.
 [[nodiscard]] bool looksLikeAnalyze(std::string_view beginning);
+/// Whether bytes that end early may be the first of a NIfTI or Analyze header: they begin with its length.
+[[nodiscard]] bool beginsLikeNifti(std::string_view beginning);
 /// The header in the beginning of a file; no value where looksLikeNifti() says that it is none.
 [[nodiscard]] std::optional<NiftiHeader> niftiHeaderIn(std::string_view beginning);
 

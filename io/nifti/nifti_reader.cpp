@@ -280,8 +280,10 @@ Result<void> NiftiReader::readVoxelPlace(const Progress& progress) {
         if (!file) return tl::unexpected(file.error());
         const auto beginning = file->beginning(3);
         if (beginning && looksLikeGzip(*beginning) && candidate.ends_with(".gz")) {
+            m_stored.packedBytes = file->size();
             file = unpackGzip(*file, progress);
             if (!file) return tl::unexpected(file.error());
+            m_stored.unpackedBytes = file->size();
         }
         m_stored.data = {{beside->path, *file}};
         return {};
@@ -296,9 +298,13 @@ Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices,
     const auto beginning = file.beginning(niftiHeaderBytes);
     if (!beginning) return tl::unexpected(beginning.error());
     const auto header = niftiHeaderIn(*beginning);
+    if (!header && (beginning->size() < sizeof(std::int32_t) || beginsLikeNifti(*beginning)))
+        return fail(FailureKind::unreadable, file.path(), "",
+                    fmt::format("ends after {} bytes, within its NIfTI header", beginning->size()),
+                    "The file is incomplete or damaged: copy or export it again.");
     if (!header)
         return fail(FailureKind::unreadable, file.path(), "", "does not begin with a NIfTI header",
-                    "It is cut off, or of another kind than its name says.");
+                    "It is incomplete or damaged, or of another kind than its name says.");
     return NiftiReader(file, *header).read(framesAsSlices, progress);
 }
 

@@ -1,7 +1,248 @@
+// Hostile NIfTI files and pairs: sizes, places of voxels, scales, spacings, links, cuts.
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
 #include "hostile_file.h"
+#include "nifti_files.h"
+#include "zlib_bytes.h"
 
 namespace echolucent {
 
-std::vector<HostileFile> hostileNifti() { return {}; }
+namespace {
+
+using Words = std::vector<std::string>;
+using Outcome = HostileOutcome;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+
+/// A NIfTI with some of its fields changed.
+HostileFile nifti(const std::string& name, const std::function<void(NiftiFields&)>& change, const Words& words,
+                  Outcome outcome = Outcome::refused, const std::string& voxels = countedVoxels) {
+    NiftiFields fields;
+    change(fields);
+    return hostileFile("nifti/" + name, "v.nii", niftiHeader(fields) + voxels, words, outcome);
+}
+
+std::string floats() { return bytesFrom(twentyFour<float>()); }
+std::string doubles(double factor) {
+    std::vector<double> values = twentyFour<double>();
+    for (double& value : values) value *= factor;
+    return bytesFrom(values);
+}
+
+std::vector<HostileFile> sizes() {
+    const auto two = [](const std::vector<std::int64_t>& dim) {
+        return [dim](NiftiFields& fields) {
+            fields.version = 2;
+            fields.dim = dim;
+        };
+    };
+    return {
+        nifti("30-gb",
+              [](NiftiFields& f) {
+                  f.dim = {3, 3000, 3000, 3000};
+              },
+              {"dim declares 27000000000 bytes", "incomplete"}),
+        nifti("an-overflowing-size", two({3, 3037000500, 3037000500, 2}), {"more voxels than any file"}),
+        nifti("a-row-of-2-to-the-62", two({3, 1, 1, std::int64_t{1} << 62}), {"holds only 24"}),
+        nifti("a-negative-size", two({3, -1, 1, 1}), {"dim[1] must be above 0"}),
+        nifti("the-least-size", two({3, std::numeric_limits<std::int64_t>::min(), 1, 1}), {"dim[1] must be above 0"}),
+        nifti("20-million-phases", two({4, 1, 1, 2, 20000000}), {"makes 20000000 phases"}),
+        nifti(
+            "4097-phases",
+            [](NiftiFields& f) {
+                f.dim = {4, 1, 1, 2, 4097};
+            },
+            {"makes 4097 phases"}, Outcome::refused, std::string(8194, 'v')),
+        nifti(
+            "4096-phases-of-two-voxels",
+            [](NiftiFields& f) {
+                f.dim = {4, 1, 1, 2, 4096};
+            },
+            {"phases"}, Outcome::opens, std::string(8192, 'v')),
+        nifti("eight-dimensions", [](NiftiFields& f) { f.dim = {8, 2, 3, 4, 1, 1, 1, 1}; }, {"dim[0] must be 1 to 7"}),
+        nifti("five-dimensions", [](NiftiFields& f) { f.dim = {5, 2, 3, 2, 1, 2}; }, {"dim[5]", "several values"}),
+        nifti("a-type-that-is-not-known", [](NiftiFields& f) { f.datatype = 77; }, {"datatype is 77"}),
+        nifti("complex-numbers", [](NiftiFields& f) { f.datatype = 32; }, {"complex numbers"}),
+        nifti(
+            "wrong-bits", [](NiftiFields& f) { f.bitpix = 16; }, {"bitpix says 16 bits"}, Outcome::opensWithNote),
+    };
+}
+
+std::vector<HostileFile> places() {
+    std::vector<HostileFile> rows;
+    for (const double offset : {0.0, 348.0, 351.0, 352.5, -352.0, nan, inf, 1e30})
+        rows.push_back(nifti(fmt::format("voxels-at-{}", offset), [&](NiftiFields& f) { f.voxOffset = offset; },
+                             {"vox_offset must be a whole number of 352 or more"}));
+    rows.push_back(nifti("voxels-behind-the-file", [](NiftiFields& f) { f.voxOffset = 4e9; }, {"holds only 0"}));
+    return rows;
+}
+
+std::vector<HostileFile> scales() {
+    const auto scaled = [](int type, int bits, double slope, double inter = 0) {
+        return [=](NiftiFields& f) {
+            f.datatype = type;
+            f.bitpix = bits;
+            f.slope = slope;
+            f.inter = inter;
+            f.version = 2;
+        };
+    };
+    const Words tooLarge{"larger than float32 can hold"};
+    return {
+        nifti("floats-times-1e37", scaled(16, 32, 1e37), {"float32 can"}, Outcome::opens, floats()),
+        nifti("floats-beyond-float32", scaled(16, 32, 3e37), tooLarge, Outcome::refused, floats()),
+        nifti("floats-far-beyond-float32", scaled(16, 32, 1e300), {"scl_slope is 1e+300"}, Outcome::refused, floats()),
+        nifti("floats-shifted-beyond-float32", scaled(16, 32, 1, 1e39), {"scl_slope is 1"}, Outcome::refused, floats()),
+        nifti("floats-made-one-value", scaled(16, 32, 1, 1e30), {"scl_slope"}, Outcome::refused, floats()),
+        nifti("small-floats-made-one-value", scaled(16, 32, 1e-20), {"makes one value of all voxels"}, Outcome::refused,
+              bytesFrom([] {
+                  std::vector<float> values = twentyFour<float>();
+                  for (float& value : values) value *= 1e-25F;
+                  return values;
+              }())),
+        nifti("doubles-beyond-float32", scaled(64, 64, 0), {"datatype makes values from", "larger than float32"},
+              Outcome::refused, doubles(1e38)),
+        nifti("doubles-of-1e308", scaled(64, 64, 0), {"datatype", "larger than float32"}, Outcome::refused,
+              doubles(7e306)),
+        nifti("doubles-times-1e37", scaled(64, 64, 2e37), {"scl_slope", "larger than float32"}, Outcome::refused,
+              doubles(1)),
+        nifti("doubles-that-the-scale-brings-back", scaled(64, 64, 1e-30), {"larger"}, Outcome::opens, doubles(1e38)),
+        nifti("bytes-beyond-float32", scaled(2, 8, 1e37), {"scl_slope is 1e+37"}),
+        nifti("bytes-times-inf", scaled(2, 8, inf), {"scl_slope is no number"}, Outcome::opensWithNote),
+        nifti("bytes-plus-nan", scaled(2, 8, 2, nan), {"scl_inter is no number"}),
+        nifti("bytes-times-1e-300", scaled(2, 8, 1e-300), {"scl_slope is 1e-300"}),
+    };
+}
+
+std::vector<HostileFile> spacings() {
+    std::vector<HostileFile> rows;
+    const std::vector<std::pair<double, Words>> values{
+        {nan, {"pixdim must be finite and not 0"}}, {inf, {"pixdim must be finite and not 0"}},
+        {0.0, {"pixdim must be finite and not 0"}}, {1e300, {"which no scanner makes"}},
+        {1e-310, {"which no scanner makes"}},       {5000.0, {"more than 1000 times as long as wide"}}};
+    for (const auto& [value, words] : values) {
+        rows.push_back(nifti(
+            fmt::format("spacing-of-{}", value),
+            [&value = value](NiftiFields& f) {
+                f.version = 2;
+                f.pixdim = {1, 0.5, value, 2};
+            },
+            words));
+        if (value != 5000.0)
+            rows.push_back(nifti(fmt::format("sform-of-{}", value),
+                                 [&value = value](NiftiFields& f) {
+                                     f.version = 2;
+                                     f.sformCode = 1;
+                                     f.srow = {{{value, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+                                 },
+                                 {}));
+    }
+    for (HostileFile& row : rows)
+        if (row.words.empty()) row.words = {"srow_x, srow_y, srow_z"};
+    rows.push_back(nifti(
+        "negative-spacing",
+        [](NiftiFields& f) {
+            f.pixdim = {1, 0.5, -0.25, 2};
+        },
+        {"pixdim is negative"}, Outcome::opensWithNote));
+    rows.push_back(nifti("quaternion-of-nan",
+                         [](NiftiFields& f) {
+                             f.qformCode = 1;
+                             f.quatern = {nan, 0, 0};
+                         },
+                         {"are no rotation"}));
+    rows.push_back(nifti("quaternion-of-1e300",
+                         [](NiftiFields& f) {
+                             f.version = 2;
+                             f.qformCode = 1;
+                             f.quatern = {1e300, 0, 0};
+                         },
+                         {"are no rotation"}));
+    rows.push_back(nifti("position-of-inf",
+                         [](NiftiFields& f) {
+                             f.qformCode = 1;
+                             f.qoffset = {inf, 0, 0};
+                         },
+                         {"are no position"}));
+    return rows;
+}
+
+/// Pairs whose other file is a link, itself, or cut.
+std::vector<HostileFile> pairs() {
+    NiftiFields apart;
+    apart.apart = true;
+    const std::string header = niftiHeader(apart);
+    const auto linked = [&](const std::string& name, const std::string& opened, const std::string& file,
+                            const std::string& bytes, const std::string& link, const std::string& secret,
+                            const Words& words) {
+        HostileFile row = hostileFile("nifti/" + name, "study/" + opened, "", words);
+        row.write = [=](const std::filesystem::path& folder) {
+            writeBytes(folder / "study" / file, bytes);
+            writeBytes(folder / "elsewhere/secret", secret);
+            std::filesystem::create_symlink(folder / "elsewhere/secret", folder / "study" / link);
+        };
+        return row;
+    };
+    HostileFile itself = hostileFile("nifti/voxels-that-are-the-header", "a.hdr", "", {"is the header itself"});
+    itself.write = [=](const std::filesystem::path& folder) {
+        writeBytes(folder / "a.hdr", header);
+        std::filesystem::create_symlink(folder / "a.hdr", folder / "a.img");
+    };
+    const auto pair = [](const std::string& name, const std::string& opened, const std::string& hdr,
+                         const std::string& img, const Words& words) {
+        HostileFile row = hostileFile("nifti/" + name, opened, "", words);
+        row.write = [=](const std::filesystem::path& folder) {
+            writeBytes(folder / "a.hdr", hdr);
+            writeBytes(folder / "a.img", img);
+        };
+        return row;
+    };
+    return {
+        linked("voxels-over-a-link", "a.hdr", "a.hdr", header, "a.img", countedVoxels, {"own folder"}),
+        linked("packed-voxels-over-a-link", "a.hdr", "a.hdr", header, "a.img.gz", deflated(countedVoxels, 31),
+               {"own folder"}),
+        linked("packed-header-and-voxels-over-a-link", "a.hdr.gz", "a.hdr.gz", deflated(header, 31), "a.img.gz",
+               deflated(countedVoxels, 31), {"own folder"}),
+        linked("a-header-over-a-link", "a.img", "a.img", countedVoxels, "a.hdr", header, {"link out of its folder"}),
+        itself,
+        hostileFile("nifti/a-header-named-as-voxels", "a.img", header, {"is the header itself"}),
+        hostileFile("nifti/voxels-are-missing", "a.hdr", header, {"there is no \"a.img\" beside it"}),
+        pair("cut-voxels-of-a-pair", "a.hdr", header, countedVoxels.substr(0, 9), {"holds only 9", "incomplete"}),
+        pair("no-voxels-of-a-pair", "a.hdr", header, "", {"holds only 0", "incomplete"}),
+        pair("a-cut-header-of-a-pair", "a.hdr", header.substr(0, 200), countedVoxels, {"NIfTI header", "incomplete"}),
+        pair("a-cut-header-by-its-voxels", "a.img", header.substr(0, 200), countedVoxels,
+             {"NIfTI header", "incomplete"}),
+    };
+}
+
+std::vector<HostileFile> cuts() {
+    std::vector<HostileFile> rows;
+    const std::string whole = niftiHeader({}) + countedVoxels;
+    for (const std::size_t kept : {0U, 3U, 4U, 100U, 347U})
+        rows.push_back(hostileFile(fmt::format("nifti/cut-to-{}-bytes", kept), "v.nii", whole.substr(0, kept),
+                                   {fmt::format("ends after {} bytes", kept), "incomplete"}));
+    for (const std::size_t kept : {348U, 352U, 360U, 375U})
+        rows.push_back(hostileFile(fmt::format("nifti/cut-to-{}-bytes", kept), "v.nii", whole.substr(0, kept),
+                                   {"dim declares 24 bytes", "incomplete"}));
+    rows.push_back(
+        hostileFile("nifti/cut-under-another-name", "v.dat", whole.substr(0, 200), {"NIfTI header", "incomplete"}));
+    return rows;
+}
+
+}  // namespace
+
+std::vector<HostileFile> hostileNifti() {
+    std::vector<HostileFile> rows;
+    for (const auto part : {sizes, places, scales, spacings, pairs, cuts})
+        for (HostileFile& one : part()) rows.push_back(std::move(one));
+    return rows;
+}
 
 }  // namespace echolucent

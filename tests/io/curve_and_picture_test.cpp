@@ -60,7 +60,7 @@ TEST(CurveFile, EveryMistakeIsNamed) {
     EXPECT_THAT(nodes(R"([{"intensity": 0.5, "opacity": 0}, {"intensity": 0.4, "opacity": 0}])"),
                 HasSubstr("nodes[1].intensity must not be below"));
     EXPECT_THAT(readCurve(folder.file("none.json")).error().sentence(),
-                AllOf(HasSubstr("none.json"), HasSubstr("could not be opened: No such file")));
+                AllOf(HasSubstr("none.json"), HasSubstr("could not be opened: it does not exist")));
 }
 
 TEST(PictureFile, PngHoldsThePixels) {

@@ -102,7 +102,7 @@ std::vector<MalformedRow> metaImageRows() {
         {"a.mhd", mha("LOCAL", "sub/../../a.raw"), {"ElementDataFile", "own folder"}},
         {"a.mhd", mha("LOCAL", "..\\a.raw"), {"ElementDataFile", "own folder"}},
         {"a.mhd", mha("LOCAL", ".."), {"ElementDataFile", "own folder"}},
-        {"a.mhd", mha("LOCAL", ""), {"ElementDataFile", "own folder"}},
+        {"a.mhd", mha("LOCAL", ""), {"ElementDataFile names no file"}},
         {"a.mhd", mha("LOCAL", "missing.raw"), {"missing.raw", "could not be opened"}},
         {"a.mha", mha(key, "CompressedData = True\n" + key, "not zlib at all, but long"), {"damaged compressed data"}},
         {"a.mha", mha(key, "CompressedData = True\n" + key, deflated(std::string(23, 'v'))), {"holds only 23 bytes"}},
@@ -133,7 +133,7 @@ std::vector<MalformedRow> nrrdRows() {
                std::string(24, 'v');
     };
     return {
-        {"a.nrrd", "", {"does not begin with NRRD"}},
+        {"a.nrrd", "", {"ends after 0 bytes"}},
         {"a.nrrd", "garbage", {"does not begin with NRRD"}},
         {"a.nrrd", nrrd("NRRD0004", "NRRD0009"), {"version", "0009"}},
         {"a.nrrd", nrrd("dimension: 3", "dimension 3"), {"line 3", "dimension 3"}},
@@ -153,7 +153,7 @@ std::vector<MalformedRow> nrrdRows() {
         {"a.nrrd", nrrd("1 1 1", "1 0 1"), {"spacings must be finite and not 0"}},
         {"a.nrrd", nrrd("1 1 1", "1 1"), {"spacings must be 3 numbers"}},
         {"a.nrrd", nrrd(encoding, "encoding: ascii"), {"sizes declares 24 bytes", "only 24 characters"}},
-        {"a.nrrd", nrrd(encoding, "encoding: bzip2"), {"damaged compressed data", "not bzip2"}},
+        {"a.nrrd", nrrd(encoding, "encoding: bzip2"), {"damaged compressed data", "do not begin like bzip2"}},
         {"a.nrrd", nrrd(encoding, "encoding: hex"), {"sizes declares 24 bytes", "only 24 characters"}},
         {"a.nrrd", nrrd(encoding, "encoding: zstd"), {"encoding is \"zstd\", which is not known"}},
         {"a.nrrd", nrrd(encoding + "\n", ""), {"encoding is missing"}},

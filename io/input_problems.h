@@ -1,0 +1,12 @@
+// Why an input cannot be opened or read, in words that a person can act on.
+#pragma once
+
+#include <string>
+
+namespace echolucent {
+
+/// What an error number of the system (errno) means for an input, lower case and without full stop: "it does not
+/// exist", "the permission to read it, or to enter a folder above it, is missing".
+[[nodiscard]] std::string inputProblem(int errorNumber);
+
+}  // namespace echolucent
