@@ -9,10 +9,12 @@
 #include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
+#include "io/restricted/restricted_reader.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 int main(int count, char** arguments) {
     using namespace echolucent;
+    restricted::prepareReader(restricted::Readiness::always);
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
     QApplication::setApplicationName(QStringLiteral("Echolucent"));

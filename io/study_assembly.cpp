@@ -160,6 +160,28 @@ bool isPosition(const Vec3& position) {
            std::abs(position[2]) <= farthestMm;
 }
 
+namespace {
+
+constexpr double largestSpacingRatio = 1000;
+
+bool areLengthsOfVoxels(const Vec3& spacing) {
+    constexpr double smallestMm = 1e-4, largestMm = 1e4;
+    // Each spacing is asked whether it lies inside, because every comparison with NaN is false.
+    return std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
+}
+
+}  // namespace
+
+bool isSensibleSpacing(const Vec3& spacing) {
+    const auto [smallest, largest] = std::minmax({spacing[0], spacing[1], spacing[2]});
+    return areLengthsOfVoxels(spacing) && largest <= largestSpacingRatio * smallest;
+}
+
+bool isSensibleWhite(double level) {
+    using Float = std::numeric_limits<float>;
+    return level >= static_cast<double>(Float::min()) && level <= static_cast<double>(Float::max());
+}
+
 bool normalizeDirection(Mat3& direction) {
     for (int column = 0; column < 3; ++column) {
         const Vec3 axis(direction(0, column), direction(1, column), direction(2, column));
@@ -186,28 +208,22 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
-/// Refuses more phases than are taken, a spacing that no scanner has, which is a slip of units somewhere and would make
-/// tube cores and rays of millions of samples, and an origin that is no position.
+/// Refuses more phases than are taken, a spacing that no scanner has, and an origin that is no position.
 Result<void> checkGeometry(const StudyParts& parts) {
     if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
                                  static_cast<std::int64_t>(parts.voxels.phases.size()));
         !few)
         return few;
     const Vec3& spacing = parts.geometry.spacing;
-    constexpr double smallestMm = 1e-4, largestMm = 1e4, largestRatio = 1000;
     const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
-    // Each spacing is asked whether it lies inside, because every comparison with NaN is false.
-    const bool sensible =
-        std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
-    if (!sensible)
+    if (!areLengthsOfVoxels(spacing))
         return fail(FailureKind::unreadable, parts.path, element,
                     fmt::format("gives voxels of {}, which no scanner makes", spacingText(parts.geometry.spacing)),
                     "Give the spacing in mm.");
-    const auto [smallest, largest] = std::minmax({spacing[0], spacing[1], spacing[2]});
-    if (largest > largestRatio * smallest)
+    if (!isSensibleSpacing(spacing))
         return fail(FailureKind::unreadable, parts.path, element,
                     fmt::format("gives voxels of {}, more than {} times as long as wide",
-                                spacingText(parts.geometry.spacing), largestRatio),
+                                spacingText(parts.geometry.spacing), largestSpacingRatio),
                     "Correct the spacing.");
     if (!isPosition(parts.geometry.origin))
         return fail(FailureKind::unreadable, parts.path, "the origin",
@@ -215,12 +231,9 @@ Result<void> checkGeometry(const StudyParts& parts) {
     return {};
 }
 
-/// Refuses a white level that float32, in which voxels are shown, cannot hold.
+/// Refuses a white level that float32 cannot hold.
 Result<void> checkWhite(const StudyParts& parts) {
-    using Float = std::numeric_limits<float>;
-    if (!parts.whiteLevel || (*parts.whiteLevel >= static_cast<double>(Float::min()) &&
-                              *parts.whiteLevel <= static_cast<double>(Float::max())))
-        return {};
+    if (!parts.whiteLevel || isSensibleWhite(*parts.whiteLevel)) return {};
     return fail(FailureKind::unreadable, parts.path, parts.whiteLevelSource,
                 fmt::format("puts white at {:.6g}, which no voxel can show", *parts.whiteLevel),
                 "Correct the white level or leave it out.");

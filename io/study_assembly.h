@@ -71,6 +71,12 @@ struct StudyParts {
 /// doubles still tell nanometres apart.
 [[nodiscard]] bool isPosition(const Vec3& position);
 
+/// Whether a spacing (mm) is one that some scanner has: neither a slip of units nor voxels a thousand times as long as
+/// wide, which would make tube cores and rays of millions of samples. False where one is no number.
+[[nodiscard]] bool isSensibleSpacing(const Vec3& spacing);
+/// Whether a white level is one that float32, in which voxels are shown, can hold: above 0 and finite there.
+[[nodiscard]] bool isSensibleWhite(double level);
+
 /// Makes the columns of `direction` unit vectors. False where one has no length or the three do not span space.
 [[nodiscard]] bool normalizeDirection(Mat3& direction);
 /// Whether directions (LPS) of MetaImage and NRRD say anything of the patient: programs that know none write the axes

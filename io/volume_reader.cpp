@@ -11,6 +11,7 @@
 #include "io/dicom/dicom_scan.h"
 #include "io/document/preset_file.h"
 #include "io/file_access.h"
+#include "io/file_format.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/headers/meta_image.h"
@@ -28,24 +29,13 @@ namespace echolucent {
 
 namespace {
 
-enum class Format { metaImage, nrrd, nifti, dicom, kretz, unknown };
-
-Format formatFromContent(std::string_view beginning) {
-    if (looksLikeNrrd(beginning)) return Format::nrrd;
-    if (looksLikeKretz(beginning)) return Format::kretz;
-    if (looksLikeNifti(beginning)) return Format::nifti;
-    if (looksLikeDicom(beginning)) return Format::dicom;
-    if (looksLikeMetaImage(beginning)) return Format::metaImage;
-    return Format::unknown;
-}
-
-Format formatFromName(const std::string& path) {
+FileFormat formatFromName(const std::string& path) {
     const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
-    if (extension == ".mha" || extension == ".mhd") return Format::metaImage;
-    if (extension == ".nrrd" || extension == ".nhdr") return Format::nrrd;
-    if (extension == ".nii") return Format::nifti;
-    if (extension == ".dcm" || extension == ".dicom" || extension == ".ima") return Format::dicom;
-    return Format::unknown;
+    if (extension == ".mha" || extension == ".mhd") return FileFormat::metaImage;
+    if (extension == ".nrrd" || extension == ".nhdr") return FileFormat::nrrd;
+    if (extension == ".nii") return FileFormat::nifti;
+    if (extension == ".dcm" || extension == ".dicom" || extension == ".ima") return FileFormat::dicom;
+    return FileFormat::unknown;
 }
 
 /// A sentence for files that end within the first bytes of a known format; no value for all others.
@@ -163,19 +153,20 @@ Result<Study> readOpened(const InputFile& file, const Packing& packing, const Re
                          const Progress& progress) {
     const auto beginning = file.beginning(4096);
     if (!beginning) return tl::unexpected(beginning.error());
-    Format format = formatFromContent(*beginning);
+    FileFormat format = formatFromContent(*beginning);
     const bool cutGzip =
         !beginning->empty() && beginning->size() < gzipSignature.size() && gzipSignature.starts_with(*beginning);
-    if (format == Format::unknown && !cutGzip && !knownButNotRead(file.path(), *beginning))
+    if (format == FileFormat::unknown && !cutGzip && !knownButNotRead(file.path(), *beginning))
         format = formatFromName(withoutGzipEnding(file.path()));
     switch (format) {
-        case Format::metaImage:
+        case FileFormat::metaImage:
             return readStored(readMetaImageHeader(file, options.framesAsSlices), packing, options, progress);
-        case Format::nrrd: return readStored(readNrrdHeader(file, options.framesAsSlices), packing, options, progress);
-        case Format::nifti: return readNifti(file, packing, options, progress);
-        case Format::dicom: return readDicom(file, options, progress);
-        case Format::kretz: return readKretz(kretzSource(file), options, progress);
-        case Format::unknown: break;
+        case FileFormat::nrrd:
+            return readStored(readNrrdHeader(file, options.framesAsSlices), packing, options, progress);
+        case FileFormat::nifti: return readNifti(file, packing, options, progress);
+        case FileFormat::dicom: return readDicom(file, options, progress);
+        case FileFormat::kretz: return readKretz(kretzSource(file), options, progress);
+        case FileFormat::unknown: break;
     }
     return readUnknown(file, *beginning, packing, options, progress);
 }
@@ -217,7 +208,7 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
     if (!layout) return tl::unexpected(layout.error());
     const auto own = voxels.beginning(4096);
     if (!own) return tl::unexpected(own.error());
-    if (layout->has_value() || formatFromContent(*own) != Format::unknown) return std::optional<InputFile>();
+    if (layout->has_value() || formatFromContent(*own) != FileFormat::unknown) return std::optional<InputFile>();
     // A link may lead anywhere; what is read lies in the folder that was named.
     if (auto inside = requireInItsFolder(*beside); !inside) return tl::unexpected(inside.error());
     auto header = InputFile::open(*beside);

@@ -8,6 +8,7 @@
 
 #include "io/document/session_file.h"
 #include "io/output/overwriting.h"
+#include "io/restricted/restricted_reader.h"
 #include "io/simulated_study.h"
 #include "io/study_checksum.h"
 
@@ -35,7 +36,7 @@ std::string placeOf(const StudyFile& file, const std::string& document) {
 Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
     const std::string path = placeOf(file, document);
     if (auto kept = refuseToOverwrite({path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
-    auto study = readStudy(path, file.options);
+    auto study = restricted::readStudy(path, file.options);
     if (!study) return study;
     if (auto kept = refuseToOverwrite(study->files, {output}); !kept) return tl::unexpected<Failure>(kept.error());
     if (file.checksum.empty()) return study;

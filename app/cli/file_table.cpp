@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/restricted/restricted_reader.h"
 #include "io/study.h"
 #include "io/study_assembly.h"
 
@@ -49,14 +50,14 @@ std::string sentenceOf(Failure failure, const std::string& path) {
 std::string asSlices(const std::string& path) {
     ReadOptions options;
     options.framesAsSlices = true;
-    const auto study = readStudy(path, options);
+    const auto study = restricted::readStudy(path, options);
     return " **As slices:** " + (study ? summaryOf(*study) + "." : sentenceOf(study.error(), path));
 }
 
 }  // namespace
 
 std::string fileRow(const std::string& path, const std::string& shownName) {
-    const auto study = readStudy(path);
+    const auto study = restricted::readStudy(path);
     const std::string start = "| `" + cell(shownName) + "` | ";
     if (study) return start + "opens | " + cell(summaryOf(*study)) + " |";
     std::string why = sentenceOf(study.error(), path);

@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "io/headers/header_text.h"
 #include "io/output/overwriting.h"
+#include "io/restricted/restricted_reader.h"
 
 namespace echolucent::cli {
 
@@ -122,13 +123,13 @@ void VolumeOptions::addTo(CLI::App& command) {
 }
 
 Result<std::optional<SeriesList>> VolumeOptions::listedSeries() const {
-    if (!holdsSeries(path)) {
+    if (!restricted::holdsSeries(path)) {
         if (!series.empty())
             return wrongUsage("--series", "names a series of a folder or DICOMDIR, and " + path + " is neither",
                               "Leave it out.");
         return std::optional<SeriesList>();
     }
-    auto list = listSeries(path);
+    auto list = restricted::listSeries(path);
     if (!list) return tl::unexpected(list.error());
     return std::optional(std::move(*list));
 }
@@ -164,10 +165,10 @@ Result<Study> VolumeOptions::readListed(const std::optional<SeriesList>& list,
     options.raw = *layout;
     if (phase < 0) return wrongUsage("--phase", "must be 0 or more", "Phases are counted from 0.");
     auto study = [&]() -> Result<Study> {
-        if (!list) return readStudy(path, options);
+        if (!list) return restricted::readStudy(path, options);
         const auto entry = chosenSeries(*list);
         if (!entry) return tl::unexpected(entry.error());
-        return readSeries(*list, **entry, options);
+        return restricted::readSeries(*list, **entry, options);
     }();
     if (!study) return study;
     if (auto kept = refuseToOverwrite(study->files, outputs); !kept) return tl::unexpected(kept.error());

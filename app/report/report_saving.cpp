@@ -11,6 +11,7 @@
 #include "io/import_report.h"
 #include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
+#include "io/restricted/restricted_reader.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/report_dialog.h"
@@ -31,7 +32,7 @@ Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& 
                          const std::vector<std::string>& inputs, const std::string& path, const Progress& progress) {
     if (const auto allowed = refuseToOverwrite(inputs, {path}); !allowed) return allowed;
     if (source) {
-        auto patient = readPatient(source->files, source->series, progress);
+        auto patient = restricted::readPatient(source->files, source->series, progress);
         if (!patient) return tl::unexpected(patient.error());
         report.patient = std::move(*patient);
     }

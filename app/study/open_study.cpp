@@ -7,6 +7,7 @@
 
 #include "app/study/freed_elsewhere.h"
 #include "io/document/session_file.h"
+#include "io/restricted/restricted_reader.h"
 #include "io/simulated_study.h"
 
 namespace echolucent {
@@ -53,12 +54,12 @@ OpenStudy::OpenStudy(QObject* parent)
 
 OpenStudy::Read OpenStudy::readerOf(const StudyFile& file) {
     return [file](const Progress& progress) -> Result<Opening> {
-        if (!holdsSeries(file.path) || !file.options.series.empty()) {
-            auto study = readStudy(file.path, file.options, progress);
+        if (!restricted::holdsSeries(file.path) || !file.options.series.empty()) {
+            auto study = restricted::readStudy(file.path, file.options, progress);
             if (!study) return tl::unexpected(study.error());
             return Opening{std::move(*study), nullptr};
         }
-        auto listed = listSeries(file.path, progress);
+        auto listed = restricted::listSeries(file.path, progress);
         if (!listed) return tl::unexpected(listed.error());
         const auto list = std::make_shared<const SeriesList>(std::move(*listed));
         const auto isVolume = [](const SeriesEntry& entry) { return !entry.whyNot; };
@@ -68,7 +69,7 @@ OpenStudy::Read OpenStudy::readerOf(const StudyFile& file) {
         if (!clear) return Opening{std::nullopt, list};
         auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
         if (chosen == list->series.end()) chosen = list->series.begin();
-        auto study = readSeries(*list, *chosen, file.options, progress);
+        auto study = restricted::readSeries(*list, *chosen, file.options, progress);
         if (study) return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
         if (list->series.size() == 1 || study.error().kind == FailureKind::cancelled)
             return tl::unexpected(study.error());
@@ -105,7 +106,7 @@ void OpenStudy::openSeries(std::shared_ptr<const SeriesList> list, std::size_t e
     options.series = list->series.at(entry).uid;
     const StudyFile file{.path = list->path, .options = options, .checksum = {}};
     load(file, [list = std::move(list), entry, options](const Progress& progress) -> Result<Opening> {
-        auto study = readSeries(*list, list->series[entry], options, progress);
+        auto study = restricted::readSeries(*list, list->series[entry], options, progress);
         if (!study) return tl::unexpected(study.error());
         return Opening{std::move(*study), list};
     });

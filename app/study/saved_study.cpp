@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/document/session_file.h"
+#include "io/restricted/restricted_reader.h"
 #include "io/simulated_study.h"
 
 namespace echolucent {
@@ -58,17 +59,17 @@ void nameStudy(SavedSession& session, const StudyReference& study) {
 
 /// The study at `place`, with the series beside it.
 Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& options, const Progress& progress) {
-    if (!holdsSeries(place)) {
-        auto study = readStudy(place, options, progress);
+    if (!restricted::holdsSeries(place)) {
+        auto study = restricted::readStudy(place, options, progress);
         if (!study) return tl::unexpected(study.error());
         return ReadSession{{}, std::move(*study)};
     }
-    auto listed = listSeries(place, progress);
+    auto listed = restricted::listSeries(place, progress);
     if (!listed) return tl::unexpected(listed.error());
     const auto list = std::make_shared<const SeriesList>(std::move(*listed));
     const auto entry = findSeries(*list, options.series);
     if (!entry) return tl::unexpected(entry.error());
-    auto study = readSeries(*list, **entry, options, progress);
+    auto study = restricted::readSeries(*list, **entry, options, progress);
     if (!study) return tl::unexpected(study.error());
     return ReadSession{{}, std::move(*study), list->series.size() > 1 ? list : nullptr};
 }

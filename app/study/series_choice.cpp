@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/study/study_names.h"
+#include "io/restricted/restricted_reader.h"
 #include "widgets/panels/series_dialog.h"
 
 namespace echolucent {
@@ -58,7 +59,7 @@ void SeriesChoice::readPicture(const std::shared_ptr<const SeriesList>& list, st
     m_pictures.submit([this, list, index](const Progress& progress) -> NewestWinsThread::Deliver {
         QImage picture;
         try {
-            if (const auto small = middlePicture(list->series[index], SeriesDialog::pictureEdge, progress))
+            if (const auto small = restricted::middlePicture(list->series[index], SeriesDialog::pictureEdge, progress))
                 picture =
                     QImage(small->grey.data(), small->width, small->height, small->width, QImage::Format_Grayscale8)
                         .copy();

@@ -32,11 +32,14 @@ std::string nameBelow(const std::string& folder, const std::string& path) {
 
 }  // namespace
 
+bool mayBeDirectory(std::string_view beginning) {
+    // The meta header stands there; most files are told apart without being walked.
+    return beginning.find(directorySopClass) != std::string_view::npos && looksLikeDicom(beginning);
+}
+
 bool isDirectoryFile(const InputFile& file, const Progress& progress) {
     const auto beginning = file.beginning(4096);
-    // The meta header stands there; most files are told apart without being walked.
-    const bool named = beginning && beginning->find(directorySopClass) != std::string::npos;
-    if (!named || !looksLikeDicom(*beginning)) return false;
+    if (!beginning || !mayBeDirectory(*beginning)) return false;
     const auto scan = scanDicom(file, progress, true);
     return scan && scan->sopClass == directorySopClass;
 }

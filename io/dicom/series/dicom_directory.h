@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/input_file.h"
@@ -16,6 +17,8 @@ struct DirectoryFiles {
     std::vector<std::string> warnings;  ///< on folders that could not be looked through
 };
 
+/// Whether the first 4096 bytes of a file leave it possible that it is a DICOMDIR.
+[[nodiscard]] bool mayBeDirectory(std::string_view beginning);
 /// Whether an opened file is a DICOMDIR.
 [[nodiscard]] bool isDirectoryFile(const InputFile& file, const Progress& progress);
 

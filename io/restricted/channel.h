@@ -1,0 +1,86 @@
+// The pipe between the workstation and its reader process: messages with open files, in order, each whole or not at
+// all.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace echolucent::restricted {
+
+/// An open file, closed with the last owner.
+class Descriptor {
+public:
+    Descriptor() = default;
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor();
+    Descriptor(Descriptor&& other) noexcept;
+    Descriptor& operator=(Descriptor&& other) noexcept;
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return m_number; }  ///< -1 where it owns none
+    [[nodiscard]] explicit operator bool() const { return m_number >= 0; }
+    /// Hands the open file over.
+    [[nodiscard]] int release();
+
+private:
+    int m_number = -1;
+};
+
+/// What a message is about. Questions and answers come in turn; progress comes at any time.
+enum class MessageKind : std::uint32_t {
+    request,      ///< to the reader: what is to be read; its first message and the only one of its kind
+    openFile,     ///< from the reader: a path; the answer brings the open file
+    fileKind,     ///< from the reader: a path; the answer says what is there
+    resolvePath,  ///< from the reader: a path; the answer has no links in it
+    listFolder,   ///< from the reader: a folder; the answer lists the files below it
+    answer,       ///< to the reader
+    confined,     ///< from the reader: what the kernel holds it to
+    progress,     ///< from the reader: the share done
+    result,       ///< from the reader: its last message
+};
+
+/// One message. Bytes that are too many for a packet travel in memory that both sides share.
+struct Message {
+    MessageKind kind = MessageKind::request;
+    std::string bytes;
+    std::vector<Descriptor> files;
+};
+
+/// No message is longer: what lists 50,000 files of the longest paths is shorter.
+constexpr std::uint64_t mostMessageBytes = std::uint64_t{256} << 20;
+/// No message brings more open files.
+constexpr std::size_t mostMessageFiles = 2;
+
+/// One end of the pipe. send() may be called from several threads at once.
+class Channel {
+public:
+    explicit Channel(Descriptor socket) : m_socket(std::move(socket)) {}
+    /// Two ends that belong together; no value where the system gives none.
+    [[nodiscard]] static std::optional<std::pair<Descriptor, Descriptor>> pair();
+
+    /// False where the other end is gone or takes nothing within `patience` (negative: for ever).
+    [[nodiscard]] bool send(MessageKind kind, const std::string& bytes, const std::vector<int>& files = {},
+                            std::chrono::milliseconds patience = std::chrono::milliseconds(-1));
+
+    enum class Wait { arrived, nothingYet, ended };
+    /// Waits at most `patience` (negative: for ever) for a message. `ended`: the other end is gone, or what came is no
+    /// message.
+    [[nodiscard]] Wait receive(Message& message, std::chrono::milliseconds patience);
+
+    [[nodiscard]] int socket() const { return m_socket.number(); }
+
+private:
+    Descriptor m_socket;
+    std::mutex m_sending;
+};
+
+/// Memory of `bytes` bytes without a name that both ends can share, opened for reading and writing; it may be sealed.
+/// Not open where the system has no more.
+[[nodiscard]] Descriptor sharedMemory(std::uint64_t bytes);
+
+}  // namespace echolucent::restricted

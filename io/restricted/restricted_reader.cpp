@@ -1,0 +1,208 @@
+#include "io/restricted/restricted_reader.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "io/dicom/series/dicom_directory.h"
+#include "io/file_access.h"
+#include "io/file_format.h"
+#include "io/input_file.h"
+#include "io/restricted/reader_process.h"
+#include "io/restricted/request.h"
+#include "io/restricted/shared_study.h"
+
+namespace echolucent::restricted {
+
+namespace {
+
+/// The process that waits for the next request.
+class Spare {
+public:
+    void prepare(Readiness readiness) {
+        const std::lock_guard alone(m_access);
+        m_always = m_always || readiness == Readiness::always;
+        fill();
+    }
+    void dismiss() {
+        const std::lock_guard alone(m_access);
+        m_always = false;
+        m_waiting.reset();
+    }
+    /// The one that waits, or null.
+    std::unique_ptr<ReaderProcess> take() {
+        const std::lock_guard alone(m_access);
+        return std::exchange(m_waiting, nullptr);
+    }
+    void refill() {
+        const std::lock_guard alone(m_access);
+        if (m_always) fill();
+    }
+
+private:
+    void fill() {
+        if (m_waiting) return;
+        if (auto started = ReaderProcess::start(m_always)) m_waiting = std::move(*started);
+    }
+    std::mutex m_access;
+    bool m_always = false;
+    std::unique_ptr<ReaderProcess> m_waiting;
+};
+
+Spare& spare() {
+    static Spare spare;
+    return spare;
+}
+
+std::string bytesOf(const Request& request) {
+    MessageWriter writer;
+    writer(request);
+    return writer.bytes();
+}
+
+Request requestFor(Task task, const std::string& path = {}) {
+    Request request;
+    request.task = task;
+    request.path = path;
+    request.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return request;
+}
+
+/// What a reader process answers to a request.
+Result<ReaderProcess::Answer> ask(const Request& request, FileBroker broker, const std::string& file,
+                                  const Progress& progress) {
+    if (progress.cancelled()) return fail(FailureKind::cancelled, file, "", "was not read: cancelled");
+    const std::string bytes = bytesOf(request);
+    if (auto waiting = spare().take(); waiting && waiting->request(bytes)) {
+        auto answer = waiting->serve(broker, file, progress);
+        const bool counts = answer || waiting->hasBegun() || answer.error().kind == FailureKind::cancelled;
+        waiting.reset();
+        spare().refill();
+        // One that ended while it waited had read nothing, so that another is asked.
+        if (counts) return answer;
+    }
+    auto started = ReaderProcess::start(false);
+    if (!started) return tl::unexpected(started.error());
+    // A process that has ended since is found where its answer is waited for.
+    static_cast<void>((*started)->request(bytes));
+    auto answer = (*started)->serve(broker, file, progress);
+    spare().refill();
+    return answer;
+}
+
+tl::unexpected<Failure> noSense(const std::string& file) {
+    return fail(FailureKind::unreadable, file, "",
+                "was not read: the process that reads files answered what makes no sense",
+                "The file is damaged or made to do harm: do not open it.");
+}
+
+MessageReader readerOf(const ReaderProcess::Answer& answer) {
+    return MessageReader({reinterpret_cast<const std::uint8_t*>(answer.bytes.data()), answer.bytes.size()});
+}
+
+template <typename Value>
+Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::string& file) {
+    if (!answer) return tl::unexpected(answer.error());
+    std::optional<Failure> failure;
+    std::optional<Value> value;
+    MessageReader reader = readerOf(*answer);
+    reader(failure, value);
+    if (!reader.complete() || failure.has_value() == value.has_value()) return noSense(file);
+    if (failure) return tl::unexpected(*failure);
+    return std::move(*value);
+}
+
+Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::string& file) {
+    if (!answer) return tl::unexpected(answer.error());
+    std::optional<Failure> failure;
+    MessageReader reader = readerOf(*answer);
+    reader(failure);
+    if (!reader.good()) return noSense(file);
+    if (failure) return tl::unexpected(*failure);
+    if (answer->files.size() != 1) return noSense(file);
+    auto study = takeStudy(reader.rest(), answer->files.front());
+    if (!study) return noSense(file);
+    if (!answer->systemCallsFiltered)
+        study->warnings.emplace_back(
+            "The process that read this file was not restricted: the kernel does not filter its system calls.");
+    return std::move(*study);
+}
+
+/// The first bytes of a file; empty where they cannot be read.
+std::string beginningOf(const std::string& path) {
+    const auto input = InputFile::open(path);
+    return input ? input->beginning(4096).value_or("") : "";
+}
+
+/// Whether a file or folder may be DICOM, whose tables have to be loaded before anything is read.
+bool mayBeDicom(const std::string& path) {
+    if (fileAccess().kindOf(path) != FileKind::file) return true;
+    const FileFormat format = formatFromContent(beginningOf(path));
+    return format == FileFormat::dicom || format == FileFormat::unknown;
+}
+
+}  // namespace
+
+void prepareReader(Readiness readiness) { spare().prepare(readiness); }
+void dismissReader() { spare().dismiss(); }
+
+Result<Study> readStudy(const std::string& path, const ReadOptions& options, const Progress& progress) {
+    Request request = requestFor(Task::readStudy, path);
+    request.options = options;
+    request.mayBeDicom = mayBeDicom(path);
+    return studyOf(ask(request, FileBroker(path), path, progress), path);
+}
+
+Result<SeriesList> listSeries(const std::string& path, const Progress& progress) {
+    auto list = valueOf<SeriesList>(ask(requestFor(Task::listSeries, path), FileBroker(path), path, progress), path);
+    if (!list) return list;
+    const bool hasFiles = std::all_of(list->series.begin(), list->series.end(),
+                                      [](const SeriesEntry& entry) { return !entry.files.empty(); });
+    if (list->series.empty() || !hasFiles || list->path != path) return noSense(path);
+    return list;
+}
+
+bool holdsSeries(const std::string& path) {
+    // What a folder or another kind of file is can be told without reading it.
+    const FileKind kind = fileAccess().kindOf(path);
+    if (kind != FileKind::file) return kind == FileKind::folder;
+    if (!mayBeDirectory(beginningOf(path))) return false;
+    return valueOf<bool>(ask(requestFor(Task::holdsSeries, path), FileBroker(path), path, {}), path).value_or(false);
+}
+
+Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options,
+                         const Progress& progress) {
+    Request request = requestFor(Task::readSeries);
+    request.list = {list.path, {entry}, list.files, list.warnings};
+    request.options = options;
+    return studyOf(ask(request, FileBroker(list.path), list.path, progress), list.path);
+}
+
+Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge, const Progress& progress) {
+    Request request = requestFor(Task::middlePicture);
+    request.list.series = {entry};
+    request.longestEdge = longestEdge;
+    std::vector<std::string> files;
+    for (const SeriesFile& file : entry.files) files.push_back(file.path);
+    const std::string& first = files.front();
+    auto picture = valueOf<SmallPicture>(ask(request, FileBroker(files), first, progress), first);
+    const bool sensible =
+        !picture ||
+        (picture->width > 0 && picture->height > 0 && picture->width <= longestEdge && picture->height <= longestEdge &&
+         picture->grey.size() == static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height));
+    return sensible ? std::move(picture) : noSense(first);
+}
+
+Result<Patient> readPatient(const std::vector<std::string>& files, const std::string& series,
+                            const Progress& progress) {
+    Request request = requestFor(Task::readPatient);
+    request.files = files;
+    request.series = series;
+    const std::string& first = files.empty() ? series : files.front();
+    return valueOf<Patient>(ask(request, FileBroker(files), first, progress), first);
+}
+
+}  // namespace echolucent::restricted

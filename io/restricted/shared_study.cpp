@@ -1,0 +1,240 @@
+#include "io/restricted/shared_study.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+
+#include "io/input_file.h"
+#include "io/restricted/descriptions.h"
+#include "io/study_assembly.h"
+
+namespace echolucent::restricted {
+
+namespace {
+
+/// Where voxels or a mask lie in shared memory.
+struct Extent {
+    std::int32_t type = 0;     // index of the alternative of Voxels
+    std::uint64_t offset = 0;  // bytes from the beginning, a multiple of a page
+    std::uint64_t count = 0;   // values
+};
+
+template <typename Archive, Described<Extent> Value>
+void describe(Archive& archive, Value& extent) {
+    archive(extent.type, extent.offset, extent.count);
+}
+
+struct SharedVolume {
+    VolumeGeometry geometry;
+    Extent voxels;
+    double whiteLevel = 1.0;
+    std::int32_t mask = -1;  // index of the list of masks; -1 where all voxels are data
+    DataBox box;
+};
+
+template <typename Archive, Described<SharedVolume> Value>
+void describe(Archive& archive, Value& volume) {
+    archive(volume.geometry, volume.voxels, volume.whiteLevel, volume.mask, volume.box);
+}
+
+/// The volumes of a study, and the masks that they share.
+struct SharedVolumes {
+    std::vector<SharedVolume> phases;
+    std::vector<Extent> masks;
+};
+
+template <typename Archive, Described<SharedVolumes> Value>
+void describe(Archive& archive, Value& volumes) {
+    archive(volumes.phases, volumes.masks);
+}
+
+constexpr std::uint64_t pageBytes = 4096;
+
+/// Memory that both processes see.
+class Mapping {
+public:
+    Mapping(int file, std::uint64_t bytes, int protection)
+        : m_bytes(static_cast<std::size_t>(bytes)),
+          m_start(bytes > 0 ? mmap(nullptr, m_bytes, protection, MAP_SHARED, file, 0) : MAP_FAILED) {}
+    ~Mapping() {
+        if (isOpen()) munmap(m_start, m_bytes);
+    }
+    Mapping(const Mapping&) = delete;
+    Mapping& operator=(const Mapping&) = delete;
+    [[nodiscard]] bool isOpen() const { return m_start != MAP_FAILED; }
+    [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
+    [[nodiscard]] std::uint64_t size() const { return m_bytes; }
+
+private:
+    std::size_t m_bytes;
+    void* m_start;
+};
+
+/// Lays values out one after the other, each at the beginning of a page.
+class Layout {
+public:
+    Extent place(std::int32_t type, std::uint64_t count, std::uint64_t valueBytes) {
+        const Extent extent{type, m_bytes, count};
+        m_bytes += (count * valueBytes + pageBytes - 1) / pageBytes * pageBytes;
+        return extent;
+    }
+    [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
+
+private:
+    std::uint64_t m_bytes = 0;
+};
+
+/// The values at an extent; no value where they do not lie in the memory.
+template <typename Value>
+std::optional<std::vector<Value>> valuesAt(const Mapping& memory, const Extent& extent) {
+    if (extent.offset % pageBytes != 0 || extent.offset > memory.size() ||
+        extent.count > (memory.size() - extent.offset) / sizeof(Value))
+        return std::nullopt;
+    const auto* first = reinterpret_cast<const Value*>(memory.start() + extent.offset);
+    return std::vector<Value>(first, first + extent.count);
+}
+
+std::optional<Voxels> voxelsAt(const Mapping& memory, const Extent& extent) {
+    const auto as = [&]<typename Value>(Value) -> std::optional<Voxels> {
+        auto values = valuesAt<Value>(memory, extent);
+        return values ? std::optional<Voxels>(std::move(*values)) : std::nullopt;
+    };
+    switch (extent.type) {
+        case 0: return as(std::uint8_t{});
+        case 1: return as(std::uint16_t{});
+        case 2: return as(float{});
+        default: return std::nullopt;
+    }
+}
+
+bool isFinite(const Vec3& vector) {
+    return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+/// Whether a size, a probe and directions are such as readers give them; the rest is asked by checkGeometry().
+bool isSensible(const SharedVolume& volume) {
+    const VolumeGeometry& geometry = volume.geometry;
+    std::optional<std::int64_t> voxels = 1;
+    for (const std::int64_t size : geometry.size)
+        voxels = voxels && size >= 1 ? checkedProduct(*voxels, size) : std::nullopt;
+    if (!voxels || static_cast<std::uint64_t>(*voxels) != volume.voxels.count) return false;
+    if (!std::all_of(std::begin(geometry.direction.val), std::end(geometry.direction.val),
+                     [](double value) { return std::abs(value) <= 1.0 + 1e-6; }))
+        return false;
+    if (const auto& probe = geometry.probe) {
+        const auto isUnit = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) < 1e-3; };
+        if (!isUnit(probe->forward) || !isUnit(probe->down) || (probe->apexMm && !isFinite(*probe->apexMm)))
+            return false;
+    }
+    return isSensibleWhite(volume.whiteLevel) && isFinite(volume.box.lowMm) && isFinite(volume.box.highMm) &&
+           isSensibleSpacing(geometry.spacing) && isPosition(geometry.origin);
+}
+
+bool isSensible(const Study& study) {
+    return !study.name.empty() &&
+           (!study.phaseSeconds || (*study.phaseSeconds > 0 && std::isfinite(*study.phaseSeconds)));
+}
+
+/// Whether the phases are those of one study: of one size and type, and no more than any study has.
+bool belongTogether(const std::vector<SharedVolume>& phases) {
+    return !phases.empty() && phases.size() <= static_cast<std::size_t>(mostPhases) &&
+           std::all_of(phases.begin(), phases.end(), [&](const SharedVolume& phase) {
+               return phase.geometry.size == phases.front().geometry.size &&
+                      phase.voxels.type == phases.front().voxels.type;
+           });
+}
+
+/// Whether a mask marks no voxel as data that is not finite.
+bool marksFiniteOnly(const std::vector<std::uint8_t>& mask, const std::vector<std::uint8_t>& finite) {
+    return finite.empty() ||
+           std::equal(mask.begin(), mask.end(), finite.begin(), finite.end(),
+                      [](std::uint8_t marked, std::uint8_t isFinite) { return marked == 0 || isFinite != 0; });
+}
+
+}  // namespace
+
+Result<SharedStudy> shareStudy(const Study& study) {
+    Layout layout;
+    SharedVolumes shared;
+    std::map<const std::uint8_t*, std::int32_t> masks;
+    std::vector<const std::vector<std::uint8_t>*> maskBytes;
+    for (const auto& phase : study.phases) {
+        SharedVolume volume{phase->geometry(), {}, phase->whiteLevel(), -1, phase->dataBox()};
+        volume.voxels = std::visit(
+            [&](const auto& values) {
+                return layout.place(static_cast<std::int32_t>(phase->voxels().index()), values.size(),
+                                    sizeof(values[0]));
+            },
+            phase->voxels());
+        if (const auto& mask = phase->dataMask(); !mask.empty()) {
+            const auto [place, isNew] = masks.try_emplace(mask.data(), static_cast<std::int32_t>(shared.masks.size()));
+            if (isNew) {
+                shared.masks.push_back(layout.place(0, mask.size(), 1));
+                maskBytes.push_back(&mask);
+            }
+            volume.mask = place->second;
+        }
+        shared.phases.push_back(volume);
+    }
+    SharedStudy result;
+    result.voxels = sharedMemory(layout.bytes());
+    const Mapping memory(result.voxels.number(), result.voxels ? layout.bytes() : 0, PROT_READ | PROT_WRITE);
+    if (!memory.isOpen())
+        return fail(FailureKind::unreadable, study.files.empty() ? study.name : study.files.front(), "",
+                    "needs more memory than there is", "Close other programs, or open it on a larger machine.");
+    for (std::size_t index = 0; index < study.phases.size(); ++index)
+        std::visit(
+            [&](const auto& values) {
+                std::memcpy(memory.start() + shared.phases[index].voxels.offset, values.data(),
+                            values.size() * sizeof(values[0]));
+            },
+            study.phases[index]->voxels());
+    for (std::size_t index = 0; index < maskBytes.size(); ++index)
+        std::memcpy(memory.start() + shared.masks[index].offset, maskBytes[index]->data(), maskBytes[index]->size());
+    MessageWriter writer;
+    writer(study, shared);
+    result.bytes = writer.bytes();
+    return result;
+}
+
+std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels) {
+    Study study;
+    SharedVolumes shared;
+    MessageReader reader(bytes);
+    reader(study, shared);
+    if (!reader.complete() || !isSensible(study) || !belongTogether(shared.phases)) return std::nullopt;
+    // Only memory without a name can be sealed: what is sealed is no file, and neither shrinks nor changes any more.
+    struct stat status {};
+    if (fcntl(voxels.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 ||
+        fstat(voxels.number(), &status) != 0 || status.st_size <= 0)
+        return std::nullopt;
+    const Mapping memory(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
+    if (!memory.isOpen()) return std::nullopt;
+    std::vector<Volume::SharedMask> masks;
+    for (const Extent& extent : shared.masks) {
+        auto mask = valuesAt<std::uint8_t>(memory, extent);
+        if (!mask) return std::nullopt;
+        masks.push_back(std::make_shared<const std::vector<std::uint8_t>>(std::move(*mask)));
+    }
+    for (const SharedVolume& phase : shared.phases) {
+        auto values = isSensible(phase) ? voxelsAt(memory, phase.voxels) : std::nullopt;
+        const auto mask = static_cast<std::size_t>(phase.mask);
+        if (!values || (phase.mask >= 0 && (mask >= masks.size() || masks[mask]->size() != phase.voxels.count)))
+            return std::nullopt;
+        Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
+        if (phase.mask >= 0) {
+            if (!marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
+            volume = volume.withDataMask(masks[mask]);
+        }
+        study.phases.push_back(std::make_shared<const Volume>(volume.withDataBox(phase.box)));
+    }
+    return study;
+}
+
+}  // namespace echolucent::restricted

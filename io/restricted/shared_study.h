@@ -1,0 +1,27 @@
+// A study on its way out of the reader process: what it says as a message, its voxels in shared memory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "io/restricted/channel.h"
+#include "io/study.h"
+
+namespace echolucent::restricted {
+
+/// A study as it travels.
+struct SharedStudy {
+    std::string bytes;
+    Descriptor voxels;
+};
+
+/// Puts a study's voxels and masks into shared memory. Fails (unreadable) where the system has no more of it.
+[[nodiscard]] Result<SharedStudy> shareStudy(const Study& study);
+
+/// Takes a study out of what a reader sent. The reader has ended, and nobody trusts what it left: memory that could
+/// still change, sizes that do not agree and numbers that no reader gives are refused. No value then.
+[[nodiscard]] std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
+
+}  // namespace echolucent::restricted

@@ -1,0 +1,116 @@
+// A reader process that does not do what a reader does: it says nothing, or rubbish, or what would do harm. Which of
+// it, the environment says, because the workstation gives it no words of its own.
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "io/restricted/channel.h"
+#include "io/restricted/descriptions.h"
+#include "io/restricted/shared_study.h"
+
+namespace {
+
+using namespace echolucent;
+using namespace echolucent::restricted;
+
+std::string saying(bool filtered) {
+    MessageWriter writer;
+    writer(filtered);
+    return writer.bytes();
+}
+
+std::string randomBytes(std::size_t count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::string bytes(count, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    return bytes;
+}
+
+Study smallStudy() {
+    Study study;
+    study.name = "false";
+    study.files = {"false"};
+    VolumeGeometry geometry;
+    geometry.size = {4, 4, 4};
+    study.phases = {std::make_shared<const Volume>(geometry, std::vector<std::uint8_t>(64, 7))};
+    return study;
+}
+
+/// The message of a study that was read, as a reader sends it.
+std::string withoutFailure(const std::string& study) {
+    MessageWriter writer;
+    writer(std::optional<Failure>());
+    return writer.bytes() + study;
+}
+
+/// Says something false, seed by seed.
+void lie(Channel& channel, const std::string& mode, unsigned seed) {
+    if (mode == "unconfined") {
+        MessageWriter writer;
+        writer(std::string("/etc/hostname"));
+        static_cast<void>(channel.send(MessageKind::openFile, writer.bytes()));
+        return;
+    }
+    static_cast<void>(channel.send(MessageKind::confined, saying(true)));
+    auto shared = shareStudy(smallStudy());
+    const auto sendStudy = [&](const std::string& bytes, int memory) {
+        static_cast<void>(channel.send(MessageKind::result, withoutFailure(bytes), {memory}));
+    };
+    if (mode == "rubbish")
+        static_cast<void>(channel.send(MessageKind::result, randomBytes(seed % 4096, seed)));
+    else if (mode == "mutated") {
+        std::string bytes = shared->bytes;
+        std::mt19937 random(seed);
+        for (unsigned change = 0; change <= seed % 8; ++change)
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        sendStudy(bytes, shared->voxels.number());
+    } else if (mode == "short-memory")
+        sendStudy(shared->bytes, sharedMemory(16).number());
+    else if (mode == "no-memory")
+        static_cast<void>(channel.send(MessageKind::result, withoutFailure(shared->bytes)));
+    else if (mode == "a-file-for-memory")
+        sendStudy(shared->bytes, open("/etc/hostname", O_RDONLY | O_CLOEXEC));
+    else if (mode == "endless-progress")
+        while (channel.send(MessageKind::progress, std::string(8, '\0'))) {
+        }
+    else if (mode == "outside") {
+        // What the answer holds comes back as the sentence.
+        MessageWriter writer;
+        writer(std::string("/etc/hostname"));
+        static_cast<void>(channel.send(MessageKind::openFile, writer.bytes()));
+        Message answer;
+        static_cast<void>(channel.receive(answer, std::chrono::milliseconds(-1)));
+        MessageWriter report;
+        report(std::optional(
+            fail(FailureKind::unreadable, "", "", answer.files.empty() ? "was refused" : "WAS OPENED").value()));
+        static_cast<void>(channel.send(MessageKind::result, report.bytes()));
+    } else if (mode == "honest")
+        sendStudy(shared->bytes, shared->voxels.number());
+}
+
+}  // namespace
+
+int main() {
+    const char* const mode = std::getenv("ECHOLUCENT_FALSE_READER");
+    const char* const seed = std::getenv("ECHOLUCENT_FALSE_SEED");
+    const std::string wanted = mode != nullptr ? mode : "nothing";
+    if (wanted == "ends-at-once") return 0;
+    Channel channel{Descriptor(3)};
+    if (wanted == "raw-bytes") {
+        const std::string bytes = randomBytes(1000, seed != nullptr ? static_cast<unsigned>(std::atoi(seed)) : 1);
+        return write(3, bytes.data(), bytes.size()) > 0 ? 0 : 1;
+    }
+    Message request;
+    if (channel.receive(request, std::chrono::milliseconds(-1)) != Channel::Wait::arrived) return 0;
+    if (wanted == "crashes") std::raise(SIGSEGV);
+    if (wanted == "too-long") std::raise(SIGXCPU);
+    if (wanted != "silent") lie(channel, wanted, seed != nullptr ? static_cast<unsigned>(std::atoi(seed)) : 1);
+    // It stays until it is ended, as one would that hopes to change what it has sent.
+    while (true) pause();
+}

@@ -1,0 +1,118 @@
+// A reader process that lies, dies or says nothing: the workstation says one sentence and goes on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "io/restricted/reader_process.h"
+#include "io/restricted/restricted_reader.h"
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+
+std::string besideThisProgram(const std::string& name) {
+    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+/// Lets the false reader read, in one of its ways.
+class FalseReader : public testing::Test {
+protected:
+    void SetUp() override {
+        restricted::dismissReader();
+        m_file = m_folder.write("a.mha", "ObjectType = Image\nNDims = 3\n");
+    }
+    void TearDown() override {
+        restricted::useReaderProgram("");
+        unsetenv("ECHOLUCENT_FALSE_READER");
+    }
+    Result<Study> readBy(const std::string& mode, unsigned seed = 1, const Progress& progress = {}) {
+        restricted::useReaderProgram(besideThisProgram("false-reader"));
+        setenv("ECHOLUCENT_FALSE_READER", mode.c_str(), 1);
+        setenv("ECHOLUCENT_FALSE_SEED", std::to_string(seed).c_str(), 1);
+        return restricted::readStudy(m_file, {}, progress);
+    }
+    std::string sentenceBy(const std::string& mode) {
+        const auto study = readBy(mode);
+        return study ? "it opens" : study.error().sentence();
+    }
+    const std::string& file() const { return m_file; }
+
+private:
+    TemporaryFolder m_folder;
+    std::string m_file;
+};
+
+TEST_F(FalseReader, TellsTheTruthAsWell) {
+    const auto study = readBy("honest");
+    ASSERT_TRUE(study) << study.error().sentence() << ": the lies below would prove nothing";
+    EXPECT_EQ(study->phases.front()->storedValue(63), 7.0);
+}
+
+TEST_F(FalseReader, IsNotBelieved) {
+    for (const char* mode : {"rubbish", "short-memory", "no-memory", "a-file-for-memory"})
+        EXPECT_THAT(sentenceBy(mode),
+                    HasSubstr("a.mha: was not read: the process that reads files answered what makes no "
+                              "sense"))
+            << mode;
+    EXPECT_THAT(sentenceBy("unconfined"), HasSubstr("said what makes no sense"));
+    EXPECT_THAT(sentenceBy("raw-bytes"), HasSubstr("ended"));
+}
+
+TEST_F(FalseReader, OpensNothingOutsideOfTheFolder) { EXPECT_THAT(sentenceBy("outside"), HasSubstr("was refused")); }
+
+TEST_F(FalseReader, DiesWithASentence) {
+    EXPECT_THAT(sentenceBy("ends-at-once"), HasSubstr("ended without a word (status 0)"));
+    EXPECT_THAT(sentenceBy("crashes"), HasSubstr("made the process that reads files end (signal 11)"));
+    EXPECT_THAT(sentenceBy("too-long"), HasSubstr("takes longer to read than any file of its size may"));
+}
+
+TEST_F(FalseReader, IsEndedOnCancel) {
+    for (const char* mode : {"silent", "endless-progress"}) {
+        std::atomic<bool> cancel = false;
+        int reports = 0;
+        // A silent one reports nothing: cancel is raised before it is asked then.
+        if (std::string(mode) == "silent") cancel = true;
+        const auto study = readBy(mode, 1, {[&](double) { cancel = ++reports > 3; }, &cancel});
+        ASSERT_FALSE(study);
+        EXPECT_EQ(study.error().kind, FailureKind::cancelled) << mode;
+    }
+}
+
+/// Whatever changes in the message of a study, what opens is a study whose numbers make sense.
+TEST_F(FalseReader, CannotHandOverAStudyThatMakesNoSense) {
+    int opened = 0, refused = 0;
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        const auto study = readBy("mutated", seed);
+        ++(study ? opened : refused);
+        if (!study) continue;
+        const Volume& volume = *study->phases.front();
+        EXPECT_EQ(volume.geometry().voxelCount(), 64) << seed;
+        EXPECT_TRUE(std::isfinite(volume.whiteLevel()) && volume.whiteLevel() > 0) << seed;
+        for (const double mm : volume.geometry().spacing.val) EXPECT_TRUE(mm >= 1e-4 && mm <= 1e4) << seed;
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(opened, 10) << "where nothing opened, nothing was checked";
+}
+
+TEST_F(FalseReader, IsMissed) {
+    restricted::useReaderProgram("/nowhere/echolucent-reader");
+    const auto study = restricted::readStudy(file());
+    ASSERT_FALSE(study);
+    EXPECT_EQ(
+        study.error().sentence(),
+        "/nowhere/echolucent-reader: cannot be started to read files: it is not there. Install Echolucent again.");
+    restricted::useReaderProgram(besideThisProgram("..") + "/CMakeCache.txt");
+    const auto noProgram = restricted::readStudy(file());
+    ASSERT_FALSE(noProgram);
+    EXPECT_THAT(noProgram.error().sentence(), HasSubstr("cannot be started to read files: "));
+}
+
+}  // namespace
+}  // namespace echolucent

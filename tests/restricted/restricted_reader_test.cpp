@@ -1,0 +1,226 @@
+// The reader process gives what reading in this process gives, is held to what it may do, and may die at any moment.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <random>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "hostile_file.h"
+#include "io/restricted/reader_limits.h"
+#include "io/restricted/reader_process.h"
+#include "io/restricted/request.h"
+#include "io/restricted/restricted_reader.h"
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
+
+/// Everything that a study says, but for its voxels.
+std::string wordsOf(const Result<Study>& study) {
+    if (!study) return "refused: " + study.error().sentence();
+    std::string words = study->name + fmt::format(" {} {}", study->phaseSeconds.value_or(-1), study->phases.size());
+    for (const std::string& file : study->files) words += "\nfile " + file;
+    for (const ImportFact& fact : study->facts)
+        words += "\n" + fact.name + ": " + fact.value + " [" + fact.source + "]";
+    for (const std::string& warning : study->warnings) words += "\n! " + warning;
+    return words;
+}
+
+void expectSame(const Result<Study>& here, const Result<Study>& apart, const std::string& name) {
+    ASSERT_EQ(wordsOf(here), wordsOf(apart)) << name;
+    if (!here) return;
+    for (std::size_t phase = 0; phase < here->phases.size(); ++phase) {
+        const Volume &one = *here->phases[phase], &other = *apart->phases[phase];
+        const auto bytesOf = [](const Voxels& voxels) {
+            return std::visit(
+                [](const auto& values) {
+                    return std::string_view(reinterpret_cast<const char*>(values.data()),
+                                            values.size() * sizeof(values[0]));
+                },
+                voxels);
+        };
+        EXPECT_EQ(one.voxels().index(), other.voxels().index()) << name;
+        EXPECT_TRUE(bytesOf(one.voxels()) == bytesOf(other.voxels())) << name << " phase " << phase;
+        EXPECT_TRUE(one.dataMask() == other.dataMask()) << name << " phase " << phase;
+        EXPECT_EQ(one.dataBox(), other.dataBox()) << name;
+        EXPECT_EQ(one.whiteLevel(), other.whiteLevel()) << name;
+        const VolumeGeometry &a = one.geometry(), &b = other.geometry();
+        EXPECT_TRUE(a.size == b.size && a.spacing == b.spacing && a.origin == b.origin && a.direction == b.direction &&
+                    a.spacingKnown == b.spacingKnown && a.patientFrameKnown == b.patientFrameKnown &&
+                    a.probe == b.probe)
+            << name;
+    }
+}
+
+class SharedFolders : public testing::TestWithParam<const char*> {};
+
+TEST_P(SharedFolders, AreReadAlikeHereAndInTheReaderProcess) {
+    const std::string folder = data + "/" + GetParam();
+    if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the shared data are not here: " << folder;
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string path = entry.path().string();
+        expectSame(readStudy(path), restricted::readStudy(path), path);
+        ++files;
+    }
+    EXPECT_GT(files, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SharedFolders, testing::Values("volumes", "dicom", "bad"),
+                         [](const auto& folder) { return std::string(folder.param); });
+
+TEST(RestrictedReader, SaysOfEveryHostileFileWhatReadingHereSays) {
+    for (const HostileFile& row : hostileFiles()) {
+        const TemporaryFolder folder;
+        row.write(folder.path());
+        const std::string path = row.opened == "." ? folder.path() : folder.file(row.opened);
+        expectSame(readStudy(path, row.options), restricted::readStudy(path, row.options), row.name);
+    }
+}
+
+/// A program's standard output and how it ended.
+std::pair<std::string, int> outputOf(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::string output;
+    std::array<char, 256> piece{};
+    while (std::fgets(piece.data(), static_cast<int>(piece.size()), pipe.get()) != nullptr) output += piece.data();
+    return {output, 0};
+}
+
+TEST(RestrictedReader, MayOpenNothingStartNothingAndConnectToNothing) {
+    const std::string output = outputOf("'" + restricted::readerProgram() + "' --try").first;
+    if (output.find("are not filtered") != std::string::npos)
+        GTEST_SKIP() << "this kernel lets no process filter its system calls: " << output;
+    for (const char* tried :
+         {"opening a file", "creating a file", "making a socket of the network", "making a socket of this machine",
+          "signalling another process", "mapping code", "starting a process", "running a program"})
+        EXPECT_THAT(output, HasSubstr(std::string(tried) + ": refused (")) << output;
+    if (output.find("no Landlock") != std::string::npos)
+        std::printf("SKIP in part: this kernel has no Landlock; %s", output.substr(0, output.find('\n') + 1).c_str());
+}
+
+std::string requestBytes(const std::string& path) {
+    restricted::Request request;
+    request.path = path;
+    restricted::MessageWriter writer;
+    writer(request);
+    return writer.bytes();
+}
+
+std::string volumeOf(const TemporaryFolder& folder, int edge) {
+    const auto voxels =
+        static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge);
+    return folder.write("a.mha",
+                        fmt::format("ObjectType = Image\nNDims = 3\nDimSize = {0} {0} {0}\nElementSpacing = 1 1 1\n"
+                                    "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
+                                    edge) +
+                            std::string(voxels, 'v'));
+}
+
+TEST(RestrictedReader, MayBeKilledAtAnyMoment) {
+    const TemporaryFolder folder;
+    const std::string path = volumeOf(folder, 128);
+    const char* const asked = std::getenv("ECHOLUCENT_READER_KILLS");
+    const int kills = asked != nullptr ? std::atoi(asked) : 200;
+    std::mt19937 random(20261123);
+    int died = 0, answered = 0;
+    for (int kill = 0; kill < kills; ++kill) {
+        auto process = restricted::ReaderProcess::start(false);
+        ASSERT_TRUE(process) << process.error().sentence();
+        const auto moment = std::chrono::steady_clock::now() + std::chrono::microseconds(random() % 80000);
+        const int number = (*process)->number();
+        std::thread killer([moment, number] {
+            while (std::chrono::steady_clock::now() < moment) std::this_thread::yield();
+            ::kill(number, SIGKILL);
+        });
+        static_cast<void>((*process)->request(requestBytes(path)));
+        restricted::FileBroker broker(path);
+        const auto answer = (*process)->serve(broker, path, {});
+        killer.join();
+        ++(answer ? answered : died);
+        const std::string sentence = answer ? "" : answer.error().sentence();
+        if (!answer) {
+            EXPECT_THAT(sentence, HasSubstr("a.mha: was not read: the system ended the process"));
+        }
+    }
+    std::printf("%d reader processes killed at random moments: %d had answered before, %d sentences\n", kills, answered,
+                died);
+    EXPECT_GT(died, kills / 10);
+}
+
+TEST(RestrictedReader, ThatDiedWhileItWaitedIsReplaced) {
+    const TemporaryFolder folder;
+    const std::string path = volumeOf(folder, 16);
+    restricted::useReaderProgram("/bin/true");
+    restricted::prepareReader(restricted::Readiness::once);
+    restricted::useReaderProgram("");
+    // The one that waited has ended, or ends before it answers: never is it the person who has to try again.
+    for (int time = 0; time < 2; ++time) {
+        const auto study = restricted::readStudy(path);
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_EQ(study->phases.front()->storedValue(0), 'v');
+    }
+}
+
+TEST(RestrictedReader, EndsInASentenceWhereMemoryRunsOut) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "under a sanitizer the reader's memory is not limited";
+#endif
+    const TemporaryFolder folder;
+    // A sparse file: it takes no room, and its voxels a gigabyte.
+    const std::string path =
+        folder.write("a.mha",
+                     "ObjectType = Image\nNDims = 3\nDimSize = 1024 1024 1024\nElementSpacing = 1 1 1\n"
+                     "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n");
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) + (std::uintmax_t{1} << 30));
+    const pid_t child = fork();
+    if (child == 0) {
+        // The reader inherits what its owner may use at the most.
+        const rlimit little{700u << 20, 700u << 20};
+        setrlimit(RLIMIT_AS, &little);
+        const auto study = restricted::readStudy(path);
+        _exit(!study && study.error().sentence().find("needs more memory than there is") != std::string::npos ? 0 : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+TEST(RestrictedReader, IsCancelledWhileItReads) {
+    const TemporaryFolder folder;
+    const std::string path = volumeOf(folder, 256);
+    std::atomic<bool> cancel = false;
+    const auto study = restricted::readStudy(path, {}, {[&](double) { cancel = true; }, &cancel});
+    ASSERT_FALSE(study);
+    EXPECT_EQ(study.error().kind, FailureKind::cancelled);
+}
+
+TEST(ReaderLimits, GrowWithWhatIsRead) {
+    EXPECT_EQ(restricted::limitsFor(10000000).memoryBytes,
+              restricted::limitsFor(0).memoryBytes + 10000000 * 96 - (896u << 20))
+        << "a small file has the same, up to the 9.8 MB at which 96 times its bytes are more";
+    EXPECT_GT(restricted::limitsFor(128000000).memoryBytes, std::uint64_t{3} * 128000000);
+    EXPECT_LT(restricted::limitsFor(0).processorSeconds, restricted::limitsFor(1000000000).processorSeconds);
+    EXPECT_GT(restricted::limitsFor(~std::uint64_t{0}).memoryBytes, 0u) << "nothing overflows";
+}
+
+}  // namespace
+}  // namespace echolucent
