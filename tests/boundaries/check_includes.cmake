@@ -60,6 +60,16 @@ forbid_files("io's headers carry no type of DCMTK" "${dcmtk}" ${headers})
 list(FILTER headers EXCLUDE REGEX "/io/json_[a-z]+\\.h$")
 forbid_files("io's headers carry no type of JSON" "(nlohmann/|io/json_)" ${headers})
 
+# What parses strangers' files runs in a process of its own (docs/restricted-reader.md): the application calls no reader itself.
+file(GLOB_RECURSE callers ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)
+foreach(file IN LISTS callers)
+    file(STRINGS ${file} lines
+        REGEX "(^|[^a-zA-Z_:])(echolucent::)?(readStudy|listSeries|holdsSeries|readSeries|middlePicture|readPatient)\\(")
+    foreach(line IN LISTS lines)
+        string(APPEND breaches "${file}: ${line}   (the application calls readers of restricted:: only)\n")
+    endforeach()
+endforeach()
+
 if(breaches)
     message(FATAL_ERROR "Includes across a boundary:\n${breaches}")
 endif()
