@@ -26,6 +26,14 @@ struct ImportFact {
 /// together is the largest.
 enum class LossyCompression { no, unknown, yes };
 
+/// Whether pictures have text drawn into their pixels, as far as a file tells; it may name the patient. In rising
+/// order: what holds for several files together is the largest.
+enum class BurnedInText {
+    no,       ///< it declares to be free of it, is of a kind that holds no text, or its format has no entry for it
+    unknown,  ///< a DICOM file of pictures that does not say
+    yes,      ///< it declares that there is text
+};
+
 /// A study: one volume, or the phases of a 4D one. Never empty once read. No patient name or identifier in it.
 struct Study {
     std::string name;  ///< name of the file or folder, for the window's title
@@ -36,6 +44,7 @@ struct Study {
     std::vector<std::shared_ptr<const Volume>> phases;
     std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value where they are unknown
     LossyCompression lossyCompression = LossyCompression::unknown;
+    BurnedInText burnedInText = BurnedInText::no;
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;  ///< sentences for the person: assumptions, conversions, unknown spacing
 };

@@ -247,6 +247,14 @@ void addLossFact(const StudyParts& parts, Study& study) {
         {"lossy compression", value, parts.lossSource.empty() ? "the format has no entry for it" : parts.lossSource});
 }
 
+/// Only formats that have an entry for burnt-in text tell of it in the report.
+void addBurnedInTextFact(const StudyParts& parts, Study& study) {
+    if (parts.burnedInTextSource.empty()) return;
+    const char* value = "unknown";
+    if (parts.burnedInText != BurnedInText::unknown) value = parts.burnedInText == BurnedInText::yes ? "yes" : "no";
+    study.facts.push_back({"burnt-in text", value, parts.burnedInTextSource});
+}
+
 }  // namespace
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
@@ -260,6 +268,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
         parts.phaseSeconds.reset();
     study.phaseSeconds = parts.phaseSeconds;
     study.lossyCompression = parts.lossyCompression;
+    study.burnedInText = parts.burnedInText;
     study.facts = std::move(parts.facts);
     study.warnings = std::move(parts.warnings);
 
@@ -280,6 +289,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
                            maskSource(parts, options)});
     addProbeFacts(parts, study);
     addLossFact(parts, study);
+    addBurnedInTextFact(parts, study);
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
     if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)
         study.warnings.push_back(

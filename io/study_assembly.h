@@ -50,6 +50,8 @@ struct StudyParts {
     std::string phaseSource;  ///< key or tag of the time between phases
     LossyCompression lossyCompression = LossyCompression::unknown;
     std::string lossSource;  ///< tags that gave lossyCompression; empty where the format has no entry for it
+    BurnedInText burnedInText = BurnedInText::no;
+    std::string burnedInTextSource;  ///< tags that gave burnedInText; empty where the format has no entry for it
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;
 };

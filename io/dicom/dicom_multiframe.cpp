@@ -12,6 +12,7 @@
 #include "io/dicom/frame_layout.h"
 #include "io/dicom/frame_phases.h"
 #include "io/dicom/picture_scale.h"
+#include "io/dicom/pixels/pixel_statements.h"
 #include "io/input_file.h"
 #include "io/kretz/kretz_reader.h"
 
@@ -136,6 +137,7 @@ Result<Study> MultiframeReader::read() {
         parts.probeSource = layout->probe->source;
     }
     sayLoss(m_file.dataset(), parts);
+    sayBurnedInText(m_file.dataset(), false, parts);
     parts.facts = {{"format", formatInWords(*layout), "(0008,0016) SOP Class UID"}};
     for (auto&& fact : layout->facts) parts.facts.push_back(std::move(fact));
     for (auto&& fact : m_frames.facts()) parts.facts.push_back(std::move(fact));

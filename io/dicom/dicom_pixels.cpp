@@ -23,6 +23,7 @@
 #include "io/dicom/pixels/dicom_rescale.h"
 #include "io/dicom/pixels/dicom_rle.h"
 #include "io/dicom/pixels/jpeg2000.h"
+#include "io/dicom/pixels/pixel_statements.h"
 #include "io/input_file.h"
 
 namespace echolucent {
@@ -55,32 +56,6 @@ Coding codingOf(E_TransferSyntax syntax) {
     }
 }
 
-/// Whether a transfer syntax always loses; JPEG 2000 may, which nothing but the attribute (0028,2110) tells.
-bool syntaxLoses(E_TransferSyntax syntax) {
-    return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGProcess6_8 ||
-           syntax == EXS_JPEGProcess10_12 || syntax == EXS_JPEGLSLossy;
-}
-
-struct StatedLoss {
-    LossyCompression compression;
-    std::string source;
-};
-
-/// What a file tells of lossy compression. Images of ultrasound must state it where there was loss (DICOM PS3.3, US
-/// Image Module: type 1C); for others the attribute is optional.
-StatedLoss statedLoss(DcmDataset& dataset) {
-    const E_TransferSyntax syntax = dataset.getOriginalXfer();
-    const std::string stated = dicomText(dataset, {0x0028, 0x2110});
-    if (stated == "01") return {LossyCompression::yes, "(0028,2110) Lossy Image Compression"};
-    if (syntaxLoses(syntax)) return {LossyCompression::yes, "(0002,0010) Transfer Syntax UID"};
-    if (stated == "00") return {LossyCompression::no, "(0028,2110) Lossy Image Compression"};
-    const std::string sopClass = dicomText(dataset, {0x0008, 0x0016});
-    const bool ultrasound = sopClass == UID_UltrasoundImageStorage || sopClass == UID_UltrasoundMultiframeImageStorage;
-    if (ultrasound && syntax != EXS_JPEG2000)
-        return {LossyCompression::no, "(0028,2110) is absent, as it may be where an ultrasound image lost nothing"};
-    return {LossyCompression::unknown, "(0028,2110) is absent"};
-}
-
 std::string syntaxNameOf(E_TransferSyntax syntax) { return transferSyntaxName(DcmXfer(syntax).getXferID()); }
 
 void registerDecoders() {
@@ -93,13 +68,6 @@ void registerDecoders() {
 }
 
 }  // namespace
-
-void sayLoss(DcmDataset& dataset, StudyParts& parts) {
-    const StatedLoss loss = statedLoss(dataset);
-    if (!parts.lossSource.empty() && loss.compression <= parts.lossyCompression) return;
-    parts.lossyCompression = loss.compression;
-    parts.lossSource = loss.source;
-}
 
 struct DicomFrames::State {
     std::string path;

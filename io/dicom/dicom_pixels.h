@@ -15,10 +15,6 @@ class DcmDataset;
 
 namespace echolucent {
 
-/// Adds what a data set tells of lossy compression to `parts`: loss in one of several files is loss of the study, and
-/// "no" needs all of them.
-void sayLoss(DcmDataset& dataset, StudyParts& parts);
-
 /// The frames of one data set, which must outlive this object.
 class DicomFrames {
 public:

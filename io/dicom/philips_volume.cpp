@@ -11,6 +11,7 @@
 #include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
+#include "io/dicom/pixels/pixel_statements.h"
 #include "io/headers/header_text.h"
 #include "io/study_assembly.h"
 
@@ -376,6 +377,7 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     parts.phaseSeconds = volume.phaseSeconds;
     if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
     sayLoss(file.dataset(), parts);
+    sayBurnedInText(file.dataset(), true, parts);
     markMissing(*voxels, options, parts);
     parts.voxels = convertVoxels(std::move(voxels->phases), voxels->type);
     for (auto&& fact : equipmentFacts(file.dataset())) parts.facts.push_back(std::move(fact));

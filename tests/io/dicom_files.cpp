@@ -70,6 +70,7 @@ void putImageModule(DcmDataset& dataset, const TestImage& image) {
     require(dataset.putAndInsertUint16(DCM_SamplesPerPixel, static_cast<Uint16>(image.samples)), "samples");
     put(dataset, DCM_PhotometricInterpretation, image.photometric);
     putText(dataset, DCM_LossyImageCompression, image.lossyImageCompression);
+    putText(dataset, DCM_BurnedInAnnotation, image.burnedInAnnotation);
     if (image.samples > 1)
         require(dataset.putAndInsertUint16(DCM_PlanarConfiguration, static_cast<Uint16>(image.planar)), "planar");
     if (image.frames > 0) put(dataset, DCM_NumberOfFrames, std::to_string(image.frames));

@@ -60,6 +60,7 @@ struct TestImage {
     bool patientFrame = false;                ///< whether it is Plane Position (Patient) instead
     std::optional<TestPalette> palette;
     std::string lossyImageCompression;           ///< as text, where not empty
+    std::string burnedInAnnotation;              ///< as text, where not empty
     std::string windowCentre, windowWidth;       ///< as text, where not empty
     std::string rescaleSlope, rescaleIntercept;  ///< as text, where not empty
     std::string lutFunction;                     ///< VOI LUT Function, where not empty

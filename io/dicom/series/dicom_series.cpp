@@ -9,6 +9,7 @@
 #include "io/dicom/dicom_pixels.h"
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/picture_scale.h"
+#include "io/dicom/pixels/pixel_statements.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/input_file.h"
 #include "io/series_list.h"
@@ -103,6 +104,7 @@ private:
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
         sayLoss(file->dataset(), m_parts);
+        sayBurnedInText(file->dataset(), false, m_parts);
         keepWhite(*frames);
         for (const std::string& warning : frames->warnings()) note(warning);
         return {};
