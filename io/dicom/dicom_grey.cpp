@@ -45,7 +45,8 @@ Problem readShape(DcmItem& item, DicomPixelFormat& format) {
     format.columns = *columns;
     if (!dicomText(item, framesTag).empty()) {
         const auto frames = dicomWholeNumber(item, framesTag);
-        if (!frames || *frames < 1 || *frames > 100000000)
+        const bool several = dicomText(item, framesTag).find('\\') != std::string::npos;
+        if (!frames || several || *frames < 1 || *frames > 100000000)
             return problemAt(framesTag, "Number of Frames",
                              "is not a number above 0: " + quotedText(dicomText(item, framesTag)));
         format.frames = *frames;
@@ -72,8 +73,14 @@ Problem readBits(DcmItem& item, DicomPixelFormat& format) {
     format.bitsAllocated = static_cast<int>(*allocated);
     format.bitsStored = static_cast<int>(stored);
     format.highBit = static_cast<int>(high);
-    format.isSigned = dicomWholeNumber(item, signTag).value_or(0) == 1;
-    format.planar = format.samples == 3 && dicomWholeNumber(item, planarTag).value_or(0) == 1;
+    const auto sign = dicomWholeNumber(item, signTag).value_or(0);
+    if (sign != 0 && sign != 1)
+        return problemAt(signTag, "Pixel Representation", fmt::format("is {}; only 0 and 1 mean something", sign));
+    const auto planar = samples == 3 ? dicomWholeNumber(item, planarTag).value_or(0) : 0;
+    if (planar != 0 && planar != 1)
+        return problemAt(planarTag, "Planar Configuration", fmt::format("is {}; only 0 and 1 mean something", planar));
+    format.isSigned = sign == 1;
+    format.planar = planar == 1;
     return std::nullopt;
 }
 

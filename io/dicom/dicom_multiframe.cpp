@@ -90,10 +90,7 @@ Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(cons
     const auto memory = requireMemory(m_file.path(), "(0028,0008) Number of Frames",
                                       total ? static_cast<std::uint64_t>(*total) : ~std::uint64_t{0});
     if (!memory) return tl::unexpected(memory.error());
-    // One frame is decoded before memory for all of them is taken: a false header is found out here.
-    std::vector<std::uint8_t> frame(frameBytes);
-    const auto first = static_cast<std::int64_t>(layout.phases[0][0]);
-    if (const auto read = m_frames.readGrey(first, frame); !read) return tl::unexpected(read.error());
+    if (const auto checked = m_frames.check(m_progress); !checked) return tl::unexpected(checked.error());
     std::vector<std::vector<std::uint8_t>> phases;
     std::size_t done = 0;
     for (const auto& order : layout.phases) {

@@ -3,27 +3,21 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcfcache.h>
 #include <dcmtk/dcmdata/dcpixel.h>
-#include <dcmtk/dcmdata/dcpixseq.h>
-#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
-#include <dcmtk/dcmjpeg/djdecode.h>
-#include <dcmtk/dcmjpls/djdecode.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <mutex>
+#include <optional>
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_grey.h"
 #include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_window.h"
-#include "io/dicom/pixels/dicom_fragments.h"
+#include "io/dicom/pixels/compressed_frames.h"
 #include "io/dicom/pixels/dicom_rescale.h"
-#include "io/dicom/pixels/dicom_rle.h"
-#include "io/dicom/pixels/jpeg2000.h"
 #include "io/dicom/pixels/pixel_statements.h"
+#include "io/gzip_file.h"
 #include "io/input_file.h"
 
 namespace echolucent {
@@ -31,41 +25,31 @@ namespace echolucent {
 namespace {
 
 const std::string copyAgain = "Copy or export it again.";
+const std::string pixelDataName = "(7fe0,0010) Pixel Data";
 const std::string saveUncompressed = "Save it uncompressed, or with RLE, JPEG, JPEG-LS or JPEG 2000.";
 
-enum class Coding { native, rle, jpeg, jpegLs, jpeg2000, unknown };
-
-Coding codingOf(E_TransferSyntax syntax) {
+PixelCoding codingOf(E_TransferSyntax syntax) {
     switch (syntax) {
         case EXS_LittleEndianImplicit:
         case EXS_LittleEndianExplicit:
         case EXS_BigEndianExplicit:
-        case EXS_DeflatedLittleEndianExplicit: return Coding::native;
-        case EXS_RLELossless: return Coding::rle;
+        case EXS_DeflatedLittleEndianExplicit: return PixelCoding::native;
+        case EXS_RLELossless: return PixelCoding::rle;
         case EXS_JPEGProcess1:
         case EXS_JPEGProcess2_4:
         case EXS_JPEGProcess6_8:
         case EXS_JPEGProcess10_12:
         case EXS_JPEGProcess14:
-        case EXS_JPEGProcess14SV1: return Coding::jpeg;
+        case EXS_JPEGProcess14SV1: return PixelCoding::jpeg;
         case EXS_JPEGLSLossless:
-        case EXS_JPEGLSLossy: return Coding::jpegLs;
+        case EXS_JPEGLSLossy: return PixelCoding::jpegLs;
         case EXS_JPEG2000LosslessOnly:
-        case EXS_JPEG2000: return Coding::jpeg2000;
-        default: return Coding::unknown;
+        case EXS_JPEG2000: return PixelCoding::jpeg2000;
+        default: return PixelCoding::unknown;
     }
 }
 
 std::string syntaxNameOf(E_TransferSyntax syntax) { return transferSyntaxName(DcmXfer(syntax).getXferID()); }
-
-void registerDecoders() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        // Colours are not converted: the first sample of YBR is the luma that is wanted.
-        DJDecoderRegistration::registerCodecs(EDC_never, EUC_default, EPC_colorByPixel);
-        DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel);
-    });
-}
 
 }  // namespace
 
@@ -73,11 +57,10 @@ struct DicomFrames::State {
     std::string path;
     DcmDataset* dataset = nullptr;
     DcmPixelData* pixelData = nullptr;
-    DcmPixelSequence* fragments = nullptr;
-    FrameFragments map;  // which fragments make up which frame
+    std::optional<CompressedFrames> compressed;  // where they are
     DcmFileCache cache;
     E_TransferSyntax syntax = EXS_Unknown;
-    Coding coding = Coding::unknown;
+    PixelCoding coding = PixelCoding::unknown;
     DicomPixelFormat format;
     FrameRescales rescales;
     std::vector<std::size_t> shown;    // the frames that are part of the volume; empty: all of them
@@ -102,11 +85,16 @@ struct DicomFrames::State {
     Result<void> readDescription();
     Result<void> checkNative(const DicomScan& scan);
     Result<void> checkEncapsulated();
-    Result<std::vector<std::uint8_t>> codestream(std::int64_t index);
+    Result<void> checkFrame(std::int64_t index) const;
+    /// The failure of one frame, counted from 0.
+    [[nodiscard]] tl::unexpected<Failure> wrongFrame(const std::string& problem, std::int64_t index) const {
+        return wrong(fmt::format("{} (frame {})", problem, index + 1), pixelDataName);
+    }
+    void note(const std::string& sentence) {
+        if (std::ranges::find(notes, sentence) == notes.end()) notes.push_back(sentence);
+    }
     Result<void> decode(std::int64_t index, DecodedFrame& frame);
     Result<void> decodeNative(std::int64_t index, DecodedFrame& frame);
-    Result<void> decodeJpeg2000Frame(std::int64_t index, DecodedFrame& frame);
-    Result<void> decodeByLibrary(std::int64_t index, DecodedFrame& frame);
 };
 
 DicomFrames::DicomFrames(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -115,7 +103,6 @@ DicomFrames::~DicomFrames() = default;
 
 Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
                                       bool rescaled) {
-    registerDecoders();
     auto state = std::make_unique<State>();
     state->path = path;
     state->dataset = &dataset;
@@ -134,10 +121,10 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
     if (const auto described = state->readDescription(); !described) return tl::unexpected(described.error());
     state->syntax = dataset.getOriginalXfer();
     state->coding = codingOf(state->syntax);
-    if (state->coding == Coding::unknown)
+    if (state->coding == PixelCoding::unknown)
         return state->wrong(fmt::format("is {}, which cannot be read", syntaxNameOf(state->syntax)),
                             "(0002,0010) Transfer Syntax", saveUncompressed);
-    const auto checked = state->coding == Coding::native ? state->checkNative(scan) : state->checkEncapsulated();
+    const auto checked = state->coding == PixelCoding::native ? state->checkNative(scan) : state->checkEncapsulated();
     if (!checked) return tl::unexpected(checked.error());
     return DicomFrames(std::move(state));
 }
@@ -186,32 +173,33 @@ Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
     if (const auto problem = missingPixels(format, held)) return wrong(problem->text, problem->element);
+    const std::uint64_t needed = static_cast<std::uint64_t>(format.storedFrameBytes() * format.frames);
+    if (held > needed + needed % 2)
+        note(fmt::format("{} holds {} bytes more than {} frame(s) of {} x {} pixels need; they are left out.",
+                         pixelDataName, held - needed, format.frames, format.columns, format.rows));
     return {};
 }
 
 Result<void> DicomFrames::State::checkEncapsulated() {
-    if (pixelData->getEncapsulatedRepresentation(syntax, nullptr, fragments).bad() || fragments == nullptr)
-        return wrong("is not split into fragments, as its transfer syntax needs", "(7fe0,0010) Pixel Data");
-    std::vector<std::uint64_t> extendedOffsets;
-    const Uint64* offsets = nullptr;
-    unsigned long count = 0;
-    if (dataset->findAndGetUint64Array(DcmTagKey(0x7fe0, 0x0001), offsets, &count).good() && offsets != nullptr)
-        extendedOffsets.assign(offsets, offsets + count);
-    const Codestream kind = coding == Coding::jpeg2000                           ? Codestream::jpeg2000
-                            : coding == Coding::jpeg || coding == Coding::jpegLs ? Codestream::jpeg
-                                                                                 : Codestream::none;
-    auto mapped = mapFragments(*fragments, format.frames, kind, std::move(extendedOffsets));
-    if (!mapped) return wrong(mapped.error(), "(7fe0,0010) Pixel Data");
-    map = std::move(*mapped);
-    if (!map.warning.empty()) notes.push_back(map.warning);
-    return requireMemory(path, "(7fe0,0010) Pixel Data",
-                         static_cast<std::uint64_t>(format.pixels() * format.bytesPerSample() * format.samples));
+    auto found = CompressedFrames::open(*dataset, *pixelData, format, coding);
+    if (!found) return wrong(found.error(), pixelDataName);
+    compressed = std::move(*found);
+    // Few bytes may unpack to gigabytes: codings of empty pictures know hardly any bound.
+    const std::uint64_t held = compressed->heldBytes();
+    const std::int64_t voxelBytes = bytesOf(rescaled ? StoredType::float32 : format.greyType());
+    const auto unpacked = checkedProduct(format.pixels() * voxelBytes, format.frames);
+    if (!unpacked || static_cast<std::uint64_t>(*unpacked) > mostUnpackedBytes(held))
+        return wrong(fmt::format("holds {} bytes for {} frames of {} x {} pixels, which no picture packs into so few",
+                                 held, format.frames, format.columns, format.rows),
+                     pixelDataName);
+    return {};
 }
 
-Result<std::vector<std::uint8_t>> DicomFrames::State::codestream(std::int64_t index) {
-    auto bytes = fragmentBytes(map, static_cast<std::size_t>(index));
-    if (!bytes) return wrong(fmt::format("has no readable data for frame {}", index + 1), "(7fe0,0010) Pixel Data");
-    return *bytes;
+Result<void> DicomFrames::State::checkFrame(std::int64_t index) const {
+    if (!compressed) return {};
+    const std::string problem = compressed->check(static_cast<std::size_t>(index));
+    if (!problem.empty()) return wrongFrame(problem, index);
+    return {};
 }
 
 Result<void> DicomFrames::State::decodeNative(std::int64_t index, DecodedFrame& frame) {
@@ -221,69 +209,31 @@ Result<void> DicomFrames::State::decodeNative(std::int64_t index, DecodedFrame& 
     frame.bytes.resize(static_cast<std::size_t>(bytes));
     const OFCondition done = pixelData->getPartialValue(frame.bytes.data(), static_cast<Uint32>(index * bytes),
                                                         static_cast<Uint32>(bytes), &cache, EBO_LittleEndian);
-    if (done.bad()) return wrong(fmt::format("could not be read at frame {}: {}", index + 1, done.text()));
-    return {};
-}
-
-Result<void> DicomFrames::State::decodeJpeg2000Frame(std::int64_t index, DecodedFrame& frame) {
-    const auto data = codestream(index);
-    if (!data) return tl::unexpected(data.error());
-    std::vector<std::int32_t> values;
-    const Jpeg2000Frame expected{static_cast<std::uint32_t>(format.columns), static_cast<std::uint32_t>(format.rows),
-                                 static_cast<std::uint32_t>(format.samples)};
-    if (const auto problem = decodeJpeg2000(*data, expected, values, frame.lumaFirst); !problem.empty())
-        return wrong(fmt::format("{} (frame {})", problem, index + 1), "(7fe0,0010) Pixel Data");
-    frame.planar = true;
-    frame.rightAligned = true;
-    const auto width = static_cast<std::size_t>(format.bytesPerSample());
-    frame.bytes.resize(values.size() * width);
-    for (std::size_t i = 0; i < values.size(); ++i) std::memcpy(frame.bytes.data() + i * width, &values[i], width);
-    return {};
-}
-
-Result<void> DicomFrames::State::decodeByLibrary(std::int64_t index, DecodedFrame& frame) {
-    const auto data = codestream(index);
-    if (!data) return tl::unexpected(data.error());
-    const JpegFrame expected{format.columns, format.rows, format.samples, format.bitsAllocated};
-    if (const auto problem = jpegDisagreement(*data, expected); !problem.empty())
-        return wrong(fmt::format("{} (frame {})", problem, index + 1), "(7fe0,0010) Pixel Data");
-    const std::int64_t bytes = format.pixels() * format.bytesPerSample() * format.samples;
-    if (bytes > 0x7ffffffeLL) return wrong("has frames of more than 2 GB", "(7fe0,0010) Pixel Data");
-    frame.bytes.resize(static_cast<std::size_t>(bytes + bytes % 2));
-    frame.rightAligned = true;
-    // The library counts the offset table as a fragment.
-    Uint32 first = static_cast<Uint32>(map.frames[static_cast<std::size_t>(index)].first + 1);
-    OFString model;
-    const OFCondition done =
-        pixelData->getUncompressedFrame(dataset, static_cast<Uint32>(index), first, frame.bytes.data(),
-                                        static_cast<Uint32>(frame.bytes.size()), model, &cache);
-    if (done.bad()) return wrong(fmt::format("could not be decoded at frame {}: {}", index + 1, done.text()));
-    frame.lumaFirst = model.find("YBR") == 0;
+    if (done.bad()) return wrongFrame("could not be read", index);
     return {};
 }
 
 Result<void> DicomFrames::State::decode(std::int64_t index, DecodedFrame& frame) {
-    switch (coding) {
-        case Coding::native: return decodeNative(index, frame);
-        case Coding::jpeg2000: return decodeJpeg2000Frame(index, frame);
-        case Coding::rle: {
-            const auto data = codestream(index);
-            if (!data) return tl::unexpected(data.error());
-            frame.planar = true;
-            frame.bytes.resize(static_cast<std::size_t>(format.pixels() * format.bytesPerSample() * format.samples));
-            const auto problem = decodeRle(*data, static_cast<std::size_t>(format.pixels()), format.samples,
-                                           format.bytesPerSample(), frame.bytes);
-            if (!problem.empty())
-                return wrong(fmt::format("{} (frame {})", problem, index + 1), "(7fe0,0010) Pixel Data");
-            return {};
-        }
-        default: return decodeByLibrary(index, frame);
-    }
+    if (!compressed) return decodeNative(index, frame);
+    const std::string problem = compressed->decode(static_cast<std::size_t>(index), frame);
+    if (!problem.empty()) return wrongFrame(problem, index);
+    return {};
 }
 
 void DicomFrames::keep(std::vector<std::size_t> shown) {
     m_state->shown = std::move(shown);
     m_state->askShown();
+}
+
+Result<void> DicomFrames::check(const Progress& progress) const {
+    const bool all = m_state->shown.empty();
+    const std::size_t count = all ? static_cast<std::size_t>(frames()) : m_state->shown.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, m_state->path, "", "was not read: cancelled");
+        const auto index = static_cast<std::int64_t>(all ? i : m_state->shown[i]);
+        if (auto checked = m_state->checkFrame(index); !checked) return checked;
+    }
+    return {};
 }
 
 std::int64_t DicomFrames::columns() const { return m_state->format.columns; }
@@ -335,6 +285,8 @@ std::vector<std::string> DicomFrames::warnings() const {
             "Rescaled values may lie below 0 (down to {:.6g}); what does is shown as black.", m_state->extreme(-1)));
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
     for (const std::string& note : m_state->notes) sentences.push_back(note);
+    if (m_state->compressed)
+        for (const std::string& note : m_state->compressed->notes()) sentences.push_back(note);
     return sentences;
 }
 

@@ -10,6 +10,7 @@
 #include "io/dicom/dicom_scan.h"
 #include "io/study_assembly.h"
 #include "io/voxel_types.h"
+#include "processing/progress.h"
 
 class DcmDataset;
 
@@ -30,6 +31,11 @@ public:
     /// Names the frames (counted from 0, at least one) that are shown, in their order: only they are asked for type,
     /// white level, window, rescaling and warnings. Until then these are all frames.
     void keep(std::vector<std::size_t> shown);
+
+    /// Looks at every frame that is shown, compressed, before memory is taken for all of them: that its own header
+    /// agrees with the data set, that all parts of it are there, and that as few bytes can hold it. Fails (unreadable)
+    /// naming the frame; (cancelled) where the person ended it.
+    [[nodiscard]] Result<void> check(const Progress& progress) const;
 
     [[nodiscard]] std::int64_t columns() const;
     [[nodiscard]] std::int64_t rows() const;

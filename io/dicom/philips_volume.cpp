@@ -276,6 +276,7 @@ Result<PhilipsVoxels> framesVoxels(const DicomFile& file, const PhilipsVolume& v
     const auto memory =
         requireMemory(file.path(), volume.sizeSource, bytes ? static_cast<std::uint64_t>(*bytes) : ~std::uint64_t{0});
     if (!memory) return tl::unexpected(memory.error());
+    if (const auto checked = frames->check(progress); !checked) return tl::unexpected(checked.error());
     PhilipsVoxels voxels;
     voxels.type = frames->type();
     const auto frameBytes = static_cast<std::size_t>(frames->frameBytes());

@@ -44,7 +44,8 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::vector<HostileFile> hostileKretz();           ///< GE Voluson, in files of its own and in DICOM
 [[nodiscard]] std::vector<HostileFile> hostileCompression();     ///< gzip, zlib and bzip2, whatever they hold
 [[nodiscard]] std::vector<HostileFile> hostileDicomStructure();  ///< elements, lengths, nesting, values
-[[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< codecs, fragments, frames
+[[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< frames, fragments, palettes
+[[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
 [[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, DICOMDIR
 
 /// All rows.

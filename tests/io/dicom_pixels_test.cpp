@@ -324,7 +324,7 @@ TEST(DicomPixels, TruncatedFilesAreRefusedAtEveryLength) {
 
 TEST(DicomPixels, FalseSizesInCompressedFramesAreFoundOut) {
     const TemporaryFolder folder;
-    const std::vector<std::pair<TestSyntax, std::string>> rows{{TestSyntax::rle, "ends after 128 of"},
+    const std::vector<std::pair<TestSyntax, std::string>> rows{{TestSyntax::rle, "pixels, which cannot be"},
                                                                {TestSyntax::jpegLossless, "JPEG frame of 16 x 8"},
                                                                {TestSyntax::jpegLs, "JPEG frame of 16 x 8"}};
     for (const auto& [syntax, words] : rows) {

@@ -67,7 +67,7 @@ FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream
             map.push_back({fragment, 1});
         else if (!map.empty())
             ++map.back().count;
-        ended = endsPicture(bytes);
+        if (!bytes.empty()) ended = endsPicture(bytes);
     }
     return map;
 }
@@ -96,6 +96,8 @@ tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragmen
     if (held < count)
         return tl::unexpected(fmt::format("holds {} fragments where {} frames need at least as many", held, frames));
     if (frames == 1) {
+        if (const std::size_t pictures = mapByCodestreams(found.items, kind).size(); pictures > 1)
+            return tl::unexpected(fmt::format("holds {} pictures where one is declared", pictures));
         found.frames.push_back({0, held});
         return found;
     }
@@ -133,43 +135,6 @@ std::optional<std::vector<std::uint8_t>> fragmentBytes(const FrameFragments& fra
         bytes.insert(bytes.end(), piece.begin(), piece.end());
     }
     return bytes;
-}
-
-std::string jpegDisagreement(std::span<const std::uint8_t> data, const JpegFrame& expected) {
-    if (data.size() < 4 || data[0] != 0xff || data[1] != 0xd8) return "has a frame that is not JPEG";
-    std::size_t position = 2;
-    while (position + 4 <= data.size()) {
-        if (data[position] != 0xff) return "has a damaged JPEG header";
-        const int marker = data[position + 1];
-        if (marker == 0xff) {
-            ++position;
-            continue;
-        }
-        const bool frameHeader =
-            (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) || marker == 0xf7;
-        const std::size_t length = static_cast<std::size_t>(data[position + 2] << 8 | data[position + 3]);
-        if (!frameHeader) {
-            if (marker == 0xda || marker == 0xd9 || length < 2) break;
-            position += 2 + length;
-            continue;
-        }
-        if (position + 10 > data.size()) break;
-        const int bits = data[position + 4];
-        const std::int64_t rows = data[position + 5] << 8 | data[position + 6];
-        const std::int64_t columns = data[position + 7] << 8 | data[position + 8];
-        const int samples = data[position + 9];
-        if (rows != expected.rows || columns != expected.columns || samples != expected.samples)
-            return fmt::format("has a JPEG frame of {} x {} pixels, {} sample(s), where {} x {}, {} are declared",
-                               columns, rows, samples, expected.columns, expected.rows, expected.samples);
-        if (bits > expected.bitsAllocated)
-            return fmt::format("has a JPEG frame of {} bits where {} are allocated", bits, expected.bitsAllocated);
-        // Not even an empty picture becomes smaller than this; a frame that claims to keeps decoders busy for nothing.
-        if (marker != 0xf7 && rows * columns > static_cast<std::int64_t>(data.size()) * 1024)
-            return fmt::format("has a JPEG frame of {} bytes for {} x {} pixels, which cannot be", data.size(), columns,
-                               rows);
-        return {};
-    }
-    return "has a JPEG frame without a frame header";
 }
 
 }  // namespace echolucent

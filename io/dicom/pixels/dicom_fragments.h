@@ -1,4 +1,4 @@
-// Encapsulated pixel data: which fragments make up a frame, and whether a JPEG frame is what the data set says.
+// Encapsulated pixel data: which fragments make up a frame.
 #pragma once
 
 #include <cstdint>
@@ -40,17 +40,5 @@ enum class Codestream { none, jpeg, jpeg2000 };
 /// The bytes of a frame's fragments put together; no value where a fragment cannot be read.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> fragmentBytes(const FrameFragments& fragments,
                                                                      std::size_t frame);
-
-/// What a JPEG or JPEG-LS frame must look like by the data set.
-struct JpegFrame {
-    std::int64_t columns = 0;
-    std::int64_t rows = 0;
-    int samples = 1;
-    int bitsAllocated = 8;
-};
-
-/// Compares the frame header of a JPEG or JPEG-LS codestream with `expected`, because decoders trust that header with
-/// memory and time. The text is empty where they agree; else it says what is wrong.
-[[nodiscard]] std::string jpegDisagreement(std::span<const std::uint8_t> data, const JpegFrame& expected);
 
 }  // namespace echolucent

@@ -28,6 +28,13 @@ std::size_t unpackSegment(std::span<const std::uint8_t> data, std::size_t pixels
 
 }  // namespace
 
+std::string rleTooShort(std::size_t bytes, std::size_t pixels, int samples, int bytesPerSample) {
+    if (bytes < 64) return fmt::format("has an RLE frame of {} bytes, shorter than its header", bytes);
+    const std::size_t needed = static_cast<std::size_t>(samples * bytesPerSample) * 2 * ((pixels + 127) / 128);
+    if (bytes - 64 >= needed) return {};
+    return fmt::format("has an RLE frame of {} bytes for {} pixels, which cannot be", bytes, pixels);
+}
+
 std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples, int bytesPerSample,
                       std::span<std::uint8_t> out) {
     if (data.size() < 64) return fmt::format("has an RLE frame of {} bytes, shorter than its header", data.size());

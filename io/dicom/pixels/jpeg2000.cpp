@@ -6,8 +6,6 @@
 #include <cstring>
 #include <memory>
 
-#include <fmt/format.h>
-
 namespace echolucent {
 
 namespace {
@@ -47,29 +45,13 @@ using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
 using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
 using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
 
-std::string disagreement(const opj_image_t& image, const Jpeg2000Frame& expected) {
-    const auto width = static_cast<std::int64_t>(image.x1) - image.x0;
-    const auto height = static_cast<std::int64_t>(image.y1) - image.y0;
-    if (width != expected.columns || height != expected.rows)
-        return fmt::format("has a JPEG 2000 frame of {} x {} pixels where {} x {} are declared", width, height,
-                           expected.columns, expected.rows);
-    if (image.numcomps < expected.samples)
-        return fmt::format("has a JPEG 2000 frame of {} samples where {} are declared", image.numcomps,
-                           expected.samples);
-    return {};
-}
-
-}  // namespace
-
-std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
-                           std::vector<std::int32_t>& values, bool& colourIsYbr) {
-    constexpr std::uint8_t jp2Signature[] = {0, 0, 0, 12, 'j', 'P', ' ', ' '};
-    const bool jp2 = data.size() > sizeof(jp2Signature) &&
-                     std::equal(std::begin(jp2Signature), std::end(jp2Signature), data.begin());
+/// The decoded image, `halvings` times smaller; null where a part of it is missing or damaged.
+Image decoded(std::span<const std::uint8_t> data, bool isJp2, unsigned halvings) {
     Memory memory{data};
     const Stream stream(opj_stream_create(std::size_t{1} << 16, OPJ_TRUE), &opj_stream_destroy);
-    const Codec codec(opj_create_decompress(jp2 ? OPJ_CODEC_JP2 : OPJ_CODEC_J2K), &opj_destroy_codec);
-    if (!stream || !codec) return "could not be decoded: OpenJPEG did not start";
+    const Codec codec(opj_create_decompress(isJp2 ? OPJ_CODEC_JP2 : OPJ_CODEC_J2K), &opj_destroy_codec);
+    Image image(nullptr, &opj_image_destroy);
+    if (!stream || !codec) return image;
     opj_stream_set_user_data(stream.get(), &memory, nullptr);
     opj_stream_set_user_data_length(stream.get(), data.size());
     opj_stream_set_read_function(stream.get(), &readMemory);
@@ -77,24 +59,38 @@ std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Fra
     opj_stream_set_seek_function(stream.get(), &seekMemory);
     opj_dparameters_t parameters;
     opj_set_default_decoder_parameters(&parameters);
+    parameters.cp_reduce = halvings;
     opj_setup_decoder(codec.get(), &parameters);
-
     opj_image_t* header = nullptr;
     const bool read = opj_read_header(stream.get(), codec.get(), &header) == OPJ_TRUE;
-    const Image image(header, &opj_image_destroy);
-    if (!read || !image) return "has a frame that is not JPEG 2000";
-    if (auto problem = disagreement(*image, expected); !problem.empty()) return problem;
-    if (opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return "has a damaged JPEG 2000 frame";
+    image.reset(header);
+    if (!read || !image || opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) image.reset();
+    return image;
+}
+
+}  // namespace
+
+std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
+                           Jpeg2000Samples& samples) {
+    const auto sealed = sealCodestream(data, expected);
+    if (!sealed) return sealed.error();
+    samples.isSigned = sealed->isSigned;
+    // Missing packets are found in the sealed codestream, of which only the smallest image is decoded; data that are
+    // missing within a packet in the codestream as it is.
+    const bool allPackets = decoded(sealed->bytes, sealed->isJp2, sealed->levels) != nullptr;
+    const Image image = allPackets ? decoded(data, sealed->isJp2, 0) : Image(nullptr, &opj_image_destroy);
+    if (!image || image->numcomps != expected.samples)
+        return "has a JPEG 2000 frame of which a part is missing or damaged";
 
     const std::size_t pixels = std::size_t{expected.columns} * expected.rows;
-    colourIsYbr = image->color_space == OPJ_CLRSPC_SYCC;
-    const std::uint32_t planes = colourIsYbr ? 1 : expected.samples;
-    values.clear();
+    samples.lumaFirst = image->color_space == OPJ_CLRSPC_SYCC;
+    const std::uint32_t planes = samples.lumaFirst ? 1 : expected.samples;
+    samples.values.clear();
     for (std::uint32_t plane = 0; plane < planes; ++plane) {
         const opj_image_comp_t& component = image->comps[plane];
         if (component.data == nullptr || component.w != expected.columns || component.h != expected.rows)
             return "has a JPEG 2000 frame with subsampled or missing planes";
-        values.insert(values.end(), component.data, component.data + pixels);
+        samples.values.insert(samples.values.end(), component.data, component.data + pixels);
     }
     return {};
 }

@@ -6,18 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/pixels/jpeg2000_codestream.h"
+
 namespace echolucent {
 
-/// What one frame must look like, from the data set; a codestream that disagrees is refused before it is decoded.
-struct Jpeg2000Frame {
-    std::uint32_t columns = 0;
-    std::uint32_t rows = 0;
-    std::uint32_t samples = 1;
+/// The decoded samples of one frame.
+struct Jpeg2000Samples {
+    std::vector<std::int32_t> values;  ///< in planes, sample after sample
+    bool lumaFirst = false;            ///< whether the first plane is luma already, and the only one
+    bool isSigned = false;             ///< whether the codestream declares signed values
 };
 
-/// Decodes a codestream or .jp2 into planes of 32-bit values, sample after sample. The text is empty, or says what is
-/// wrong. `colourIsYbr` is set to whether the first plane is luma already.
+/// Decodes a codestream or .jp2. The text is empty, or says what is wrong: what sealCodestream() finds, or that a part
+/// of the frame is missing or damaged.
 [[nodiscard]] std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
-                                         std::vector<std::int32_t>& values, bool& colourIsYbr);
+                                         Jpeg2000Samples& samples);
 
 }  // namespace echolucent

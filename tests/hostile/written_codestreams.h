@@ -1,0 +1,56 @@
+// Codestreams of compressed frames as independent writers make them, for hostile files to damage.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dicom_bytes.h"
+#include "dicom_files.h"
+#include "hostile_file.h"
+
+namespace echolucent {
+
+inline const std::string rleSyntax = "1.2.840.10008.1.2.5";
+inline const std::string jpegSyntax = "1.2.840.10008.1.2.4.50";
+inline const std::string jpegLosslessSyntax = "1.2.840.10008.1.2.4.70";
+inline const std::string jpegLsSyntax = "1.2.840.10008.1.2.4.80";
+inline const std::string jpeg2000Syntax = "1.2.840.10008.1.2.4.90";
+
+/// The edge of the square pictures below, in pixels.
+constexpr int pictureEdge = 64;
+
+/// The codestream of one picture of pictureEdge x pictureEdge speckled pixels of 8 bits, or of `bits` in 16. Throws
+/// std::runtime_error where it cannot be written.
+[[nodiscard]] std::string writtenCodestream(const std::string& syntax, int bits = 8);
+
+/// How a cine says that its pictures look.
+struct CineShape {
+    std::uint16_t columns = pictureEdge;
+    std::uint16_t rows = pictureEdge;
+    std::uint16_t bitsAllocated = 8;
+    std::uint16_t bitsStored = 8;
+    std::uint16_t sign = 0;
+    int frames = 2;
+};
+
+/// A cine with these fragments, which is opened with its frames as slices.
+[[nodiscard]] HostileFile hostileCine(const std::string& name, const std::string& syntax,
+                                      const std::vector<std::string>& fragments, std::vector<std::string> words,
+                                      CineShape shape = {}, HostileOutcome outcome = HostileOutcome::refused,
+                                      const std::string& offsetTable = "");
+
+/// A cine with these uncompressed pixels, and with `more` elements before them.
+[[nodiscard]] HostileFile hostileNativeCine(const std::string& name, const std::string& pixels,
+                                            std::vector<std::string> words, CineShape shape,
+                                            HostileOutcome outcome = HostileOutcome::refused);
+
+/// A row that opens these bytes with its frames as slices.
+[[nodiscard]] HostileFile asSlices(HostileFile row);
+
+/// Elements that describe grey pixels of this shape.
+[[nodiscard]] DicomBytes describedCine(const CineShape& shape);
+
+inline const std::string cineClassOfRows = "1.2.840.10008.5.1.4.1.1.3.1";
+
+}  // namespace echolucent
