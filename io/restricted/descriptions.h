@@ -68,6 +68,7 @@ template <typename Archive, Described<Study> Value>
 void describe(Archive& archive, Value& study) {
     archive(study.name, study.files, study.phaseSeconds);
     archive.choice(study.lossyCompression, LossyCompression::yes);
+    archive.choice(study.burnedInText, BurnedInText::yes);
     archive(study.facts, study.warnings);
 }
 

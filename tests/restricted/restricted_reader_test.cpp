@@ -36,7 +36,9 @@ const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
 /// Everything that a study says, but for its voxels.
 std::string wordsOf(const Result<Study>& study) {
     if (!study) return "refused: " + study.error().sentence();
-    std::string words = study->name + fmt::format(" {} {}", study->phaseSeconds.value_or(-1), study->phases.size());
+    std::string words =
+        study->name + fmt::format(" {} {} {} {}", study->phaseSeconds.value_or(-1), study->phases.size(),
+                                  static_cast<int>(study->lossyCompression), static_cast<int>(study->burnedInText));
     for (const std::string& file : study->files) words += "\nfile " + file;
     for (const ImportFact& fact : study->facts)
         words += "\n" + fact.name + ": " + fact.value + " [" + fact.source + "]";

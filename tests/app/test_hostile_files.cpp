@@ -1,0 +1,85 @@
+// Every hostile file through the real window, one after the other: it says its sentence, asks nothing that would block,
+// and goes on showing what was open.
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTimer>
+#include <algorithm>
+#include <cstdio>
+
+#include "app/window/dark_theme.h"
+#include "hostile_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/panels/message_bar.h"
+
+using namespace echolucent;
+
+class TestHostileFiles : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        wearDarkTheme();
+        m_good = file("good.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        useLook(Look{});
+        open(m_good);
+        useLook(Look{});
+        waitUntilIdle();
+    }
+    void cleanup() { close(); }
+
+    void leaveWhatIsOpenAndEndInOneSentence() {
+        QElapsedTimer since;
+        qint64 longest = 0;
+        QTimer beat;
+        connect(&beat, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
+        since.start();
+        beat.start(1);
+        const auto shown = window().openStudy().volume();
+        int rows = 0;
+        QString slowest;
+        qint64 before = 0;
+        for (const HostileFile& row : hostileFiles()) {
+            if (row.outcome != HostileOutcome::refused) continue;
+            const QTemporaryDir folder;
+            row.write(folder.path().toStdString());
+            // Writing the row's files is no work of the window's.
+            since.restart();
+            QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
+            const QString path =
+                row.opened == "." ? folder.path() : folder.filePath(QString::fromStdString(row.opened));
+            window().openStudy().open(path, row.options);
+            QVERIFY2(!failed.isEmpty() || failed.wait(20000), row.name.c_str());
+            QTRY_VERIFY2(window().idle(), row.name.c_str());
+            QCOMPARE(window().openStudy().volume(), shown);
+            QVERIFY2(QApplication::activeModalWidget() == nullptr, row.name.c_str());
+            QVERIFY2(QApplication::activePopupWidget() == nullptr, row.name.c_str());
+            const QString text = window().findChild<MessageBar*>()->text();
+            // What the sentence says of the command line's options is no part of the window's.
+            QVERIFY2(!text.isEmpty() && !text.contains('\n'),
+                     qPrintable(QString::fromStdString(row.name) + ": " + text));
+            if (longest > before) slowest = QString::fromStdString(row.name);
+            before = longest;
+            ++rows;
+        }
+        std::printf("%d hostile files in one window: the longest time between two beats was %lld ms (%s)\n", rows,
+                    static_cast<long long>(longest), qPrintable(slowest));
+        QVERIFY(rows > 100);
+        // A bound on a hang, not a measure of speed: several programs share the machine that runs the tests.
+        QVERIFY2(longest < 2000, qPrintable(slowest));
+    }
+
+private:
+    QString m_good;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestHostileFiles test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_hostile_files.moc"
