@@ -25,8 +25,17 @@ public:
     [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
     /// Whether more was inflated than mostUnpackedBytes() lets out of the file; the stream ends there.
     [[nodiscard]] bool inflatesTooMuch() const { return m_inflatesTooMuch; }
+    /// How many bytes were inflated so far, those of reads that failed at the end among them.
+    [[nodiscard]] std::uint64_t inflated() const { return m_inflated; }
+    /// Whether what it inflates came to its own end; it has to be read to its end before.
+    [[nodiscard]] bool inflatesToItsEnd() const { return m_inflater != nullptr && m_inflater->isComplete(); }
+    /// The position behind the last byte; where it inflates, it has to be read to its end before.
+    [[nodiscard]] std::uint64_t end() const { return m_inflater ? m_inflateStart + m_inflated : m_file->size(); }
     /// Takes everything from here on as a raw deflate stream.
-    void inflateFromHere() { m_inflater = std::make_unique<RawInflater>(*m_file, m_position); }
+    void inflateFromHere() {
+        m_inflater = std::make_unique<RawInflater>(*m_file, m_position);
+        m_inflateStart = m_position;
+    }
     /// Reads `count` bytes; false, and the position stays, where there are fewer.
     bool read(std::uint8_t* bytes, std::size_t count);
     /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
@@ -40,6 +49,7 @@ private:
     const Progress* m_progress;
     bool m_inflatesTooMuch = false;
     std::uint64_t m_inflated = 0;
+    std::uint64_t m_inflateStart = 0;
     std::uint64_t m_position = 0;
     std::vector<std::uint8_t> m_buffer;
     std::uint64_t m_bufferStart = 0;

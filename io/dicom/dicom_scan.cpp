@@ -1,5 +1,7 @@
 #include "io/dicom/dicom_scan.h"
 
+#include <fmt/format.h>
+
 #include "io/dicom/dicom_walk.h"
 
 namespace echolucent {
@@ -23,13 +25,23 @@ bool looksLikeDicom(std::string_view beginning) {
     return little && byte(3) <= 0x01 && byte(5) == 0 && byte(6) == 0 && byte(7) == 0 && byte(4) > 0 && byte(4) % 2 == 0;
 }
 
+const char* const doNotOpen = "The file is damaged or made to do harm: do not open it.";
+
+std::string nestedTooDeep() {
+    return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence);
+}
+
+std::string tooManyElements() {
+    return fmt::format("holds more than {} elements, which no true DICOM object does", mostElements);
+}
+
 Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly) {
     const std::string& path = file.path();
     DicomScan scan;
     DicomWalk walk(file, scan, progress);
     walk.run(headerOnly);
-    if (const std::string harm = walk.harm(); !harm.empty())
-        return fail(FailureKind::unreadable, path, "", harm, "The file is damaged or made to do harm: do not open it.");
+    if (const auto harm = walk.harm())
+        return fail(FailureKind::unreadable, path, harm->element, harm->problem, harm->remedy);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     return scan;
 }

@@ -1,6 +1,7 @@
 // A first walk over a DICOM file, before the DICOM library sees it: flat, without recursion, bounded by the file.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "io/dicom/dicom_scan_result.h"
@@ -15,10 +16,16 @@ namespace echolucent {
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
 
 /// Walks the elements of an opened file; where `headerOnly` is set, up to the private group behind its pixel data.
-/// Fails only where sequences are nested too deep, where more than mostRepairs are needed, where deflated bytes unpack
-/// to more than mostUnpackedBytes() (DCMTK never sees these), or where the person cancelled, for which `progress` is
-/// polled at every element and within long values that are deflated. Whatever else is wrong with the file is left for
-/// the DICOM library to name.
+/// Fails where sequences are nested too deep or stand in the meta header, where there are too many elements or too many
+/// out of order, where an element that describes the picture or its place stands twice with different values, where
+/// more than mostRepairs are needed, where deflated bytes unpack to more than mostUnpackedBytes() (DCMTK never sees
+/// these), or where the person cancelled, for which `progress` is polled at every element and within long values that
+/// are deflated. Where the walk cannot follow the file otherwise, DicomScan::end says so.
 [[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);
+
+/// What is wrong with files that hold too much, as in Failure::problem and Failure::remedy.
+[[nodiscard]] std::string nestedTooDeep();
+[[nodiscard]] std::string tooManyElements();
+extern const char* const doNotOpen;
 
 }  // namespace echolucent

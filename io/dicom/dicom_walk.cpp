@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <iterator>
 #include <utility>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include "io/dicom/dicom_names.h"
+#include "io/dicom/dicom_scan.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/kretz/kretz_items.h"
@@ -21,52 +27,105 @@ constexpr std::uint32_t sopClassTag = 0x00080016U;
 constexpr std::uint32_t kretzGroup = 0x7fe1;
 constexpr std::string_view kretzCreator = "KRETZ_US";
 
-bool isVr(const std::uint8_t* bytes) {
-    return bytes[0] >= 'A' && bytes[0] <= 'Z' && bytes[1] >= 'A' && bytes[1] <= 'Z';
+constexpr std::uint32_t itemTags[] = {itemTag, 0xfffee00dU, 0xfffee0ddU};
+/// Elements out of order are sorted in one by one, each past those that come behind it.
+constexpr std::uint64_t mostDisorder = 10000000;
+/// What DCMTK makes of two letters; it reads lengths by it.
+DcmVR vrOf(std::string_view letters) { return DcmVR(std::string(letters.substr(0, 2)).c_str()); }
+
+DcmTag tagOf(std::uint32_t tag) { return {static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)}; }
+
+std::uint32_t swapped(std::uint32_t tag) {
+    return (tag >> 24 & 0xff) << 16 | (tag >> 16 & 0xff) << 24 | (tag & 0xff) << 8 | (tag >> 8 & 0xff);
 }
 
-bool hasLongLength(std::string_view vr) {
-    constexpr std::array<std::string_view, 13> longVrs{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
-                                                       "UN", "UC", "UR", "UT", "SV", "UV"};
-    return std::find(longVrs.begin(), longVrs.end(), vr) != longVrs.end();
+/// How a data set is written.
+struct Writing {
+    bool implicitVr = false, bigEndian = false, deflated = false;
+};
+
+/// As DCMTK guesses it from the first tag (as little endian reads it) and the two bytes behind, where no transfer
+/// syntax says so.
+Writing guessedWriting(std::uint32_t tag, std::string_view letters) {
+    Writing writing;
+    writing.implicitVr = std::isalpha(static_cast<unsigned char>(letters[0])) == 0 ||
+                         std::isalpha(static_cast<unsigned char>(letters[1])) == 0 || !vrOf(letters).isStandard();
+    const std::uint32_t big = swapped(tag);
+    const bool knownAsLittle = tagOf(tag).error().good(), knownAsBig = tagOf(big).error().good();
+    if (knownAsLittle != knownAsBig)
+        writing.bigEndian = knownAsBig;
+    else
+        writing.bigEndian = tag >> 16 > 0xff && big >> 16 <= 0xff;
+    return writing;
 }
 
 }  // namespace
 
 void DicomWalk::run(bool headerOnly) {
-    if (!readMeta()) return;
-    const auto goesOn = [&] { return !m_progress.cancelled() && harm().empty(); };
-    const auto enough = [&] { return headerOnly && m_behindKretz; };
+    m_scan.fileBytes = m_file.size();
+    if (!readMeta()) {
+        m_scan.end = DicomScanEnd::inMeta;
+        m_scan.endPosition = m_stream.position();
+        return;
+    }
+    const auto goesOn = [&] { return !m_progress.cancelled() && !harm(); };
+    // The lengths that QLAB declares are often false: what follows may be voxels.
+    const auto enough = [&] {
+        return (headerOnly && m_behindKretz) || (m_scan.hasPixelData && m_scan.sopClass == qlabSopClass);
+    };
     while (goesOn() && !enough() && step()) {
     }
-    if (goesOn() && !enough()) closeAtEnd();
-    // The library may go on where this walk does not: all that it could be given is measured.
+    // All that the library could be given is measured.
     if (goesOn() && m_stream.inflates()) m_stream.skip(endless);
+    if (goesOn()) measureEnd(enough());
 }
 
-std::string DicomWalk::harm() const {
-    if (m_sequences > deepestSequence)
-        return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does",
-                           deepestSequence);
+/// Says how far the walk came.
+void DicomWalk::measureEnd(bool enough) {
+    m_scan.unpackedBytes = m_stream.inflated();
+    m_scan.endPosition = m_stepStart;
+    if (m_stream.inflates() && !m_stream.inflatesToItsEnd()) {
+        m_scan.end = DicomScanEnd::deflate;
+        m_scan.endPosition = m_stream.inflated();
+        return;
+    }
+    if (enough) return;
+    if (m_lost)
+        m_scan.end = DicomScanEnd::damaged;
+    else if (m_stepStart != m_stream.end() || !closeAtEnd())
+        m_scan.end = DicomScanEnd::cut;
+}
+
+std::optional<DicomWalk::Harm> DicomWalk::harm() const {
+    if (m_harm) return m_harm;
+    const auto harmful = [](std::string problem) { return Harm{"", std::move(problem), doNotOpen}; };
+    if (m_sequences > deepestSequence) return harmful(nestedTooDeep());
+    if (m_elements > mostElements) return harmful(tooManyElements());
+    if (!m_levels.empty() && m_levels.back().elements > mostElementsOfOne)
+        return harmful(fmt::format(
+            "holds more than {} elements in one data set or item, which no true DICOM object does", mostElementsOfOne));
+    if (m_disorder > mostDisorder)
+        return harmful("holds too many elements that are out of order, which no true DICOM object does");
     if (m_scan.repairs.size() > mostRepairs)
-        return fmt::format("holds more than {} items outside sequences, which no true DICOM object does", mostRepairs);
+        return harmful(
+            fmt::format("holds more than {} items outside sequences, which no true DICOM object does", mostRepairs));
     if (m_stream.inflatesTooMuch())
-        return fmt::format("unpacks to more than {} bytes out of {}, which no volume does",
-                           mostUnpackedBytes(m_file.size()), m_file.size());
-    return {};
+        return harmful(fmt::format("unpacks to more than {} bytes out of {}, which no volume does",
+                                   mostUnpackedBytes(m_file.size()), m_file.size()));
+    return std::nullopt;
 }
 
 std::optional<std::uint32_t> DicomWalk::read16() {
     std::array<std::uint8_t, 2> b{};
     if (!m_stream.read(b.data(), b.size())) return std::nullopt;
-    return m_bigEndian ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
+    return isBigEndian() ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
 }
 
 std::optional<std::uint32_t> DicomWalk::read32() {
     const auto first = read16();
     const auto second = read16();
     if (!first || !second) return std::nullopt;
-    return m_bigEndian ? *first << 16 | *second : *second << 16 | *first;
+    return isBigEndian() ? *first << 16 | *second : *second << 16 | *first;
 }
 
 std::optional<std::uint32_t> DicomWalk::readTag() {
@@ -87,40 +146,48 @@ bool DicomWalk::readMeta() {
     while ((tag = readTag()) && *tag >> 16 == 0x0002) {
         std::array<std::uint8_t, 2> vr{};
         if (!m_stream.read(vr.data(), 2)) return false;
-        const bool isLong = hasLongLength({reinterpret_cast<const char*>(vr.data()), 2});
+        const DcmVR kind = vrOf({reinterpret_cast<const char*>(vr.data()), 2});
+        const bool isLong = kind.usesExtendedLengthEncoding();
         if (isLong) m_stream.skip(2);
         const auto length = isLong ? read32() : read16();
         if (!length) return false;
+        if (kind.getEVR() == EVR_SQ || *length == undefinedLength) {
+            m_harm = Harm{fmt::format("(0002,{:04x})", *tag & 0xffff),
+                          "stands in the meta header with a sequence, which no true DICOM object has there", doNotOpen};
+            return true;
+        }
         const bool wanted = *tag == 0x00020010 || *tag == 0x00020002;
         if (wanted && *length <= 128) {
             std::string value(*length, '\0');
             if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
             value = trimmed(value.substr(0, value.find('\0')));
             (*tag == 0x00020010 ? m_scan.transferSyntax : m_scan.sopClass) = value;
-        } else {
-            m_stream.skip(*length);
+        } else if (m_stream.skip(*length) != *length) {
+            return false;
         }
     }
     if (!tag) return false;
-    if (m_scan.transferSyntax == "1.2.840.10008.1.2.1.99") {
+    std::array<std::uint8_t, 2> letters{};
+    if (!m_file.readAt(m_stream.position(), letters)) return false;
+    const DcmXfer syntax(m_scan.transferSyntax.c_str());
+    // DCMTK has a syntax whose identifier is empty.
+    const Writing writing = m_scan.transferSyntax.empty() || syntax.getXfer() == EXS_Unknown
+                                ? guessedWriting(*tag, {reinterpret_cast<const char*>(letters.data()), 2})
+                                : Writing{syntax.isImplicitVR() != OFFalse, syntax.isBigEndian() != OFFalse,
+                                          syntax.getStreamCompression() == ESC_zlib};
+    if (writing.deflated) {
         // The tag just read was already deflated data: go back to it.
         ByteStream again(m_file, m_progress);
         again.skip(m_stream.position() - 4);
         m_stream = std::move(again);
         m_stream.inflateFromHere();
     } else {
-        m_bigEndian = m_scan.transferSyntax == "1.2.840.10008.1.2.2";
-        const std::uint32_t swapped =
-            (*tag >> 24 & 0xff) << 16 | (*tag >> 16 & 0xff) << 24 | (*tag & 0xff) << 8 | (*tag >> 8 & 0xff);
-        if (!m_bigEndian && m_scan.transferSyntax.empty()) m_bigEndian = *tag >> 16 == 0x0800;
-        m_pendingTag = m_bigEndian ? swapped : *tag;
+        m_pendingTag = writing.bigEndian ? swapped(*tag) : *tag;
     }
+    m_bigEndian = writing.bigEndian;
     Level dataset;
-    dataset.implicitVr = m_scan.transferSyntax == "1.2.840.10008.1.2";
-    if (m_scan.transferSyntax.empty()) {
-        std::array<std::uint8_t, 2> vr{};
-        if (m_file.readAt(m_stream.position(), vr)) dataset.implicitVr = !isVr(vr.data());
-    }
+    dataset.implicitVr = writing.implicitVr;
+    dataset.bigEndian = writing.bigEndian;
     m_levels.push_back(dataset);
     return true;
 }
@@ -132,7 +199,9 @@ void DicomWalk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
     level.start = start;
     level.end = length == undefinedLength ? endless : start + length;
     level.implicitVr = implicitVr;
-    m_levels.push_back(level);
+    // What a value of VR UN holds is little endian, whatever the data set is.
+    level.bigEndian = m_levels.back().bigEndian && !(implicitVr && !m_levels.back().implicitVr);
+    m_levels.push_back(std::move(level));
     m_sequences += kind == LevelKind::sequence ? 1 : 0;
 }
 
@@ -146,12 +215,13 @@ void DicomWalk::pop() {
 bool DicomWalk::recover() {
     m_pendingTag.reset();
     while (m_levels.size() > 1) {
-        const Level level = m_levels.back();
+        const std::uint64_t end = m_levels.back().end;
         pop();
-        if (level.end == endless || level.end < m_stream.position()) continue;
-        const std::uint64_t rest = level.end - m_stream.position();
+        if (end == endless || end < m_stream.position()) continue;
+        const std::uint64_t rest = end - m_stream.position();
         return m_stream.skip(rest) == rest;
     }
+    m_lost = true;
     return false;
 }
 
@@ -164,7 +234,7 @@ bool DicomWalk::step() {
     }
     const auto tag = readTag();
     if (!tag) return false;
-    if (*tag >> 16 == 0xfffe) return readDelimiter(*tag);
+    if (std::ranges::find(itemTags, *tag) != std::end(itemTags)) return readDelimiter(*tag);
     const LevelKind kind = m_levels.back().kind;
     if (m_levels.back().falseLength) {
         m_pendingTag = tag;
@@ -180,6 +250,7 @@ bool DicomWalk::readDelimiter(std::uint32_t tag) {
     if (!length) return false;
     const LevelKind kind = m_levels.back().kind;
     if (tag == itemTag) {
+        if (kind == LevelKind::fragments) ++m_elements;
         if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
         if (kind != LevelKind::sequence && !m_stream.inflates() && m_levels.size() == 1 &&
             m_stream.position() - 8 == m_emptySequenceEnd) {
@@ -190,6 +261,7 @@ bool DicomWalk::readDelimiter(std::uint32_t tag) {
         } else if (kind != LevelKind::sequence) {
             return leaveOutItem(*length) || recover();
         }
+        ++m_elements;
         push(LevelKind::item, *length, m_levels.back().implicitVr);
         return true;
     }
@@ -206,6 +278,7 @@ bool DicomWalk::readDelimiter(std::uint32_t tag) {
 }
 
 bool DicomWalk::readElement(std::uint32_t tag) {
+    countElement(tag);
     if (m_levels.back().implicitVr) {
         const auto length = read32();
         return length && enterValue(tag, "", *length);
@@ -213,7 +286,7 @@ bool DicomWalk::readElement(std::uint32_t tag) {
     std::array<std::uint8_t, 2> bytes{};
     if (!m_stream.read(bytes.data(), 2)) return false;
     const std::string_view vr(reinterpret_cast<const char*>(bytes.data()), 2);
-    const bool isLong = hasLongLength(vr);
+    const bool isLong = vrOf(vr).usesExtendedLengthEncoding();
     if (isLong && m_stream.skip(2) != 2) return false;
     const auto length = isLong ? read32() : read16();
     return length && enterValue(tag, vr, *length);
@@ -258,6 +331,12 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
     if (m_levels.size() == 1 && tag >> 16 == kretzGroup && readKretz(tag, vr, length)) return true;
     if (pixels) notePixelData(length);
+    const DcmEVR stated = m_levels.back().implicitVr || vr == "UN" ? tagOf(tag).getEVR() : vrOf(vr).getEVR();
+    const bool plain =
+        stated != EVR_SQ && stated != EVR_UNKNOWN && stated != EVR_UNKNOWN2B && stated != EVR_UN && !pixels;
+    bool passed = false;
+    if (!describe(tag, length, plain, passed)) return false;
+    if (passed || m_harm) return true;
     if (tag == sopClassTag && m_levels.size() == 1 && m_scan.sopClass.empty() && length <= 64) {
         std::string value(length, '\0');
         if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
@@ -266,7 +345,8 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     }
     const bool implicitVr = m_levels.back().implicitVr;
     if (length == undefinedLength) {
-        const bool fragments = !implicitVr && vr != "SQ" && vr != "UN";
+        const DcmEVR kind = implicitVr ? EVR_UNKNOWN : vrOf(vr).getEVR();
+        const bool fragments = kind != EVR_SQ && kind != EVR_UN && kind != EVR_UNKNOWN && kind != EVR_UNKNOWN2B;
         push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
         m_levels.back().pixels = pixels;
         return true;
@@ -276,7 +356,12 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
         push(LevelKind::sequence, length, false);
         return true;
     }
-    if (implicitVr || vr == "UN") return enterIfItem(length);
+    const bool unknown = implicitVr || vr == "UN";
+    if (unknown && tagOf(tag).getEVR() == EVR_SQ) {
+        push(LevelKind::sequence, length, true);
+        return true;
+    }
+    if (unknown) return enterIfItem(length);
     const std::uint64_t skipped = m_stream.skip(length);
     if (pixels && m_stream.inflates()) m_scan.pixelBytesHeld = skipped;
     m_scan.pixelsEnd = m_scan.pixelsEnd || (pixels && skipped == length);

@@ -23,8 +23,11 @@ public:
 
     /// Ends early where the person cancels, and where it finds harm.
     void run(bool headerOnly);
-    /// What would do harm, and no sentence where nothing was found.
-    [[nodiscard]] std::string harm() const;
+    /// Why the file must not be read any further; no value where nothing was found.
+    struct Harm {
+        std::string element, problem, remedy;  ///< as in Failure
+    };
+    [[nodiscard]] std::optional<Harm> harm() const;
 
 private:
     static constexpr std::uint64_t endless = std::numeric_limits<std::uint64_t>::max();
@@ -32,10 +35,22 @@ private:
     static constexpr std::uint32_t itemEndTag = 0xfffee00dU;
     static constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
     enum class LevelKind { dataset, sequence, item, fragments };
+    /// One of the elements of a level that describe the picture or its place.
+    struct Described {
+        std::uint32_t tag = 0;
+        std::string value;  // empty where it was not kept
+        bool isKept = false;
+    };
     struct Level {
         LevelKind kind = LevelKind::dataset;
         std::uint64_t end = endless;
         bool implicitVr = false;
+        bool bigEndian = false;
+        std::size_t elements = 0;
+        std::uint32_t lastTag = 0;      // the largest so far
+        bool ascends = true;            // whether the last one was larger than all before
+        std::uint32_t previousTag = 0;  // of the element before
+        std::vector<Described> described = {};
         bool pixels = false;                            // whether it is the pixel data
         std::optional<std::uint64_t> falseLength = {};  // where a length stands that has to be written anew
         std::uint64_t start = 0;
@@ -43,6 +58,10 @@ private:
     bool readMeta();
     bool step();
     bool readElement(std::uint32_t tag);
+    void countElement(std::uint32_t tag);
+    bool describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed);
+    void measureEnd(bool enough);
+    [[nodiscard]] bool isBigEndian() const { return m_levels.empty() ? m_bigEndian : m_levels.back().bigEndian; }
     bool readDelimiter(std::uint32_t tag);
     bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
     bool enterIfItem(std::uint32_t length);
@@ -51,7 +70,7 @@ private:
     void repair(std::uint64_t offset, std::string bytes, const char* note);
     void repairLength(const Level& level, std::uint32_t length);
     bool readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length);
-    void closeAtEnd();
+    bool closeAtEnd();
     void writeLength();
     void push(LevelKind kind, std::uint32_t length, bool implicitVr);
     void pop();
@@ -67,7 +86,11 @@ private:
     const Progress& m_progress;
     std::vector<Level> m_levels;
     int m_sequences = 0;
-    bool m_bigEndian = false;
+    bool m_bigEndian = false;  // of the data set
+    bool m_lost = false;       // whether something that is no element was met
+    std::size_t m_elements = 0;
+    std::uint64_t m_disorder = 0;  // how many elements DCMTK passes to sort in those that are out of order
+    std::optional<Harm> m_harm;
     std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
     std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that is declared to be empty
     bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed

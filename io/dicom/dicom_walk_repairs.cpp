@@ -32,7 +32,7 @@ void DicomWalk::repair(std::uint64_t offset, std::string bytes, const char* note
 void DicomWalk::repairLength(const Level& level, std::uint32_t length) {
     std::string bytes;
     for (int byte = 0; byte < 4; ++byte)
-        bytes += static_cast<char>(length >> 8 * (m_bigEndian ? 3 - byte : byte) & 0xff);
+        bytes += static_cast<char>(length >> 8 * (level.bigEndian ? 3 - byte : byte) & 0xff);
     repair(*level.falseLength, std::move(bytes),
            "A sequence is declared to be empty although items follow; they are read as its own.");
 }
@@ -45,23 +45,26 @@ void DicomWalk::writeLength() {
     repairLength(level, static_cast<std::uint32_t>(position - level.start));
 }
 
-/// Where the file ends between elements and nothing but delimiters is missing, they are noted.
-void DicomWalk::closeAtEnd() {
-    if (m_stream.inflates() || m_levels.empty() || m_stepStart != m_file.size()) return;
-    while (m_levels.size() > 1 && m_levels.back().end == m_stream.position()) pop();
+/// Where the file ends between elements and nothing but delimiters is missing, they are noted. False where more is
+/// missing, or where they cannot be added.
+bool DicomWalk::closeAtEnd() {
+    while (m_levels.size() > 1 && m_levels.back().end == m_stepStart) pop();
+    if (m_levels.size() == 1) return true;
+    if (m_stream.inflates()) return false;
     if (m_levels.back().falseLength) writeLength();
     std::string delimiters;
     for (std::size_t i = m_levels.size(); i-- > 1;) {
-        if (m_levels[i].end != endless || m_levels[i].falseLength) return;
+        if (m_levels[i].end != endless || m_levels[i].falseLength) return false;
         const std::uint32_t tag = m_levels[i].kind == LevelKind::item ? itemEndTag : sequenceEndTag;
-        for (const int shift : m_bigEndian ? std::array{24, 16, 8, 0} : std::array{16, 24, 0, 8})
+        for (const int shift : m_levels[i].bigEndian ? std::array{24, 16, 8, 0} : std::array{16, 24, 0, 8})
             delimiters += static_cast<char>(tag >> shift & 0xff);
         delimiters.append(4, '\0');
     }
-    if (delimiters.empty()) return;
+    if (delimiters.empty()) return true;
     m_scan.pixelsEnd = m_scan.pixelsEnd ||
                        std::any_of(m_levels.begin(), m_levels.end(), [](const Level& level) { return level.pixels; });
     repair(m_file.size(), std::move(delimiters), "The file ends without the delimiter that closes its last sequence.");
+    return true;
 }
 
 }  // namespace echolucent

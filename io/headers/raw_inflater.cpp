@@ -11,6 +11,7 @@ struct RawInflater::State {
     z_stream stream{};
     std::vector<std::uint8_t> input = std::vector<std::uint8_t>(65536);
     bool ended = false;
+    bool complete = false;
     State() { inflateInit2(&stream, -15); }
     ~State() { inflateEnd(&stream); }
     State(const State&) = delete;
@@ -37,8 +38,11 @@ std::size_t RawInflater::read(std::span<std::uint8_t> bytes) {
         }
         const int status = inflate(&stream, Z_NO_FLUSH);
         m_state->ended = status != Z_OK && status != Z_BUF_ERROR;
+        m_state->complete = status == Z_STREAM_END;
     }
     return bytes.size() - stream.avail_out;
 }
+
+bool RawInflater::isComplete() const { return m_state->complete; }
 
 }  // namespace echolucent

@@ -20,6 +20,8 @@ public:
 
     /// Fills `bytes` as far as the stream goes and returns how many bytes that were. Damaged data end the stream.
     std::size_t read(std::span<std::uint8_t> bytes);
+    /// Whether the stream came to the end that it states itself; one that is cut or damaged never does.
+    [[nodiscard]] bool isComplete() const;
 
 private:
     struct State;
