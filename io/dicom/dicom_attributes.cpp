@@ -1,10 +1,12 @@
 #include "io/dicom/dicom_attributes.h"
 
 #include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -14,10 +16,65 @@ namespace echolucent {
 
 namespace {
 
+/// Values of bytes up to this length are read anew as what the dictionary says; nothing that is asked for here is
+/// longer.
+constexpr Uint32 longestReadAnew = 1 << 20;
+
+bool holdsBytes(DcmEVR vr) {
+    constexpr std::array those{EVR_OB, EVR_OW, EVR_OF, EVR_OD, EVR_OL, EVR_OV, EVR_UN, EVR_UNKNOWN, EVR_UNKNOWN2B};
+    return std::ranges::find(those, vr) != those.end();
+}
+
+bool isReadAsText(DcmEVR vr) { return DcmVR(vr).isaString(); }
+
+bool isReadAsNumber(DcmEVR vr) {
+    constexpr std::array those{EVR_US, EVR_SS, EVR_xs, EVR_UL, EVR_SL, EVR_FL, EVR_FD, EVR_AT, EVR_SV, EVR_UV};
+    return std::ranges::find(those, vr) != those.end();
+}
+
+/// The bytes of an element as a little endian file holds them.
+std::string bytesOf(DcmElement& element) {
+    Uint8* bytes = nullptr;
+    Uint16* words = nullptr;
+    const Uint32 length = element.getLength();
+    if (element.ident() == EVR_OW) {
+        if (element.getUint16Array(words).bad() || words == nullptr) return {};
+        return {reinterpret_cast<const char*>(words), length};
+    }
+    if (element.getUint8Array(bytes).bad() || bytes == nullptr) return {};
+    return {reinterpret_cast<const char*>(bytes), length};
+}
+
+/// Puts an element into the item in place of one whose bytes are kept as bytes, read as what the dictionary says they
+/// are. DCMTK would give their hexadecimal digits for text. Null where the dictionary has nothing to say.
+DcmElement* readAnew(DcmItem& item, DcmElement& element, DicomTag tag) {
+    const DcmTag known(tag.group, tag.element);
+    if (!isReadAsText(known.getEVR()) && !isReadAsNumber(known.getEVR())) return nullptr;
+    std::string bytes = element.getLength() <= longestReadAnew ? bytesOf(element) : std::string();
+    std::array<std::uint16_t, 4> header{tag.group, tag.element, static_cast<std::uint16_t>(bytes.size() & 0xffff),
+                                        static_cast<std::uint16_t>(bytes.size() >> 16)};
+    bytes.insert(0, reinterpret_cast<const char*>(header.data()), sizeof(header));
+    DcmInputBufferStream stream;
+    stream.setBuffer(bytes.data(), static_cast<offile_off_t>(bytes.size()));
+    stream.setEos();
+    DcmDataset read;
+    read.transferInit();
+    (void)read.read(stream, EXS_LittleEndianImplicit);
+    read.transferEnd();
+    DcmElement* anew = read.remove(DcmTagKey(tag.group, tag.element));
+    if (anew == nullptr || item.insert(anew, OFTrue).bad()) {
+        delete anew;
+        return nullptr;
+    }
+    return anew;
+}
+
 DcmElement* elementOf(DcmItem& item, DicomTag tag) {
     DcmElement* element = nullptr;
-    if (item.findAndGetElement(DcmTagKey(tag.group, tag.element), element).bad()) return nullptr;
-    return element;
+    if (item.findAndGetElement(DcmTagKey(tag.group, tag.element), element).bad() || element == nullptr) return nullptr;
+    if (!holdsBytes(element->getVR())) return element;
+    DcmElement* const anew = readAnew(item, *element, tag);
+    return anew != nullptr ? anew : element;
 }
 
 DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {
@@ -88,7 +145,7 @@ std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count)
         }
         return values;
     }
-    if (element->getVM() != count) return {};
+    if (holdsBytes(element->getVR()) || element->getVM() != count) return {};
     values.reserve(count);
     for (std::size_t index = 0; index < count; ++index) {
         const auto value = binaryNumber(*element, index);
@@ -101,6 +158,7 @@ std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count)
 std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag) {
     DcmElement* element = elementOf(item, tag);
     if (element == nullptr) return std::nullopt;
+    if (holdsBytes(element->getVR()) || element->getVM() != 1) return std::nullopt;
     auto stored = storedText(*element);
     const auto value = stored ? realNumber(nextValue(*stored)) : binaryNumber(*element, 0);
     if (!isFinite(value) || std::abs(*value) > 1e15 || *value != std::floor(*value)) return std::nullopt;

@@ -22,15 +22,18 @@ struct DicomTag {
 [[nodiscard]] std::string tagText(DicomTag tag);
 
 // Each of these functions takes time in proportion to the attribute's length, however many values it holds: DCMTK's own
-// access by index is quadratic.
+// access by index is quadratic. What is stored with a value representation of bytes (UN, OB, OW, ...) although the
+// dictionary says that it is text or numbers is read as these.
 
 /// The attribute's text: its values as stored, each trimmed, with backslashes between them. The text is empty where the
 /// attribute is missing or empty.
 [[nodiscard]] std::string dicomText(DcmItem& item, DicomTag tag);
 /// The attribute's values as numbers, where it holds exactly `count` of them and every one is finite; else empty.
 [[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count);
-/// The first value of the attribute, where it is a whole number of at most 10^15; else no value.
+/// The only value of the attribute, where it is a whole number of at most 10^15; no value where it is anything else, or
+/// where there are several.
 [[nodiscard]] std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag);
+/// Whether the attribute is there, empty or not.
 [[nodiscard]] bool dicomHas(DcmItem& item, DicomTag tag);
 
 /// The first item of a sequence; null where the sequence is missing or has no item.

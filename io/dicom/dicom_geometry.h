@@ -8,6 +8,7 @@
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/slice_stack.h"
+#include "processing/result.h"
 
 class DcmItem;
 
@@ -16,7 +17,7 @@ namespace echolucent {
 /// Three finite numbers of an attribute as a point; no value where it holds something else.
 [[nodiscard]] std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag);
 /// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors; no value
-/// where the attribute holds no directions or where they are far from perpendicular.
+/// where the attribute holds no unit vectors or where they are far from perpendicular.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag);
 /// Pixel Spacing (0028,0030) of an item: mm along x (between columns) and y (between rows), both above 0.
 [[nodiscard]] std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item);
@@ -45,7 +46,10 @@ struct ClassicPlaces {
 
 /// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
 /// with spacing between slices (0018,0088), where frames are not said to follow each other in time. No value where the
-/// data set has no such geometry. What it holds is no more than the file: `frames` may be any number.
-[[nodiscard]] std::optional<ClassicPlaces> classicPlaces(DcmItem& dataset, std::size_t frames);
+/// data set has no such geometry. Fails (unreadable, about the file at `path`, with Failure::framesCouldBeSlices) where
+/// it has one that is no geometry: offsets for more or fewer frames, a spacing that is none, a position or an
+/// orientation that makes no sense. What it holds is no more than the file: `frames` may be any number.
+[[nodiscard]] Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path,
+                                                                 std::size_t frames);
 
 }  // namespace echolucent

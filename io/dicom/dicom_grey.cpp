@@ -33,55 +33,84 @@ Problem problemAt(DicomTag tag, const char* name, std::string text) {
     return PixelFormatProblem{tagText(tag) + " " + name, std::move(text)};
 }
 
+/// Takes the only value of an attribute, which stays as it is where the attribute is missing or empty; says what is
+/// wrong where it is no whole number, or several.
+Problem take(DcmItem& item, DicomTag tag, const char* name, std::optional<std::int64_t>& value) {
+    const std::string text = dicomText(item, tag);
+    if (text.empty()) return std::nullopt;
+    value = dicomWholeNumber(item, tag);
+    if (value) return std::nullopt;
+    if (text.find('\\') != std::string::npos)
+        return problemAt(tag, name, "holds several values where it has one: " + quotedText(text));
+    return problemAt(tag, name, "is no whole number: " + quotedText(text));
+}
+
+/// The problem, or what is wrong where the value is neither 0 nor 1.
+Problem takeSwitch(DcmItem& item, DicomTag tag, const char* name, bool& value) {
+    std::optional<std::int64_t> number;
+    if (auto problem = take(item, tag, name, number)) return problem;
+    if (number.value_or(0) != 0 && *number != 1)
+        return problemAt(tag, name, fmt::format("is {}, where DICOM knows 0 and 1", *number));
+    value = number.value_or(0) == 1;
+    return std::nullopt;
+}
+
+Problem takeEdge(DcmItem& item, DicomTag tag, const char* name, std::int64_t& edge) {
+    std::optional<std::int64_t> number;
+    if (auto problem = take(item, tag, name, number)) return problem;
+    if (!number || *number < 1) return problemAt(tag, name, "is missing or not above 0");
+    if (*number > mostPixels) return problemAt(tag, name, fmt::format("is {}, more than DICOM has", *number));
+    edge = *number;
+    return std::nullopt;
+}
+
 Problem readShape(DcmItem& item, DicomPixelFormat& format) {
-    const auto rows = dicomWholeNumber(item, rowsTag);
-    const auto columns = dicomWholeNumber(item, columnsTag);
-    if (!rows || *rows < 1) return problemAt(rowsTag, "Rows", "is missing or not above 0");
-    if (!columns || *columns < 1) return problemAt(columnsTag, "Columns", "is missing or not above 0");
-    if (*rows > mostPixels) return problemAt(rowsTag, "Rows", fmt::format("is {}, more than DICOM has", *rows));
-    if (*columns > mostPixels)
-        return problemAt(columnsTag, "Columns", fmt::format("is {}, more than DICOM has", *columns));
-    format.rows = *rows;
-    format.columns = *columns;
-    if (!dicomText(item, framesTag).empty()) {
-        const auto frames = dicomWholeNumber(item, framesTag);
-        const bool several = dicomText(item, framesTag).find('\\') != std::string::npos;
-        if (!frames || several || *frames < 1 || *frames > 100000000)
-            return problemAt(framesTag, "Number of Frames",
-                             "is not a number above 0: " + quotedText(dicomText(item, framesTag)));
-        format.frames = *frames;
-    }
+    if (auto problem = takeEdge(item, rowsTag, "Rows", format.rows)) return problem;
+    if (auto problem = takeEdge(item, columnsTag, "Columns", format.columns)) return problem;
+    const std::string text = dicomText(item, framesTag);
+    if (text.empty()) return std::nullopt;
+    const auto frames = dicomWholeNumber(item, framesTag);
+    if (!frames || *frames < 1 || *frames > 100000000)
+        return problemAt(framesTag, "Number of Frames", "is not a number above 0: " + quotedText(text));
+    format.frames = *frames;
     return std::nullopt;
 }
 
 Problem readBits(DcmItem& item, DicomPixelFormat& format) {
-    const auto samples = dicomWholeNumber(item, samplesTag).value_or(1);
-    if (samples != 1 && samples != 3)
-        return problemAt(samplesTag, "Samples per Pixel", fmt::format("is {}; only 1 and 3 can be read", samples));
-    const auto allocated = dicomWholeNumber(item, bitsAllocatedTag);
+    std::optional<std::int64_t> samples, allocated, stored, high;
+    if (auto problem = take(item, samplesTag, "Samples per Pixel", samples)) return problem;
+    if (samples.value_or(1) != 1 && *samples != 3)
+        return problemAt(samplesTag, "Samples per Pixel", fmt::format("is {}; only 1 and 3 can be read", *samples));
+    if (auto problem = take(item, bitsAllocatedTag, "Bits Allocated", allocated)) return problem;
     if (!allocated || (*allocated != 8 && *allocated != 16))
         return problemAt(bitsAllocatedTag, "Bits Allocated",
                          allocated ? fmt::format("is {}; only 8 and 16 can be read", *allocated) : "is missing");
-    const auto stored = dicomWholeNumber(item, bitsStoredTag).value_or(*allocated);
-    if (stored < 1 || stored > *allocated)
-        return problemAt(bitsStoredTag, "Bits Stored", fmt::format("is {} where {} are allocated", stored, *allocated));
-    const auto high = dicomWholeNumber(item, highBitTag).value_or(stored - 1);
-    if (high < stored - 1 || high >= *allocated)
+    if (auto problem = take(item, bitsStoredTag, "Bits Stored", stored)) return problem;
+    const std::int64_t used = stored.value_or(*allocated);
+    if (used < 1 || used > *allocated)
+        return problemAt(bitsStoredTag, "Bits Stored", fmt::format("is {} where {} are allocated", used, *allocated));
+    if (auto problem = take(item, highBitTag, "High Bit", high)) return problem;
+    const std::int64_t top = high.value_or(used - 1);
+    if (top < used - 1 || top >= *allocated)
         return problemAt(highBitTag, "High Bit",
-                         fmt::format("is {} where {} of {} bits are stored", high, stored, *allocated));
-    format.samples = static_cast<int>(samples);
+                         fmt::format("is {} where {} of {} bits are stored", top, used, *allocated));
+    if (top != used - 1)
+        format.notes.push_back(fmt::format(
+            "(0028,0102) High Bit is {}, not one below the {} bits stored: the {} bits below them were left out.", top,
+            used, top + 1 - used));
+    format.samples = static_cast<int>(samples.value_or(1));
     format.bitsAllocated = static_cast<int>(*allocated);
-    format.bitsStored = static_cast<int>(stored);
-    format.highBit = static_cast<int>(high);
-    const auto sign = dicomWholeNumber(item, signTag).value_or(0);
-    if (sign != 0 && sign != 1)
-        return problemAt(signTag, "Pixel Representation", fmt::format("is {}; only 0 and 1 mean something", sign));
-    const auto planar = samples == 3 ? dicomWholeNumber(item, planarTag).value_or(0) : 0;
-    if (planar != 0 && planar != 1)
-        return problemAt(planarTag, "Planar Configuration", fmt::format("is {}; only 0 and 1 mean something", planar));
-    format.isSigned = sign == 1;
-    format.planar = planar == 1;
-    return std::nullopt;
+    format.bitsStored = static_cast<int>(used);
+    format.highBit = static_cast<int>(top);
+    if (auto problem = takeSwitch(item, signTag, "Pixel Representation", format.isSigned)) return problem;
+    if (format.samples == 1) {
+        const auto planar = dicomText(item, planarTag);
+        if (!planar.empty() && planar != "0" && planar != "1")
+            format.notes.push_back("(0028,0006) Planar Configuration is " + quotedText(planar) +
+                                   ", which means nothing for one sample per pixel; it was left out.");
+        return std::nullopt;
+    }
+    return takeSwitch(item, planarTag, "Planar Configuration", format.planar);
 }
 
 Problem readColours(DcmItem& item, DicomPixelFormat& format) {
@@ -172,15 +201,25 @@ std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelForma
     return std::nullopt;
 }
 
-std::optional<PixelFormatProblem> missingPixels(const DicomPixelFormat& format, std::uint64_t held) {
-    if (held == 0) return PixelFormatProblem{"(7fe0,0010) Pixel Data", "is there but empty"};
+std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held) {
+    constexpr const char* pixelData = "(7fe0,0010) Pixel Data";
+    if (held == 0) return PixelFormatProblem{pixelData, "is there but empty"};
     const auto needed = checkedProduct(format.storedFrameBytes(), format.frames);
+    const auto holds = [&] {
+        return fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns,
+                           format.rows, format.frames, needed ? std::to_string(*needed) : "more than can be counted");
+    };
     // DICOM counts in 32 bits: no file can hold more.
-    if (needed && static_cast<std::uint64_t>(*needed) <= held && *needed <= 0xfffffffeLL) return std::nullopt;
-    return PixelFormatProblem{
-        "(7fe0,0010) Pixel Data",
-        fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns, format.rows,
-                    format.frames, needed ? std::to_string(*needed) : "more than can be counted")};
+    if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
+        return PixelFormatProblem{pixelData, holds()};
+    const std::uint64_t left = held - static_cast<std::uint64_t>(*needed);
+    // Some writers pad the end; a false number of rows, columns or frames leaves more.
+    if (left > static_cast<std::uint64_t>(std::max<std::int64_t>(1, format.storedFrameBytes() / 32)))
+        return PixelFormatProblem{pixelData, holds() + ", so that it cannot be told what the picture's size is"};
+    if (left > 1)
+        format.notes.push_back(
+            fmt::format("The last {} bytes of (7fe0,0010) Pixel Data belong to no pixel; they were left out.", left));
+    return std::nullopt;
 }
 
 void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out) {

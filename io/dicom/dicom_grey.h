@@ -30,7 +30,8 @@ struct DicomPixelFormat {
     bool halved = false;  ///< uncompressed 4:2:2, where Y Y Cb Cr stand for two pixels
     ColourModel model = ColourModel::monochrome2;
     std::string photometric;
-    DicomPalette palette;  ///< of PALETTE COLOR
+    DicomPalette palette;            ///< of PALETTE COLOR
+    std::vector<std::string> notes;  ///< on what is odd in the description and was read all the same
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
@@ -51,8 +52,9 @@ struct PixelFormatProblem {
 /// Reads the description of the pixels in a data set into `format`; gives what is wrong, or no value.
 [[nodiscard]] std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format);
 
-/// What is missing where `held` bytes of uncompressed pixels are too few for that description; else no value.
-[[nodiscard]] std::optional<PixelFormatProblem> missingPixels(const DicomPixelFormat& format, std::uint64_t held);
+/// What is wrong where `held` bytes of uncompressed pixels are too few for that description, or too many by
+/// more than a 32nd of a frame; else no value. Where fewer are left over, but for one, a note is added to `format`.
+[[nodiscard]] std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held);
 
 /// One decoded frame.
 struct DecodedFrame {

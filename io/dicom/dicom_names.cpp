@@ -230,4 +230,11 @@ std::string objectName(std::string_view sopClassUid) {
     return "an object of a kind that is not known here";
 }
 
+bool holdsPicture(std::string_view sopClassUid) {
+    const std::string name = objectName(sopClassUid);
+    constexpr std::array words{" image",        " cine",     "US Volume", " screen capture", " angiography volume",
+                               "facial volume", "synthesis", " video",    " not known here", " does not say"};
+    return std::ranges::any_of(words, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
 }  // namespace echolucent

@@ -17,4 +17,8 @@ constexpr std::string_view qlabSopClass = "1.2.840.113543.6.6.1.3.10002";
 /// Philips".
 [[nodiscard]] std::string objectName(std::string_view sopClassUid);
 
+/// Whether objects of a SOP class hold a picture, so that one without Pixel Data is incomplete; true of none and of
+/// unknown classes, which may.
+[[nodiscard]] bool holdsPicture(std::string_view sopClassUid);
+
 }  // namespace echolucent

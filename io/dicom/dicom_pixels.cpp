@@ -115,7 +115,10 @@ Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& pa
         return state->wrong(fmt::format("is {}, and {}", objectName(scan.sopClass),
                                         floats ? "keeps its pixels as floating-point numbers, which cannot be read"
                                                : "(7fe0,0010) Pixel Data is absent"),
-                            "", "Open an ultrasound volume.");
+                            "",
+                            !floats && holdsPicture(scan.sopClass)
+                                ? "The file is incomplete, or was saved without its picture: copy or export it again."
+                                : "Open an ultrasound volume.");
     }
     state->pixelData = static_cast<DcmPixelData*>(element);
     if (const auto described = state->readDescription(); !described) return tl::unexpected(described.error());
@@ -172,11 +175,7 @@ double DicomFrames::State::extreme(double sign) const {
 Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
-    if (const auto problem = missingPixels(format, held)) return wrong(problem->text, problem->element);
-    const std::uint64_t needed = static_cast<std::uint64_t>(format.storedFrameBytes() * format.frames);
-    if (held > needed + needed % 2)
-        note(fmt::format("{} holds {} bytes more than {} frame(s) of {} x {} pixels need; they are left out.",
-                         pixelDataName, held - needed, format.frames, format.columns, format.rows));
+    if (const auto problem = wrongPixelBytes(format, held)) return wrong(problem->text, problem->element);
     return {};
 }
 
@@ -284,6 +283,7 @@ std::vector<std::string> DicomFrames::warnings() const {
         sentences.push_back(fmt::format(
             "Rescaled values may lie below 0 (down to {:.6g}); what does is shown as black.", m_state->extreme(-1)));
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
+    for (const std::string& note : m_state->format.notes) sentences.push_back(note);
     for (const std::string& note : m_state->notes) sentences.push_back(note);
     if (m_state->compressed)
         for (const std::string& note : m_state->compressed->notes()) sentences.push_back(note);

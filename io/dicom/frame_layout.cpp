@@ -294,7 +294,9 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
                                      fmt::format("is a 2D cine: its {} frames show {} over time", layout->phases.size(),
                                                  lieInOnePlane(*groups) ? "one plane" : "several planes"));
     }
-    if (const auto places = classicPlaces(dataset, extent.frames)) return layOutStack(*places, path, extent);
+    const auto places = classicPlaces(dataset, path, extent.frames);
+    if (!places) return tl::unexpected(places.error());
+    if (*places) return layOutStack(**places, path, extent);
     return framesWithoutGeometry(path, fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
 }
 

@@ -56,13 +56,16 @@ std::optional<double> frameSeconds(DcmItem& dataset) {
     return milliseconds[0] / 1000;
 }
 
+bool isOrAbsent(DcmItem& dataset, DicomTag tag, std::int64_t value) {
+    return dicomText(dataset, tag).empty() || dicomWholeNumber(dataset, tag) == value;
+}
+
 void takeQlabSpacing(DcmItem& dataset, PhilipsVolume& volume) {
     const auto x = dicomNumbers(dataset, {0x0018, 0x602c}, 1);
     const auto y = dicomNumbers(dataset, {0x0018, 0x602e}, 1);
     const auto z = dicomNumbers(dataset, sliceSpacingTag, 1);
-    const auto unitX = dicomWholeNumber(dataset, {0x0018, 0x6024}).value_or(3);
-    const auto unitY = dicomWholeNumber(dataset, {0x0018, 0x6026}).value_or(3);
-    if (x.empty() || y.empty() || z.empty() || unitX != 3 || unitY != 3) return;
+    const bool centimetre = isOrAbsent(dataset, {0x0018, 0x6024}, 3) && isOrAbsent(dataset, {0x0018, 0x6026}, 3);
+    if (x.empty() || y.empty() || z.empty() || !centimetre) return;
     const Vec3 centimetres(std::abs(x[0]), std::abs(y[0]), std::abs(z[0]));
     if (!isSpacing(centimetres * 10.0)) return;
     volume.spacing = centimetres * 10.0;
@@ -93,15 +96,23 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
         volume.phases = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(0);
         if (volume.phases < 1) return refuse("(0028,0008) Number of Frames", "is not above 0");
     }
-    if (dicomWholeNumber(dataset, {0x0028, 0x0100}).value_or(8) != 8)
+    if (!isOrAbsent(dataset, {0x0028, 0x0100}, 8))
         return refuse("(0028,0100) Bits Allocated", "is not 8, as QLAB writes it");
-    if (dicomWholeNumber(dataset, {0x0028, 0x0002}).value_or(1) != 1)
+    if (!isOrAbsent(dataset, {0x0028, 0x0002}, 1))
         return refuse("(0028,0002) Samples per Pixel", "is not 1, as QLAB writes it");
     const DicomScan& scan = file.scan();
     const bool encapsulated = DcmXfer(scan.transferSyntax.c_str()).isEncapsulated();
     if (!scan.hasPixelData || scan.pixelStart == 0 || scan.pixelBytesDeclared == 0 || encapsulated)
         return refuse(
             "", "is a Philips QLAB Cartesian volume, and (7fe0,0010) Pixel Data is absent, deflated or compressed");
+    const std::uint64_t held = scan.fileBytes - std::min(scan.pixelStart, scan.fileBytes);
+    const std::optional<std::int64_t> one = voxelsOf(volume.size);
+    // The end of the last row may be missing; it is no data then.
+    if (!one || held + static_cast<std::uint64_t>(volume.size[0]) <= static_cast<std::uint64_t>(*one))
+        return fail(FailureKind::unreadable, file.path(), "(7fe0,0010) Pixel Data",
+                    fmt::format("holds {} bytes where one volume of {} voxels needs {}", held, sizeText(volume.size),
+                                one ? std::to_string(*one) : "more than can be counted"),
+                    "The file is incomplete: copy or export it again.");
     takeQlabSpacing(dataset, volume);
     volume.phaseSeconds = frameSeconds(dataset);
     return std::optional(volume);
@@ -229,6 +240,7 @@ Result<PhilipsVoxels> qlabVoxels(const InputFile& input, const DicomFile& file, 
                                  std::vector<std::string>& warnings, const Progress& progress) {
     const DicomScan& scan = file.scan();
     const std::int64_t declared = volume.phases;
+    // qlabVolume() has seen that the file holds one volume, but for the end of its last row.
     const std::optional<std::int64_t> one = voxelsOf(volume.size);
     // The declared length is often false: what the file holds counts.
     const auto held = static_cast<std::int64_t>(input.size() - std::min(scan.pixelStart, input.size()));
@@ -238,11 +250,6 @@ Result<PhilipsVoxels> qlabVoxels(const InputFile& input, const DicomFile& file, 
     const bool almost = one && whole < declared && *one - rest < volume.size[0];
     PhilipsVoxels voxels;
     const std::int64_t phases = std::min(declared, whole + (almost ? 1 : 0));
-    if (phases < 1)
-        return fail(FailureKind::unreadable, input.path(), "(7fe0,0010) Pixel Data",
-                    fmt::format("holds {} bytes where one volume of {} voxels needs {}", held, sizeText(volume.size),
-                                one ? std::to_string(*one) : "more than can be counted"),
-                    "The file is incomplete: copy or export it again.");
     voxels.missing = std::max<std::int64_t>(0, phases * *one - held);
     if (auto memory = requireMemory(input.path(), volume.sizeSource, static_cast<std::uint64_t>(phases * *one));
         !memory)

@@ -30,7 +30,7 @@ HostileFile hostileFile(std::string name, std::string file, std::string bytes, s
 std::vector<HostileFile> hostileFiles() {
     std::vector<HostileFile> all;
     for (const auto rows : {hostileTextHeaders, hostileNifti, hostileKretz, hostileCompression, hostileDicomStructure,
-                            hostileDicomPixels, hostileDicomCodecs, hostileDicomSeries}) {
+                            hostileDicomValues, hostileDicomCuts, hostileDicomPixels, hostileDicomSeries}) {
         std::vector<HostileFile> topic = rows();
         all.insert(all.end(), std::make_move_iterator(topic.begin()), std::make_move_iterator(topic.end()));
     }

@@ -43,7 +43,9 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::vector<HostileFile> hostileNifti();           ///< NIfTI and Analyze
 [[nodiscard]] std::vector<HostileFile> hostileKretz();           ///< GE Voluson, in files of its own and in DICOM
 [[nodiscard]] std::vector<HostileFile> hostileCompression();     ///< gzip, zlib and bzip2, whatever they hold
-[[nodiscard]] std::vector<HostileFile> hostileDicomStructure();  ///< elements, lengths, nesting, values
+[[nodiscard]] std::vector<HostileFile> hostileDicomStructure();  ///< elements, lengths, nesting
+[[nodiscard]] std::vector<HostileFile> hostileDicomValues();     ///< numbers of the wrong kind, several, or nonsense
+[[nodiscard]] std::vector<HostileFile> hostileDicomCuts();       ///< good files that end too early
 [[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< frames, fragments, palettes
 [[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
 [[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, DICOMDIR

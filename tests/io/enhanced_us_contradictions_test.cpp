@@ -82,7 +82,7 @@ std::vector<Change> refusals() {
          {"(5200,9230)", "describes 15 frames where Number of Frames says 16"}},
         {"FewerFramesThanGroups",
          [](const EnhancedUsFile& file) { putText(file.dataset(), DCM_NumberOfFrames, "14"); },
-         {"(5200,9230)", "describes 16 frames where Number of Frames says 14"}},
+         {"(7fe0,0010)", "9 x 11 pixels in 14 frame(s)"}},
         {"HugeFrameCount",
          [](const EnhancedUsFile& file) { putText(file.dataset(), DCM_NumberOfFrames, "99999999"); },
          {"(7fe0,0010)", "9 x 11 pixels in 99999999 frame(s)"}},

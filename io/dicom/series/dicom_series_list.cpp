@@ -51,7 +51,7 @@ std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileByte
     if (const auto problem = readPixelFormat(file.dataset(), format)) return failure(*problem);
     const DicomScan& scan = file.scan();
     if (!DcmXfer(scan.transferSyntax.c_str()).isEncapsulated()) {
-        const auto problem = missingPixels(format, scan.pixelBytesHeld);
+        const auto problem = wrongPixelBytes(format, scan.pixelBytesHeld);
         return problem ? std::optional(failure(*problem)) : std::nullopt;
     }
     constexpr std::uint64_t itemBytes = 8;  // a frame has one fragment at least

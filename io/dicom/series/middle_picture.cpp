@@ -85,6 +85,7 @@ Result<GreySlice> readMiddle(const SeriesEntry& entry, const Progress& progress)
     const auto file = DicomFile::load(*input, false, progress);
     if (!file) return tl::unexpected(file.error());
     const auto philips = philipsVolumeOf(*file);
+    if (!philips && !philips.error().framesCouldBeSlices) return tl::unexpected(philips.error());
     if (philips && *philips) {
         const auto& size = (*philips)->size;
         if (auto small = requireSmall(middle.path, size[0], size[1]); !small) return tl::unexpected(small.error());
