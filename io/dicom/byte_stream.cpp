@@ -7,6 +7,13 @@
 
 namespace echolucent {
 
+void ByteStream::inflateFromHere() {
+    m_inflater = std::make_unique<RawInflater>(*m_file, m_position);
+    m_inflateStart = m_position;
+    // The system is asked for its memory once, not at every piece of two bytes.
+    m_mostInflated = mostUnpackedBytes(m_file->size());
+}
+
 bool ByteStream::read(std::uint8_t* bytes, std::size_t count) {
     if (m_inflater) {
         if (inflate({bytes, count}) != count) return false;
@@ -42,7 +49,7 @@ std::size_t ByteStream::inflate(std::span<std::uint8_t> bytes) {
     if (m_inflatesTooMuch || m_progress->cancelled()) return 0;
     const std::size_t count = m_inflater->read(bytes);
     m_inflated += count;
-    m_inflatesTooMuch = m_inflated > mostUnpackedBytes(m_file->size());
+    m_inflatesTooMuch = m_inflated > m_mostInflated;
     return m_inflatesTooMuch ? 0 : count;
 }
 

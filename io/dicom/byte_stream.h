@@ -32,10 +32,7 @@ public:
     /// The position behind the last byte; where it inflates, it has to be read to its end before.
     [[nodiscard]] std::uint64_t end() const { return m_inflater ? m_inflateStart + m_inflated : m_file->size(); }
     /// Takes everything from here on as a raw deflate stream.
-    void inflateFromHere() {
-        m_inflater = std::make_unique<RawInflater>(*m_file, m_position);
-        m_inflateStart = m_position;
-    }
+    void inflateFromHere();
     /// Reads `count` bytes; false, and the position stays, where there are fewer.
     bool read(std::uint8_t* bytes, std::size_t count);
     /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
@@ -50,6 +47,7 @@ private:
     bool m_inflatesTooMuch = false;
     std::uint64_t m_inflated = 0;
     std::uint64_t m_inflateStart = 0;
+    std::uint64_t m_mostInflated = 0;
     std::uint64_t m_position = 0;
     std::vector<std::uint8_t> m_buffer;
     std::uint64_t m_bufferStart = 0;
