@@ -88,8 +88,9 @@ void addNative(std::vector<HostileFile>& rows) {
     rows.push_back(hostileNativeCine("native-of-no-bytes", "", {"(7fe0,0010)"}, {}));
     rows.push_back(hostileNativeCine("native-of-odd-length", two.substr(1), {"(7fe0,0010)"}, {}));
     rows.push_back(hostileNativeCine("native-a-frame-more", two + two.substr(framePixels),
-                                     {"4096 bytes more than 2 frame(s)"}, {}, note));
-    rows.push_back(hostileNativeCine("native-two-bytes-more", two + "bb", {"holds 2 bytes more"}, {}, note));
+                                     {"holds 12288 bytes where 64 x 64 pixels in 2 frame(s) need 8192"}, {}));
+    rows.push_back(hostileNativeCine("native-two-bytes-more", two + "bb",
+                                     {"The last 2 bytes of (7fe0,0010) Pixel Data belong to no pixel"}, {}, note));
     rows.push_back(hostileNativeCine("native-padded-to-even", std::string(18 + 0, 'a'), {"left out"},
                                      {.columns = 3, .rows = 3}, HostileOutcome::opens));
     rows.push_back(hostileNativeCine("native-pixel-representation-7", two, {"(0028,0103) Pixel Representation is 7"},
@@ -125,7 +126,8 @@ DicomBytes colour(std::uint16_t samples, const std::string& model, int planar) {
 void addColours(std::vector<HostileFile>& rows) {
     const auto add = [&](const std::string& name, DicomBytes file, const std::vector<std::string>& words,
                          HostileOutcome outcome = HostileOutcome::refused) {
-        file.put(0x7fe0, 0x0010, "OB", std::string(24, 'a'));
+        // Two frames of four pixels, of three bytes each but for a palette's.
+        file.put(0x7fe0, 0x0010, "OB", std::string(name.starts_with("palette") ? 8 : 24, 'a'));
         rows.push_back(
             asSlices(hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClassOfRows), words, outcome)));
     };
