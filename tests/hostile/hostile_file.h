@@ -2,6 +2,7 @@
 // opening.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -29,6 +30,7 @@ struct HostileFile {
     /// Each of them stands in the sentence or, of a study that opens, in one of its warnings.
     std::vector<std::string> words;
     ReadOptions options{};
+    std::size_t phases = 0;  ///< how many a study that opens has; 0 where the row does not say it
 };
 
 /// A row with one file of these bytes, which is opened.
@@ -49,6 +51,16 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< frames, fragments, palettes
 [[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
 [[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, DICOMDIR
+
+// One fault each, in files that are good but for it.
+[[nodiscard]] std::vector<HostileFile> hostileMalformedMetaImage();
+[[nodiscard]] std::vector<HostileFile> hostileMalformedNrrd();
+[[nodiscard]] std::vector<HostileFile> hostileMalformedNifti();
+[[nodiscard]] std::vector<HostileFile> hostileMalformedKretz();
+[[nodiscard]] std::vector<HostileFile> hostileMalformedDicom();  ///< numbers of no scanner, codings, objects
+[[nodiscard]] std::vector<HostileFile> hostileDataFiles();     ///< lists of data files, voxels as text, packed voxels
+[[nodiscard]] std::vector<HostileFile> hostileUnknownFiles();  ///< no known format, false layouts beside raw files
+[[nodiscard]] std::vector<HostileFile> hostileEnhancedUs();    ///< Enhanced US Volumes that contradict themselves
 
 /// All rows.
 [[nodiscard]] std::vector<HostileFile> hostileFiles();

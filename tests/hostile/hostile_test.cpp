@@ -12,7 +12,10 @@
 namespace echolucent {
 namespace {
 
+using testing::AnyOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 bool anyHolds(const std::vector<std::string>& warnings, const std::string& word) {
     return std::ranges::any_of(warnings,
@@ -39,10 +42,17 @@ TEST_P(HostileFiles, AreRefusedOrOpenAsTheTableSays) {
         for (const std::string& word : row.words) EXPECT_THAT(sentence, HasSubstr(word));
         EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
         EXPECT_FALSE(study.error().remedy.empty()) << sentence;
+        EXPECT_EQ(study.error().kind, FailureKind::unreadable) << sentence;
+        EXPECT_THAT(study.error().sentence(), HasSubstr(folder.path())) << "it names the file";
+        EXPECT_THAT(sentence, EndsWith("."));
+        EXPECT_THAT(sentence, Not(AnyOf(HasSubstr("1.2.840.10008."), HasSubstr("1.2.3.4.5")))) << "codings have names";
         return;
     }
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_FALSE(study->phases.empty());
+    if (row.phases != 0) {
+        EXPECT_EQ(study->phases.size(), row.phases);
+    }
     for (const std::string& word : row.words)
         EXPECT_EQ(anyHolds(study->warnings, word), row.outcome == HostileOutcome::opensWithNote)
             << word << " in " << testing::PrintToString(study->warnings);

@@ -8,7 +8,6 @@
 #include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <fstream>
 #include <iterator>
 
 #include "dicom_bytes.h"
@@ -221,47 +220,6 @@ TEST(DicomRepairs, WhatStandsBehindThePixelsMayBeAnything) {
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(study->phases[0]->storedValue(0), 'a');
     }
-}
-
-TEST(DicomSentences, PixelsThatAreAbsentAreNotCalledEmpty) {
-    const auto sentence = [](const std::string& bytes) {
-        const auto study = readBytes(bytes);
-        return study ? "was read" : study.error().sentence();
-    };
-    DicomBytes text;
-    text.text(0x0008, 0x0060, "CS", "SR");
-    EXPECT_THAT(sentence(text.file("1.2.840.10008.5.1.4.1.1.88.11")),
-                HasSubstr("is a structured report (text, no picture), and (7fe0,0010) Pixel Data is absent"));
-    EXPECT_THAT(sentence(text.file("1.2.840.10008.5.1.4.1.1.104.1")), HasSubstr("is an encapsulated PDF document"));
-    EXPECT_THAT(sentence(text.file("1.2.840.10008.5.1.4.1.1.11.1")), HasSubstr("is a presentation state"));
-    EXPECT_THAT(sentence(text.file("1.2.3.4")), HasSubstr("is an object of a kind that is not known here"));
-    EXPECT_THAT(sentence(picture().put(0x7fe0, 0x0010, "OW", "").file(cineClass)),
-                HasSubstr("(7fe0,0010) Pixel Data is there but empty"));
-    EXPECT_THAT(sentence(picture().put(0x7fe0, 0x0008, "OF", std::string(512, 'a')).file(cineClass)),
-                HasSubstr("floating-point numbers"));
-}
-
-TEST(DicomSentences, CodingsAreNamedInWords) {
-    const auto sentence = [](const std::string& syntax) {
-        const auto study = readBytes(picture().fragments("", {"abcd", "efgh"}).file(cineClass, syntax));
-        return study ? "was read" : study.error().sentence();
-    };
-    for (const auto& [syntax, words] : std::vector<std::pair<std::string, std::string>>{
-             {"1.2.840.10008.1.2.4.110", "is JPEG XL, lossless, which cannot be read"},
-             {"1.2.840.10008.1.2.4.112", "is JPEG XL, which cannot be read"},
-             {"1.2.840.10008.1.2.4.100", "is MPEG-2 video, which"},
-             {"1.2.840.10008.1.2.4.102", "is MPEG-4 (H.264) video, which"},
-             {"1.2.840.10008.1.2.4.107", "is HEVC (H.265) video, which"},
-             {"1.2.840.10008.1.2.4.201", "is High-Throughput JPEG 2000, lossless, which"},
-             {"1.2.840.10008.1.2.8.1", "is deflated frame by frame, which"},
-             {"1.2.3.4.5", "is a coding that is not known here, which"}}) {
-        EXPECT_THAT(sentence(syntax), HasSubstr("(0002,0010) Transfer Syntax " + words));
-        EXPECT_THAT(sentence(syntax), testing::Not(HasSubstr(syntax)));
-    }
-    const auto study = readBytes(picture().put(0x7fe0, 0x0010, "OW", std::string(256, 'a')).file(cineClass, jpegLs));
-    ASSERT_FALSE(study);
-    EXPECT_THAT(study.error().sentence(), HasSubstr("is not split into fragments, as the transfer syntax (JPEG-LS, "
-                                                    "lossless) needs"));
 }
 
 TEST(DicomScale, OfACineTakenAsSlicesIsKeptInItsPlane) {

@@ -38,48 +38,6 @@ TestImage cine(int frames) {
     return image;
 }
 
-std::string refusalOf(const std::string& path) {
-    const auto study = readStudy(path);
-    return study ? "was read" : study.error().sentence();
-}
-
-TEST(DicomLimits, SlicesWhoseDistanceOverflowsAreRefused) {
-    // Along a tilted normal both slices of the first pair are infinitely far, and their distance is no number.
-    const std::vector<std::array<Vec3, 2>> pairs{{Vec3(-1.5e308, 0, 1.5e308), Vec3(-1.6e308, 0, 1.6e308)},
-                                                 {Vec3(0, 0, -1e308), Vec3(0, 0, 1e308)},
-                                                 {Vec3(1e308, 1e308, 1e308), Vec3(1e308, 1e308, -1e308)},
-                                                 {Vec3(0, 0, 0), Vec3(0, 0, 1e308)},
-                                                 {Vec3(1e300, 0, 0), Vec3(1e300, 0, 1)}};
-    for (const auto& pair : pairs)
-        for (const double tilt : {0.0, 0.6}) {
-            const TemporaryFolder folder;
-            for (std::size_t i = 0; i < 2; ++i) {
-                TestImage image = slice(pair[i]);
-                image.orientation = {std::sqrt(1 - tilt * tilt), 0, tilt, 0, 1, 0};
-                writeDicom(folder.file("s" + std::to_string(i)), image);
-            }
-            EXPECT_THAT(refusalOf(folder.path()),
-                        AllOf(HasSubstr(folder.path() + "/s"), HasSubstr(": (0020,0032) Image Position"),
-                              HasSubstr("no scanner")));
-        }
-}
-
-TEST(DicomLimits, FramesWhoseDistanceOverflowsAreRefusedWithTheTagThatSaysSo) {
-    const TemporaryFolder folder;
-    TestImage offsets = cine(3);
-    offsets.gridOffsets = {0, 1e308, -1e308};
-    writeDicom(folder.file("offsets"), offsets);
-    EXPECT_THAT(refusalOf(folder.file("offsets")), AllOf(HasSubstr("offsets: (3004,000c)"), HasSubstr("no scanner")));
-    TestImage between = cine(3);
-    between.spacingBetweenSlices = 1.5e308;  // twice that is infinite
-    writeDicom(folder.file("between"), between);
-    EXPECT_THAT(refusalOf(folder.file("between")), AllOf(HasSubstr("between: (0018,0088)"), HasSubstr("no scanner")));
-    TestImage groups = cine(2);
-    groups.functionalGroups = {{.position = {0, 0, -1.5e308}}, {.position = {0, 0, 1.5e308}}};
-    writeDicom(folder.file("groups"), groups);
-    EXPECT_THAT(refusalOf(folder.file("groups")), AllOf(HasSubstr("groups: (0020,9301)"), HasSubstr("no scanner")));
-}
-
 TEST(DicomLimits, ValuesThatAreNoNumbersOrHugeNeverBecomeAVolume) {
     for (const char* text : {"nan\\0.5", "inf\\inf", "1e308\\1e308", "1e-320\\1e-320"}) {
         const TemporaryFolder folder;
@@ -93,15 +51,6 @@ TEST(DicomLimits, ValuesThatAreNoNumbersOrHugeNeverBecomeAVolume) {
             EXPECT_THAT(study.error().sentence(), HasSubstr("(0028,0030)")) << text;
         else
             EXPECT_FALSE(study->phases[0]->geometry().spacingKnown) << text;
-    }
-    for (const double huge : {1e200, 1e308, -1e308}) {
-        const TemporaryFolder folder;
-        for (int i = 0; i < 2; ++i) {
-            TestImage image = slice({0, 0, 1.0 * i});
-            image.orientation = {huge, 0, huge, 0, huge, 0};
-            writeDicom(folder.file("s" + std::to_string(i)), image);
-        }
-        EXPECT_THAT(refusalOf(folder.path()), HasSubstr("without position and orientation")) << huge;
     }
 }
 
@@ -146,19 +95,6 @@ TEST(StudyAssembly, AGeometryThatIsNoNumberIsRefused) {
             }
 }
 
-TEST(TextHeaders, AnOriginFartherThanAnyScannerIsRefused) {
-    const TemporaryFolder folder;
-    const std::string mha = folder.write(
-        "v.mha",
-        "NDims = 3\nDimSize = 2 1 1\nOffset = 0 1e308 0\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nvv");
-    EXPECT_THAT(refusalOf(mha), HasSubstr("Offset lies farther than 10 km"));
-    const std::string nrrd =
-        folder.write("v.nrrd",
-                     "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\nspace: left-posterior-superior\n"
-                     "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,-1e308)\nencoding: raw\n\nvv");
-    EXPECT_THAT(refusalOf(nrrd), HasSubstr("space origin lies farther than 10 km"));
-}
-
 double secondsOf(const std::function<void()>& work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
@@ -168,25 +104,6 @@ double secondsOf(const std::function<void()>& work) {
 /// The bound is far above what a linear reader needs, even under a sanitizer, and far below what a quadratic one takes
 /// (40 s).
 constexpr double inTime = 5.0;
-
-std::string manyValues(int count) {
-    std::string text = "0.5";
-    for (int i = 1; i < count; ++i) text += "\\ 0.5";
-    return text;
-}
-
-TEST(DicomLimits, AnAttributeOfManyValuesIsReadInTime) {
-    const TemporaryFolder folder;
-    TestImage image = cine(2);
-    image.spacingBetweenSlices = 1;
-    image.pixelSpacing.reset();
-    image.pixelSpacingText = manyValues(200000);
-    image.photometric = "MONOCHROME2";
-    writeDicom(folder.file("v"), image, TestSyntax::implicitLittle);  // lengths of 32 bits
-    std::string refusal;
-    EXPECT_LT(secondsOf([&] { refusal = refusalOf(folder.file("v")); }), inTime);
-    EXPECT_THAT(refusal, HasSubstr("(0028,0030) Pixel Spacing is not two numbers above 0"));
-}
 
 TEST(DicomLimits, AsManyFrameOffsetsAsFramesAreReadInTime) {
     constexpr int frames = 200000;

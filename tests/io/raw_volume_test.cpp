@@ -105,30 +105,6 @@ TEST(RawVolume, ALayoutOfAnyEdgeIsRecalledAsItWasRemembered) {
     EXPECT_EQ(*recalled, std::optional(layout));
 }
 
-TEST(RawVolume, DamagedSideCarsAreRefusedByName) {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("v.raw", "abcd");
-    const auto sentenceWith = [&](const std::string& json) {
-        folder.write("v.raw.echolucent.json", json);
-        const auto study = readStudy(file);
-        return study ? std::string("was read") : study.error().sentence();
-    };
-    const std::string begin = R"({"format": "echolucent-raw-layout", "version": 1, )";
-    EXPECT_EQ(sentenceWith(begin + R"("size": [2, 2, 1]})"), "was read");
-    EXPECT_THAT(sentenceWith("nonsense"), HasSubstr("v.raw.echolucent.json: is not JSON: it breaks in line 1"));
-    EXPECT_THAT(sentenceWith("[]"), HasSubstr("must be a JSON object"));
-    EXPECT_THAT(sentenceWith(R"({"format": "echolucent-raw-layout", "version": 2, "size": [2, 2, 1]})"),
-                HasSubstr("version must be 1, not 2"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2]})"), HasSubstr("size must be a list of three"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": "2x2"})"), HasSubstr("size must be a list of three"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2, 1.5]})"), HasSubstr("size must be three whole numbers"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2, 1], "header_bytes": 1.7})"),
-                HasSubstr("header_bytes must be a whole number"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2, 1], "type": 8})"), HasSubstr("type must be a text"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2, 1], "byte_order": "middle"})"), HasSubstr("byte_order"));
-    EXPECT_THAT(sentenceWith(begin + R"("size": [2, 2, 1], "spacing_mm": [1, 2]})"), HasSubstr("spacing_mm"));
-}
-
 TEST(Reading, IsEndedByCancelAndReportsItsShare) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", std::string(16 << 20, 'x'));
