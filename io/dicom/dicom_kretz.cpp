@@ -7,6 +7,8 @@
 #include <array>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "io/dicom/dicom_attributes.h"
 #include "io/kretz/kretz_reader.h"
 
@@ -43,6 +45,16 @@ std::optional<KretzSource> kretzVolumeIn(const DicomFile& file) {
     source.path = file.path();
     source.element = tagText(tag);
     source.size = element->getLength();
+    // What the file does not hold of a value that it declares, the library would give as zeros.
+    if (const std::uint64_t held = file.scan().kretzBytesHeld; file.scan().holdsKretz && held < source.size) {
+        source.read = [=, path = source.path, name = source.element, size = source.size](
+                          std::uint64_t, std::span<std::uint8_t>) -> Result<void> {
+            return fail(FailureKind::unreadable, path, name,
+                        fmt::format("declares a volume of {} bytes where the file holds only {}", size, held),
+                        "The file is incomplete: copy or export it again.");
+        };
+        return source;
+    }
     // The cache keeps the file open between the many small reads.
     source.read = [element, path = source.path, name = source.element, cache = std::make_shared<DcmFileCache>()](
                       std::uint64_t offset, std::span<std::uint8_t> bytes) -> Result<void> {

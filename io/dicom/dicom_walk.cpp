@@ -322,7 +322,8 @@ bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t 
     if (!volume || length == undefinedLength || length < kretzSignature.size()) return false;
     if (!readValue(kretzSignature.size())) return false;
     m_scan.holdsKretz = looksLikeKretz(value);
-    m_stream.skip(length - value.size());
+    const std::uint64_t skipped = m_stream.skip(length - value.size());
+    if (m_scan.holdsKretz) m_scan.kretzBytesHeld = value.size() + skipped;
     return true;
 }
 

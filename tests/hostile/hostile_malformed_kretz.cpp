@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "dicom_bytes.h"
 #include "hostile_file.h"
 #include "kretz_files.h"
 
@@ -123,11 +124,26 @@ std::vector<HostileFile> wrongItems() {
     return rows;
 }
 
+/// A volume in a private element of DICOM, behind a picture, of which the last bytes are missing.
+HostileFile cutInDicom(std::size_t missing) {
+    DicomBytes file;
+    file.picture(4, 2, 0).put(0x7fe0, 0x0010, "OW", std::string(8, 'p')).text(0x7fe1, 0x0010, "LO", "KRETZ_US");
+    std::string volume = KretzParts().bytes();
+    volume.resize((volume.size() + 1) / 2 * 2, '\0');
+    std::string bytes = file.put(0x7fe1, 0x1001, "OB", volume).file("1.2.840.10008.5.1.4.1.1.6.1");
+    bytes.resize(bytes.size() - missing);
+    return hostileFile(fmt::format("malformed-kretz/in-dicom-{}-bytes-missing", missing), "v.dcm", bytes,
+                       {fmt::format("(7fe1,1001) declares a volume of {} bytes where the file holds only {}",
+                                    volume.size(), volume.size() - missing)});
+}
+
+std::vector<HostileFile> cutsInDicom() { return {cutInDicom(2), cutInDicom(20), cutInDicom(222), cutInDicom(400)}; }
+
 }  // namespace
 
 std::vector<HostileFile> hostileMalformedKretz() {
     std::vector<HostileFile> all;
-    for (const auto rows : {wrongSizes, wrongBeams, wrongItems})
+    for (const auto rows : {wrongSizes, wrongBeams, wrongItems, cutsInDicom})
         for (HostileFile& row : rows()) all.push_back(std::move(row));
     return all;
 }
