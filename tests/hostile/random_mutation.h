@@ -1,0 +1,13 @@
+// Random changes of bytes: the same of the same seed on every machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace echolucent {
+
+/// One to four changes of `bytes`: bits and bytes set, parts cut off, left out, put in, repeated and exchanged. Half of
+/// the places lie in the first 512 bytes, where most headers are.
+[[nodiscard]] std::string mutated(const std::string& bytes, std::uint64_t seed);
+
+}  // namespace echolucent
