@@ -3,36 +3,14 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
-#include <fmt/format.h>
-
-#include "io/headers/header_text.h"
 #include "io/input_problems.h"
 
 namespace echolucent {
 
 namespace {
-
-constexpr std::size_t mostFiles = 50000;
-
-/// Counts folders for one sentence.
-class FoldersLeftOut {
-public:
-    void add(const std::filesystem::path& folder) {
-        if (m_count++ == 0) m_first = folder.filename().string();
-    }
-    void say(const std::string& what, std::vector<std::string>& warnings) const {
-        if (m_count > 0)
-            warnings.push_back(fmt::format("{} folder(s) {}, {} among them.", m_count, what, quotedText(m_first)));
-    }
-
-private:
-    std::size_t m_count = 0;
-    std::string m_first;
-};
 
 /// The file system itself.
 class DirectFileAccess : public FileAccess {
@@ -62,37 +40,7 @@ public:
     }
 
     FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress) override {
-        FilesBelow found;
-        FoldersLeftOut deeper, closed;
-        std::error_code error;
-        std::filesystem::recursive_directory_iterator entry(
-            folder, std::filesystem::directory_options::skip_permission_denied, error);
-        for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
-             entry.increment(error)) {
-            std::error_code unknown;
-            if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) {
-                const std::filesystem::directory_iterator inside(entry->path(), unknown);
-                if (unknown) closed.add(entry->path());
-                if (entry.depth() < deepest) continue;
-                entry.disable_recursion_pending();
-                if (!unknown && inside != std::filesystem::directory_iterator()) deeper.add(entry->path());
-            } else if (entry->is_regular_file(unknown)) {
-                if (found.paths.size() == mostFiles) {
-                    found.warnings.push_back(fmt::format(
-                        "There are more than {} files; the others were not looked at. Open a folder further down.",
-                        mostFiles));
-                    break;
-                }
-                found.paths.push_back(entry->path().string());
-            }
-        }
-        deeper.say(fmt::format("deeper than {} were not looked into", deepest), found.warnings);
-        closed.say("could not be opened", found.warnings);
-        if (error)
-            found.warnings.push_back(
-                fmt::format("The folder was not read to its end: {}.", inputProblem(error.value())));
-        std::sort(found.paths.begin(), found.paths.end());
-        return found;
+        return walkFilesBelow(folder, deepest, progress);
     }
 };
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "io/files_below.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 
@@ -17,12 +17,6 @@ enum class FileKind {
     file,       ///< a regular file
     folder,
     other,  ///< a device, a named pipe, a socket
-};
-
-/// The files in and below a folder.
-struct FilesBelow {
-    std::vector<std::string> paths;     ///< in the order of their names
-    std::vector<std::string> warnings;  ///< sentences on what was not looked at
 };
 
 /// Answers what readers ask of the file system. May be asked from several threads at once.
@@ -40,8 +34,7 @@ public:
     [[nodiscard]] virtual FileKind kindOf(const std::string& path) = 0;
     /// The path without links, "." and "..", as far as it exists; the path itself where that cannot be told.
     [[nodiscard]] virtual std::string resolved(const std::string& path) = 0;
-    /// All files in a folder and in those below it down to `deepest`, 50,000 at most. Links to folders are not
-    /// followed.
+    /// As walkFilesBelow().
     [[nodiscard]] virtual FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress) = 0;
 };
 

@@ -9,6 +9,7 @@
 
 #include "io/slice_stack.h"
 #include "io/study.h"
+#include "io/voxel_types.h"
 
 namespace echolucent {
 
@@ -17,18 +18,21 @@ struct SeriesFile {
     std::string path;
     std::int64_t instance = 0;        ///< Instance Number; 0 where it is missing
     std::optional<SlicePlane> plane;  ///< where its picture lies; no value where the file does not say it
-    bool rescaled = false;            ///< whether Rescale Slope and Intercept change its values
+    Rescale rescale{};                ///< its Rescale Slope and Intercept
+    std::optional<Failure> damage{};  ///< why it cannot be read: its slice is no data; no value where it is whole
 };
 
 /// One choice: slices that make up a volume, or one multi-frame file.
 struct SeriesEntry {
     /// Names the series in its list and in ReadOptions::series: the Series Instance UID. Where several entries share
-    /// it, the one with most slices has it; a multi-frame file beside it has its SOP Instance UID, slices of another
-    /// size have ":COLUMNSxROWS" behind it.
+    /// it, the one with most slices has it; a multi-frame file beside it has its SOP Instance UID, slices that are
+    /// listed apart have ":COLUMNSxROWS" behind it.
     std::string uid;
     std::string object;       ///< SOP Instance UID of the first file
     std::string description;  ///< Series Description in UTF-8 or as stored; empty where it may name the patient
     std::string modality;     ///< "US"; empty where the files do not say it
+    /// What tells its slices from others under the same Series Instance UID: "patient 1 of 2"; empty where all are one.
+    std::string distinction;
     /// Columns, rows, and slices or frames; of a GE Voluson volume in a DICOM file those of the picture beside it.
     std::array<std::int64_t, 3> size{0, 0, 0};
     bool multiframe = false;        ///< whether it is one file: many frames, or a maker's private volume
@@ -50,9 +54,10 @@ struct SeriesList {
 [[nodiscard]] bool holdsSeries(const std::string& path);
 
 /// Reads the headers (not the pixels) of all DICOM files in the folder at `path` and the folders in it, four deep, each
-/// once and in parallel; of a DICOMDIR those that it names in or below its own folder. `progress` is polled for
-/// cancel between files and between elements, and told the first 0.3 of what reading takes. Fails (unreadable) where
-/// there is no DICOM image, (cancelled) where the person ended it.
+/// once and in parallel; of a DICOMDIR those that it names in or below its own folder. Files that cannot be read are
+/// named in a warning, and stand among the slices where their place is known. `progress` is polled for cancel between
+/// files and between elements, and told the first 0.3 of what reading takes. Fails (unreadable) where there is no DICOM
+/// image that can be read, (cancelled) where the person ended it.
 [[nodiscard]] Result<SeriesList> listSeries(const std::string& path, const Progress& progress = {});
 
 /// How large an entry is: "640 x 480, 90 slices".
@@ -63,7 +68,8 @@ struct SeriesList {
 [[nodiscard]] Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string& uid);
 
 /// Reads a listed series without looking at the folder again: `options.series` is not asked. Study::files are the
-/// list's.
+/// list's. Slices that cannot be read are no data, which a warning says. Fails (unreadable) where fewer than two, or
+/// fewer than half of them, can be read.
 [[nodiscard]] Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry,
                                        const ReadOptions& options = {}, const Progress& progress = {});
 

@@ -70,6 +70,28 @@ Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions
     return options.guessNoData ? volume.withDataMask(guessDataMask(volume)) : volume;
 }
 
+/// Sets every voxel of some slices.
+template <typename T>
+void fillSlices(std::vector<T>& values, const std::vector<std::size_t>& slices, const VolumeGeometry& geometry,
+                T value) {
+    const std::int64_t count = geometry.size[0] * geometry.size[1];
+    for (const std::size_t slice : slices)
+        std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(slice) * count, count, value);
+}
+
+/// The same where slices are missing.
+Volume withoutMissing(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
+    // Zeros of a slice that is missing would join fluid to what lies outside.
+    Voxels filled = volume.voxels();
+    std::visit([&]<typename T>(std::vector<T>& all) { fillSlices(all, parts.missingSlices, parts.geometry, T{1}); },
+               filled);
+    std::vector<std::uint8_t> mask =
+        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()), parts, options).dataMask();
+    mask.resize(static_cast<std::size_t>(parts.geometry.voxelCount()), 1);
+    fillSlices(mask, parts.missingSlices, parts.geometry, std::uint8_t{0});
+    return volume.withDataMask(std::move(mask));
+}
+
 std::string maskSource(const StudyParts& parts, const ReadOptions& options) {
     if (parts.dataMask) return parts.dataMaskSource + "; or not finite";
     return options.guessNoData ? "guess: 0 and connected to the border; or not finite"
@@ -275,8 +297,9 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     const ChosenWhite white = chooseWhite(parts, study.warnings);
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
+        const Volume volume(parts.geometry, std::move(voxels), white.level);
         study.phases.push_back(std::make_shared<const Volume>(
-            withMask(Volume(parts.geometry, std::move(voxels), white.level), parts, options)));
+            parts.missingSlices.empty() ? withMask(volume, parts, options) : withoutMissing(volume, parts, options)));
         progress.at(0.9 +
                     0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
     }
@@ -285,8 +308,9 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     addGeometryFacts(parts, study);
     study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
     addPhaseFacts(parts, study);
-    study.facts.push_back({"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
-                           maskSource(parts, options)});
+    study.facts.push_back(
+        {"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
+         (parts.missingSlices.empty() ? "" : "slices that could not be read; ") + maskSource(parts, options)});
     addProbeFacts(parts, study);
     addLossFact(parts, study);
     addBurnedInTextFact(parts, study);

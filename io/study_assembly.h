@@ -45,7 +45,10 @@ struct StudyParts {
     /// guess is made then. Null where it does not.
     Volume::SharedMask dataMask;
     std::string dataMaskSource;  ///< what gave dataMask: "geometry of the sweep"
-    std::string probeSource;     ///< tags or items that gave geometry.probe, where there is one
+    /// Slices (along z) of which nothing could be read, in rising order: their voxels, which hold 0, are no data, and
+    /// no guess reaches through them.
+    std::vector<std::size_t> missingSlices;
+    std::string probeSource;  ///< tags or items that gave geometry.probe, where there is one
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< key or tag of the time between phases
     LossyCompression lossyCompression = LossyCompression::unknown;

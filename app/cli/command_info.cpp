@@ -120,6 +120,7 @@ std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
         const std::string name = fmt::format("series {}{}", i + 1, &entry == read ? ", read" : "");
         std::string value = entry.modality.empty() ? "" : entry.modality + ", ";
         value += sizeInWords(entry);
+        if (!entry.distinction.empty()) value += ", " + entry.distinction;
         if (!entry.description.empty()) value += ", " + quotedText(entry.description);
         text += fmt::format("  {:<28} {}  [{}]\n", name, value, entry.uid);
         if (entry.whyNot) text += fmt::format("  {:<28} {}\n", "", reasonOf(*entry.whyNot));
@@ -135,6 +136,7 @@ ordered_json seriesJson(const SeriesList& list, const SeriesEntry* read) {
                          {"uid", entry.uid},
                          {"description", entry.description},
                          {"modality", entry.modality},
+                         {"distinction", entry.distinction},
                          {"size", entry.size},
                          {"files", entry.files.size()},
                          {"read", &entry == read},

@@ -130,6 +130,19 @@ Result<DicomFile> DicomFile::load(const InputFile& input, bool headerOnly, const
     return file;
 }
 
+Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& progress) {
+    prepareLibrary();
+    if (!beginsAsDicom(input))
+        return fail(FailureKind::unreadable, input.path(), "", "does not begin as a DICOM file does", copyAgain);
+    auto scan = scanDicom(input, progress, true);
+    if (!scan) return tl::unexpected(scan.error());
+    DicomFile file(input.path(), *scan);
+    const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);
+    if (progress.cancelled()) return fail(FailureKind::cancelled, input.path(), "", "was not read: cancelled");
+    if (parsed.end == DicomParseEnd::tooDeep || parsed.end == DicomParseEnd::tooMuch) return damaged(input, parsed);
+    return file;
+}
+
 Result<DicomFile> DicomFile::load(const std::string& path, bool headerOnly, const Progress& progress) {
     const auto input = InputFile::open(path);
     if (!input) return tl::unexpected(input.error());

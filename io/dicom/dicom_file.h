@@ -23,6 +23,9 @@ public:
     [[nodiscard]] static Result<DicomFile> load(const InputFile& input, bool headerOnly, const Progress& progress);
     /// The same for the file at `path`, which it opens.
     [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly, const Progress& progress);
+    /// What a damaged file still tells: the elements of its header that stand whole before the damage. Fails where the
+    /// file is no DICOM, would do harm, or where the person cancelled.
+    [[nodiscard]] static Result<DicomFile> loadRest(const InputFile& input, const Progress& progress);
     DicomFile(DicomFile&&) noexcept;
     DicomFile& operator=(DicomFile&&) noexcept;
     ~DicomFile();

@@ -231,6 +231,15 @@ DcmInputStreamFactory* FileStream::newFactory() const {
     return new FileStreamFactory(m_file, m_start + static_cast<std::uint64_t>(tell()));
 }
 
+/// Removes an element that damage cut: it holds memory that nothing was read into.
+void removeCutElement(DcmDataset& dataset) {
+    for (unsigned long last = dataset.card(); last > 0; --last) {
+        DcmElement* element = dataset.getElement(last - 1);
+        if (element == nullptr || element->transferState() == ERW_ready) return;
+        delete dataset.remove(element);
+    }
+}
+
 OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& end) {
     file.transferInit();
     OFCondition done;
@@ -239,6 +248,8 @@ OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& 
     } catch (const std::out_of_range&) {
         done = EC_CorruptedData;  // DCMTK 3.6.7 stumbles over damaged names of directory records
     }
+    // The states of elements, which say which of them were read, end with the transfer.
+    if (end == DCM_PixelData && done.bad()) removeCutElement(*file.getDataset());
     file.transferEnd();
     return done;
 }

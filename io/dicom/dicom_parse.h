@@ -26,7 +26,8 @@ struct DicomParsed {
     std::uint64_t position = 0;  ///< in the file; in what the file unpacks to where it is deflated
 };
 
-/// Parses an opened file into `file`, with the repairs of `scan`; where `withPixels` is not set, up to Pixel Data.
+/// Parses an opened file into `file`, with the repairs of `scan`; where `withPixels` is not set, up to Pixel Data,
+/// and without the element that damage cut.
 /// DCMTK recurses into every level of nesting: it is stopped after a few megabytes of stack, whatever it takes for a
 /// sequence, and after as many reads as the largest true objects need. `progress` is polled for cancel at every read,
 /// after which the end has no meaning.

@@ -77,15 +77,20 @@ void describe(Archive& archive, Value& plane) {
     archive(plane.position, plane.alongRow, plane.alongColumn, plane.file);
 }
 
+template <typename Archive, Described<Rescale> Value>
+void describe(Archive& archive, Value& rescale) {
+    archive(rescale.slope, rescale.intercept);
+}
+
 template <typename Archive, Described<SeriesFile> Value>
 void describe(Archive& archive, Value& file) {
-    archive(file.path, file.instance, file.plane, file.rescaled);
+    archive(file.path, file.instance, file.plane, file.rescale, file.damage);
 }
 
 template <typename Archive, Described<SeriesEntry> Value>
 void describe(Archive& archive, Value& entry) {
-    archive(entry.uid, entry.object, entry.description, entry.modality, entry.size, entry.multiframe, entry.files,
-            entry.whyNot);
+    archive(entry.uid, entry.object, entry.description, entry.modality, entry.distinction, entry.size, entry.multiframe,
+            entry.files, entry.whyNot);
 }
 
 template <typename Archive, Described<SeriesList> Value>

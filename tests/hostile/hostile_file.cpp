@@ -31,9 +31,9 @@ std::vector<HostileFile> hostileFiles() {
     std::vector<HostileFile> all;
     for (const auto rows :
          {hostileTextHeaders, hostileNifti, hostileKretz, hostileCompression, hostileDicomStructure, hostileDicomValues,
-          hostileDicomCuts, hostileDicomPixels, hostileDicomCodecs, hostileDicomSeries, hostileMalformedMetaImage,
-          hostileMalformedNrrd, hostileMalformedNifti, hostileMalformedKretz, hostileMalformedDicom, hostileDataFiles,
-          hostileUnknownFiles, hostileEnhancedUs}) {
+          hostileDicomCuts, hostileDicomPixels, hostileDicomCodecs, hostileDicomSeries, hostileDicomFolders,
+          hostileMalformedMetaImage, hostileMalformedNrrd, hostileMalformedNifti, hostileMalformedKretz,
+          hostileMalformedDicom, hostileDataFiles, hostileUnknownFiles, hostileEnhancedUs}) {
         std::vector<HostileFile> topic = rows();
         all.insert(all.end(), std::make_move_iterator(topic.begin()), std::make_move_iterator(topic.end()));
     }

@@ -50,7 +50,8 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::vector<HostileFile> hostileDicomCuts();       ///< good files that end too early
 [[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< frames, fragments, palettes
 [[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
-[[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, DICOMDIR
+[[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, damaged or mixed
+[[nodiscard]] std::vector<HostileFile> hostileDicomFolders();    ///< places of slices, links and pipes, DICOMDIR
 
 // One fault each, in files that are good but for it.
 [[nodiscard]] std::vector<HostileFile> hostileMalformedMetaImage();

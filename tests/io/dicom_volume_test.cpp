@@ -182,7 +182,7 @@ TEST(DicomFolder, UnreadableSlicesAreMentioned) {
     const auto study = readStudy(folder.path());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().size[2], 3);
-    EXPECT_TRUE(warnsOf(*study, "1 DICOM file(s) could not be read"));
+    EXPECT_TRUE(warnsOf(*study, "1 damaged file(s) were left out: \"cut.dcm\""));
 }
 
 /// An Enhanced US Volume of 4 x 3 pixels; frame f holds the value 10 + f everywhere.

@@ -8,8 +8,6 @@
 #include <map>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_names.h"
@@ -25,10 +23,28 @@ constexpr DicomTag recordsTag{0x0004, 0x1220};
 constexpr DicomTag inUseTag{0x0004, 0x1410};
 constexpr DicomTag fileTag{0x0004, 0x1500};
 
-/// A file's name below its folder, in small letters with one slash between the parts.
+/// A file's name below its folder, with one slash between the parts.
 std::string nameBelow(const std::string& folder, const std::string& path) {
-    return lowerCase(std::filesystem::path(path).lexically_relative(folder).generic_string());
+    return std::filesystem::path(path).lexically_relative(folder).generic_string();
 }
+
+/// The files below a folder by their names: as they are spelled, and in small letters.
+class NamedFiles {
+public:
+    void add(std::string name, const std::string& path) {
+        m_small.emplace(lowerCase(name), path);
+        m_exact.emplace(std::move(name), path);
+    }
+    /// Null where there is none of that name.
+    [[nodiscard]] const std::string* find(const std::string& name) const {
+        if (const auto exact = m_exact.find(name); exact != m_exact.end()) return &exact->second;
+        const auto small = m_small.find(lowerCase(name));
+        return small != m_small.end() ? &small->second : nullptr;
+    }
+
+private:
+    std::map<std::string, std::string> m_exact, m_small;
+};
 
 }  // namespace
 
@@ -49,28 +65,23 @@ Result<DirectoryFiles> filesOfDirectory(const InputFile& input, const Progress& 
     if (!file) return tl::unexpected(file.error());
     std::string folder = std::filesystem::path(input.path()).parent_path().string();
     if (folder.empty()) folder = ".";
-    std::map<std::string, std::string> there;
     FilesBelow below = fileAccess().filesBelow(folder, deepestName, progress);
-    for (std::string& path : below.paths) {
-        std::string name = nameBelow(folder, path);
-        there.emplace(std::move(name), std::move(path));
-    }
+    NamedFiles there;
+    for (const std::string& path : below.paths) there.add(nameBelow(folder, path), path);
     DirectoryFiles found;
     found.warnings = std::move(below.warnings);
-    std::set<std::string> taken;
+    std::set<std::string> names, taken;
     dicomVisitItems(file->dataset(), recordsTag, [&](DcmItem& record) {
         std::string name = dicomText(record, fileTag);
         if (name.empty() || dicomWholeNumber(record, inUseTag).value_or(0xffff) == 0) return true;
         std::replace(name.begin(), name.end(), '\\', '/');
-        ++found.named;
-        const auto path = there.find(lowerCase(name));
-        if (path == there.end()) {
-            if (found.firstMissing.empty()) found.firstMissing = name;
-        } else if (taken.insert(path->second).second) {
-            found.paths.push_back(path->second);
-        }
+        if (!names.insert(name).second) return true;
+        const std::string* path = there.find(name);
+        if (path == nullptr && found.missing++ == 0) found.firstMissing = name;
+        if (path != nullptr && taken.insert(*path).second) found.paths.push_back(*path);
         return !progress.cancelled();
     });
+    found.named = names.size();
     if (progress.cancelled()) return fail(FailureKind::cancelled, input.path(), "", "was not read: cancelled");
     if (found.named == 0)
         return fail(FailureKind::unreadable, input.path(), "(0004,1220) Directory Record Sequence",

@@ -12,8 +12,9 @@ namespace echolucent {
 /// The files of a DICOMDIR.
 struct DirectoryFiles {
     std::vector<std::string> paths;     ///< that are there, in or below the DICOMDIR's own folder; each once
-    std::size_t named = 0;              ///< how many the records name
-    std::string firstMissing;           ///< the first name that is not there, as the record spells it
+    std::size_t named = 0;              ///< how many different names the records hold
+    std::size_t missing = 0;            ///< how many of these are not there
+    std::string firstMissing;           ///< the first of them, as the record spells it
     std::vector<std::string> warnings;  ///< on folders that could not be looked through
 };
 
@@ -24,8 +25,9 @@ struct DirectoryFiles {
 
 /// The files that the records of a DICOMDIR name. Records are taken one after the other as they stand in the file:
 /// their links are not followed, so that none can lead in a circle. A name counts where the DICOMDIR's own folder holds
-/// such a file, whatever the case of its letters; names that lead out of it are missing. Fails (unreadable) where the
-/// file holds no records; (cancelled) where the person ended it. To be called in a thread with a large stack.
+/// such a file, whatever the case of its letters where none has the very name; names that lead out of it are missing.
+/// Fails (unreadable) where the file holds no records; (cancelled) where the person ended it. To be called in a thread
+/// with a large stack.
 [[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
 
 }  // namespace echolucent

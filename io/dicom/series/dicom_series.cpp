@@ -11,6 +11,8 @@
 #include "io/dicom/picture_scale.h"
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/dicom/series/large_stack.h"
+#include "io/dicom/series/series_entries.h"
+#include "io/files_below.h"
 #include "io/input_file.h"
 #include "io/series_list.h"
 
@@ -20,27 +22,48 @@ namespace {
 
 /// Slices in order, with the geometry they share.
 struct SliceOrder {
-    std::vector<std::string> paths;
+    std::vector<SeriesFile> files;
     bool rescaled = false;             // whether any slice is
+    bool differentlyRescaled = false;  // whether slices have lines of their own
     bool inPlaneSpacingKnown = false;  // where the distance of slices is a guess
     VolumeGeometry geometry;
     std::string spacingSource;
     std::vector<std::string> warnings;
 };
 
+/// Says where instance numbers, which are all that orders these files, leave the order open or skip pictures.
+void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>& warnings) {
+    std::size_t same = 0, skips = 0;
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        if (files[i].instance == files[i - 1].instance) ++same;
+        if (files[i].instance - files[i - 1].instance > 1) ++skips;
+    }
+    if (same > 0)
+        warnings.push_back(fmt::format(
+            "{} pictures have the instance number of another or none, so that their order is not known.", same));
+    if (skips > 0)
+        warnings.push_back(
+            fmt::format("The instance numbers are not consecutive ({} gaps): pictures may be missing.", skips));
+}
+
 /// The order of the entry's files, which stand in the order of slices already.
 Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options) {
     if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
         return tl::unexpected(*entry.whyNot);
     SliceOrder order;
+    order.files = entry.files;
+    const Rescale* first = nullptr;
     for (const SeriesFile& file : entry.files) {
-        order.paths.push_back(file.path);
-        order.rescaled = order.rescaled || file.rescaled;
+        if (file.damage) continue;
+        if (first == nullptr) first = &file.rescale;
+        order.rescaled = order.rescaled || !file.rescale.isIdentity();
+        order.differentlyRescaled = order.differentlyRescaled || file.rescale != *first;
     }
     if (entry.whyNot) {
         order.geometry.spacingKnown = false;
         order.warnings.emplace_back(
             "Pictures without position are taken as slices, in the order of their instance numbers.");
+        sayInstances(entry.files, order.warnings);
         return order;
     }
     std::vector<SlicePlane> planes;
@@ -64,21 +87,25 @@ public:
     }
 
     Result<Study> read() {
-        for (std::size_t slice = 0; slice < m_order.paths.size(); ++slice) {
+        const std::size_t slices = m_order.files.size();
+        for (std::size_t slice = 0; slice < slices; ++slice) {
             if (m_progress.cancelled())
                 return fail(FailureKind::cancelled, m_parts.path, "", "was not read: cancelled");
-            m_progress.at(0.3 + 0.6 * static_cast<double>(slice) / static_cast<double>(m_order.paths.size()));
-            if (const auto done = readSlice(slice); !done) return tl::unexpected(done.error());
+            m_progress.at(0.3 + 0.6 * static_cast<double>(slice) / static_cast<double>(slices));
+            if (const auto done = readOrMiss(slice); !done) return tl::unexpected(done.error());
         }
+        if (auto tooFew = whyTooFew()) return tl::unexpected(*std::move(tooFew));
         m_parts.geometry = m_order.geometry;
         m_parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, number of files";
         m_parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
         m_parts.spacingSource = m_order.spacingSource;
         m_parts.inPlaneSpacingKnown = m_order.inPlaneSpacingKnown;
+        sayMissing();
         sayNotes();
         m_parts.warnings.insert(m_parts.warnings.end(), m_order.warnings.begin(), m_order.warnings.end());
-        if (m_differentWhite)
-            m_parts.warnings.emplace_back("The slices are rescaled by different slopes; each by its own.");
+        if (m_order.differentlyRescaled)
+            m_parts.warnings.emplace_back(
+                "The slices are rescaled by different slopes or intercepts; each by its own.");
         shareWindow();
         std::vector<std::vector<std::uint8_t>> phases;
         phases.push_back(std::move(m_voxels));
@@ -87,33 +114,77 @@ public:
     }
 
 private:
-    Result<void> readSlice(std::size_t slice) {
-        const auto file = DicomFile::load(m_order.paths[slice], false, m_progress);
+    /// Reads a slice, or keeps in mind that it cannot be read. Fails where the whole series cannot.
+    Result<void> readOrMiss(std::size_t slice) {
+        const SeriesFile& file = m_order.files[slice];
+        const auto grey = file.damage ? Result<Slice>(tl::unexpected(*file.damage)) : decode(file);
+        if (grey) return take(slice, *grey);
+        if (grey.error().kind == FailureKind::cancelled) return tl::unexpected(grey.error());
+        m_missing.push_back(slice);
+        if (m_missing.size() == 1) m_whyMissing = grey.error();
+        return {};
+    }
+
+    /// A slice that was decoded. The frames keep the file's data set.
+    struct Slice {
+        DicomFile file;
+        DicomFrames frames;
+        std::vector<std::uint8_t> grey;
+    };
+
+    Result<Slice> decode(const SeriesFile& one) {
+        auto file = DicomFile::load(one.path, false, m_progress);
         if (!file) return tl::unexpected(file.error());
         auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan(), m_order.rescaled);
         if (!frames) return tl::unexpected(frames.error());
-        const auto bytes = static_cast<std::size_t>(frames->frameBytes());
-        std::vector<std::uint8_t> grey(bytes);
-        if (const auto read = frames->readGrey(0, grey); !read) return read;
-        if (slice == 0)
-            if (const auto begun = begin(file->dataset(), *frames); !begun) return begun;
-        const bool sameType = frames->type() == m_type && bytes == m_sliceBytes;
-        if (!sameType || frames->bitsStored() != m_bitsStored)
-            return fail(FailureKind::unreadable, file->path(),
+        std::vector<std::uint8_t> grey(static_cast<std::size_t>(frames->frameBytes()));
+        if (const auto read = frames->readGrey(0, grey); !read) return tl::unexpected(read.error());
+        return Slice{std::move(*file), std::move(*frames), std::move(grey)};
+    }
+
+    Result<void> take(std::size_t slice, const Slice& read) {
+        const auto& [file, frames, grey] = read;
+        const std::size_t bytes = grey.size();
+        if (m_voxels.empty())
+            if (const auto begun = begin(file.dataset(), frames); !begun) return begun;
+        const bool sameType = frames.type() == m_type && bytes == m_sliceBytes;
+        if (!sameType || frames.bitsStored() != m_bitsStored)
+            return fail(FailureKind::unreadable, file.path(),
                         sameType ? "(0028,0101) Bits Stored" : "(0028,0100) Bits Allocated or (0028,0103) sign",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
         std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
-        sayLoss(file->dataset(), m_parts);
-        sayBurnedInText(file->dataset(), false, m_parts);
-        keepWhite(*frames);
-        for (const std::string& warning : frames->warnings()) note(warning);
+        sayLoss(file.dataset(), m_parts);
+        sayBurnedInText(file.dataset(), false, m_parts);
+        keepWhite(frames);
+        for (const std::string& warning : frames.warnings()) note(warning);
         return {};
+    }
+
+    [[nodiscard]] std::vector<std::string> missingPaths() const {
+        std::vector<std::string> paths;
+        for (const std::size_t slice : m_missing) paths.push_back(m_order.files[slice].path);
+        return paths;
+    }
+
+    [[nodiscard]] std::optional<Failure> whyTooFew() const {
+        if (m_missing.empty()) return std::nullopt;
+        return tooFewWhole(m_parts.path, missingPaths(), m_order.files.size(), *m_whyMissing);
+    }
+
+    void sayMissing() {
+        if (m_missing.empty()) return;
+        const std::string& element = m_whyMissing->element;
+        m_parts.warnings.push_back(
+            fmt::format("{} of {} slices could not be read and are shown as no data: {}. The first {}{}.",
+                        m_missing.size(), m_order.files.size(), filesInWords(missingPaths()),
+                        element.empty() ? "" : element + " ", m_whyMissing->problem));
+        m_parts.missingSlices = m_missing;
     }
 
     Result<void> begin(DcmItem& dataset, const DicomFrames& frames) {
         m_type = frames.type();
         m_sliceBytes = static_cast<std::size_t>(frames.frameBytes());
-        const auto slices = static_cast<std::int64_t>(m_order.paths.size());
+        const auto slices = static_cast<std::int64_t>(m_order.files.size());
         const auto total = checkedProduct(frames.frameBytes(), slices);
         const auto memory =
             requireMemory(m_parts.path, "", total ? static_cast<std::uint64_t>(*total) : ~std::uint64_t{0});
@@ -121,7 +192,6 @@ private:
         m_voxels.resize(static_cast<std::size_t>(*total));
         m_order.geometry.size = {frames.columns(), frames.rows(), slices};
         m_bitsStored = frames.bitsStored();
-        m_largestValue = frames.largestValue();
         frames.sayWhite(m_parts);
         m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), "files of one series, (0020,000e)"}};
         if (const std::string uid = dicomText(dataset, {0x0008, 0x0016}); !uid.empty())
@@ -144,7 +214,7 @@ private:
     }
 
     void sayNotes() {
-        const std::size_t slices = m_order.paths.size();
+        const std::size_t slices = m_order.files.size() - m_missing.size();
         for (const SliceNote& one : m_notes)
             m_parts.warnings.push_back(
                 one.slices == slices ? one.sentence
@@ -159,7 +229,6 @@ private:
         if (said.window) m_windows.push_back(std::move(*said.window));
         // Slices that are rescaled otherwise reach otherwise far.
         if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
-        m_differentWhite = m_differentWhite || frames.largestValue() != m_largestValue;
     }
 
     /// The slices share one white level: where their windows differ, the median of their whites.
@@ -208,11 +277,11 @@ private:
     StoredType m_type = StoredType::uint8;
     std::size_t m_sliceBytes = 0;
     int m_bitsStored = 0;
-    double m_largestValue = 0.0;    // of the first slice
-    bool m_differentWhite = false;  // whether other slices are rescaled otherwise
     std::vector<SliceNote> m_notes;
     std::size_t m_notesLeftOut = 0;
-    std::vector<WindowWhite> m_windows;  // of the slices that declare one
+    std::vector<std::size_t> m_missing;   // slices that could not be read
+    std::optional<Failure> m_whyMissing;  // of the first of them
+    std::vector<WindowWhite> m_windows;   // of the slices that declare one
     std::vector<std::uint8_t> m_voxels;
 };
 

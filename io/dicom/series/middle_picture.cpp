@@ -78,8 +78,18 @@ std::int64_t middleFrame(const DicomFile& file, const DicomFrames& frames, const
     return static_cast<std::int64_t>(slices[slices.size() / 2]);
 }
 
+/// The file in the middle, or one that is whole behind it or, where there is none, before it.
+const SeriesFile& middleFile(const SeriesEntry& entry) {
+    const auto isWhole = [](const SeriesFile& file) { return !file.damage; };
+    const auto middle = entry.files.begin() + static_cast<std::ptrdiff_t>(entry.files.size() / 2);
+    const auto behind = std::find_if(middle, entry.files.end(), isWhole);
+    if (behind != entry.files.end()) return *behind;
+    const auto before = std::find_if(entry.files.begin(), middle, isWhole);
+    return before != middle ? *before : *middle;
+}
+
 Result<GreySlice> readMiddle(const SeriesEntry& entry, const Progress& progress) {
-    const SeriesFile& middle = entry.files[entry.files.size() / 2];
+    const SeriesFile& middle = middleFile(entry);
     const auto input = InputFile::open(middle.path);
     if (!input) return tl::unexpected(input.error());
     const auto file = DicomFile::load(*input, false, progress);

@@ -29,9 +29,12 @@ std::vector<std::string> plainWords(std::string text) {
 }  // namespace
 
 std::string seriesDescription(DcmItem& dataset) {
+    // DICOM allows 64 letters each. Comparing longer ones word by word would take forever.
+    constexpr std::size_t longest = 1024;
     const std::string description = dicomText(dataset, {0x0008, 0x103e});
     const std::string name = lowerCase(dicomText(dataset, {0x0010, 0x0010}));
     const std::string identifier = lowerCase(dicomText(dataset, {0x0010, 0x0020}));
+    if (std::max({description.size(), name.size(), identifier.size()}) > longest) return {};
     if (!isPlain(name) || !isPlain(identifier)) return {};
     const std::string small = lowerCase(description);
     const std::vector<std::string> said = plainWords(small);
