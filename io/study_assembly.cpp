@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -230,6 +231,24 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
+/// Refuses a line of voxels: along it rays and tube cores would have millions of samples, and around it the packed
+/// voxels of the ray caster would take a hundred times the memory of the volume.
+Result<void> checkLength(const StudyParts& parts) {
+    constexpr double mostUnits = 100'000;
+    const auto& [size, spacing] = std::tie(parts.geometry.size, parts.geometry.spacing);
+    const double unit = std::min({spacing[0], spacing[1], spacing[2]});
+    for (int axis = 0; axis < 3; ++axis) {
+        const double units = static_cast<double>(size[static_cast<std::size_t>(axis)]) * spacing[axis] / unit;
+        if (units <= mostUnits) continue;
+        return fail(FailureKind::unreadable, parts.path, parts.sizeSource,
+                    fmt::format("gives a volume of {} voxels, which is {:.0f} times as long as its smallest spacing; "
+                                "the most is {:.0f}",
+                                sizeText(size), units, mostUnits),
+                    "Cut it into shorter volumes, or correct its size or spacing.");
+    }
+    return {};
+}
+
 /// Refuses more phases than are taken, a spacing that no scanner has, and an origin that is no position.
 Result<void> checkGeometry(const StudyParts& parts) {
     if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
@@ -247,6 +266,7 @@ Result<void> checkGeometry(const StudyParts& parts) {
                     fmt::format("gives voxels of {}, more than {} times as long as wide",
                                 spacingText(parts.geometry.spacing), largestSpacingRatio),
                     "Correct the spacing.");
+    if (auto sensible = checkLength(parts); !sensible) return sensible;
     if (!isPosition(parts.geometry.origin))
         return fail(FailureKind::unreadable, parts.path, "the origin",
                     "lies farther from 0 than 10 km, or is no number", "Correct the position of the volume.");

@@ -1,21 +1,22 @@
 #include "processing/adaptive/detection_by_ratio.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace echolucent {
 
 namespace {
 
-int longestOf(std::span<const TubeSamples> samples) {
-    int longest = 0;
-    for (const TubeSamples& tube : samples) longest = std::max(longest, tube.slabs);
-    return longest;
+std::vector<int> slabsOf(std::span<const TubeSamples> samples) {
+    std::vector<int> slabs(samples.size());
+    std::ranges::transform(samples, slabs.begin(), &TubeSamples::slabs);
+    return slabs;
 }
 
 }  // namespace
 
 DetectionByRatio::DetectionByRatio(const RatioRule& rule, std::span<const TubeSamples> samples, int cellSize)
-    : m_rule(rule), m_cellSize(cellSize), m_profiles(samples.size(), longestOf(samples)) {}
+    : m_rule(rule), m_cellSize(cellSize), m_profiles(slabsOf(samples)) {}
 
 void DetectionByRatio::keep(TubeReader& reader, std::size_t place, std::size_t tube) {
     reader.profile(place, m_profiles, tube);

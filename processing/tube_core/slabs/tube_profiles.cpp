@@ -7,13 +7,13 @@
 
 namespace echolucent {
 
-TubeProfiles::TubeProfiles(std::size_t tubes, int longest)
-    : m_stride(static_cast<std::size_t>(std::max(longest, 0))),
-      m_means(tubes * m_stride),
-      m_spreads(tubes * m_stride),
-      m_first(tubes, 0),
-      m_count(tubes, 0),
-      m_anyData(tubes, 0) {}
+TubeProfiles::TubeProfiles(std::span<const int> slabs)
+    : m_begin(slabs.size() + 1, 0), m_first(slabs.size(), 0), m_count(slabs.size(), 0), m_anyData(slabs.size(), 0) {
+    for (std::size_t tube = 0; tube < slabs.size(); ++tube)
+        m_begin[tube + 1] = m_begin[tube] + static_cast<std::size_t>(std::max(slabs[tube], 0));
+    m_means.resize(m_begin.back());
+    m_spreads.resize(m_begin.back());
+}
 
 template <typename CountOf, typename Write>
 void TubeProfiles::setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf,
@@ -27,8 +27,8 @@ void TubeProfiles::setFrom(std::size_t tube, std::size_t slabs, int cellSize, co
     for (std::size_t k = 0; k < slabs && m_anyData[tube] == 0; ++k) m_anyData[tube] = countOf(k) > 0 ? 1 : 0;
     m_first[tube] = static_cast<int>(first);
     m_count[tube] = static_cast<int>(end - first);
-    float* const means = m_means.data() + tube * m_stride;
-    float* const spreads = m_spreads.data() + tube * m_stride;
+    float* const means = m_means.data() + m_begin[tube];
+    float* const spreads = m_spreads.data() + m_begin[tube];
     write(first, end - first, means, spreads);
     for (std::size_t k = 1; k < end - first; ++k) {
         if (enough(first + k)) continue;

@@ -17,7 +17,9 @@ namespace echolucent {
 /// a slab of less data between them holds the values of the one before.
 class TubeProfiles {
 public:
-    TubeProfiles(std::size_t tubes, int longest);
+    /// `slabs` are the most that each tube can have; what is set of it has no more. Memory is taken for these and no
+    /// more, however many tubes miss the volume.
+    explicit TubeProfiles(std::span<const int> slabs);
 
     /// Takes one tube's slabs; different tubes may be set side by side.
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
@@ -42,10 +44,10 @@ private:
     template <typename CountOf, typename Write>
     void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
     [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {
-        return {values.data() + tube * m_stride, static_cast<std::size_t>(m_count[tube])};
+        return {values.data() + m_begin[tube], static_cast<std::size_t>(m_count[tube])};
     }
 
-    std::size_t m_stride;
+    std::vector<std::size_t> m_begin;  ///< of each tube in m_means and m_spreads, and where the last one ends
     std::vector<float> m_means, m_spreads;
     std::vector<int> m_first, m_count;
     std::vector<std::uint8_t> m_anyData;

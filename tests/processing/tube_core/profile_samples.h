@@ -20,9 +20,9 @@ inline constexpr int madeCellSize = 5;
 
 /// The profiles of such tube cores, with every slab full of data.
 inline TubeProfiles profilesOf(const std::vector<MadeProfile>& made) {
-    std::size_t longest = 0;
-    for (const MadeProfile& profile : made) longest = std::max(longest, profile.means.size());
-    TubeProfiles profiles(made.size(), static_cast<int>(longest));
+    std::vector<int> lengths;
+    for (const MadeProfile& profile : made) lengths.push_back(static_cast<int>(profile.means.size()));
+    TubeProfiles profiles(lengths);
     std::vector<SlabMoments> slabs;
     for (std::size_t t = 0; t < made.size(); ++t) {
         slabs.clear();

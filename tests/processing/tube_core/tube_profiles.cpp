@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace echolucent {
@@ -12,7 +13,7 @@ TEST(TubeProfiles, BeginAndEndWithHalfFullSlabsAndRepeatWhereDataIsMissing) {
     constexpr int cellSize = 5;  // 25 samples: 13 are half of them.
     const std::vector<SlabMoments> slabs{{12, 0.9, 1.0}, {13, 0.1, 13 * 0.04}, {25, 0.2, 25 * 0.09}, {12, 0.9, 1.0},
                                          {0, 0.0, 0.0},  {20, 0.4, 20 * 0.01}, {5, 0.9, 1.0}};
-    TubeProfiles profiles(3, 7);
+    TubeProfiles profiles(std::array{0, 7, 7});
     profiles.set(1, slabs, cellSize);
     EXPECT_EQ(profiles.tubes(), 3u);
     EXPECT_EQ(profiles.firstSlab(1), 1);
@@ -55,7 +56,7 @@ TEST(TubeProfiles, AreTheSameFromStoredSumsMeansAndMoments) {
         means.squaredDeviations.push_back(static_cast<float>(deviations));
         moments.push_back({static_cast<std::uint32_t>(values.size()), mean / white, deviations / white / white});
     }
-    TubeProfiles profiles(3, 3);
+    TubeProfiles profiles(std::array{3, 3, 3});
     profiles.set(0, moments, cellSize);
     profiles.set(1, sums, cellSize, white);
     profiles.set(2, means, cellSize, white);
