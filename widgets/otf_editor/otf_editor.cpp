@@ -20,6 +20,7 @@
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
+#include "widgets/otf_editor/stored_value_text.h"
 #include "widgets/panels/flow_layout.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -321,9 +322,7 @@ QString OtfEditor::intensityText(double intensity) const { return QString::numbe
 
 QString OtfEditor::storedText(double intensity) const {
     if (!(m_whiteLevel > 1.0)) return {};
-    const double stored = intensity * m_whiteLevel;
-    return m_whiteLevel >= 100.0 ? tr(" (stored %1)").arg(std::lround(stored))
-                                 : tr(" (stored %1)").arg(stored, 0, 'g', 3);
+    return tr(" (stored %1)").arg(storedValueText(intensity * m_whiteLevel, m_whiteLevel));
 }
 
 void OtfEditor::showHovered(std::optional<CurveNode> value, int node) {

@@ -1,11 +1,13 @@
 // What the plot paints, read back from its pixels.
 #include <QTest>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/stored_value_text.h"
 
 using namespace echolucent;
 
@@ -30,6 +32,7 @@ private slots:
     void activeCurveIsHeavier();
     void histogramIsPaintedBehind();
     void cursorIntensityIsMarked();
+    void storedValuesOfAnyWhiteAreNumbersThatMeanSomething();
 
 private:
     [[nodiscard]] QPoint pixelOf(const CurveNode& value) const { return m_canvas->axes().positionOf(value).toPoint(); }
@@ -154,6 +157,18 @@ void TestOtfEditorPainting::cursorIntensityIsMarked() {
     QVERIFY(changed > m_canvas->axes().rect.height() / 2);
     m_canvas->setCursorIntensity(std::nullopt);
     QCOMPARE(picture(), without);
+}
+
+/// A whole number could not hold the largest float: 9223372036854775807 stood there.
+void TestOtfEditorPainting::storedValuesOfAnyWhiteAreNumbersThatMeanSomething() {
+    const double largest = std::numeric_limits<float>::max();
+    QCOMPARE(storedValueText(largest, largest), QStringLiteral("3.4e+38"));
+    QCOMPARE(storedValueText(-largest, largest), QStringLiteral("-3.4e+38"));
+    QCOMPARE(storedValueText(0.5e38, 1e38), QStringLiteral("5e+37"));
+    QCOMPARE(storedValueText(1e-40, 1e-40), QStringLiteral("1e-40"));
+    QCOMPARE(storedValueText(127.6, 255.0), QStringLiteral("128"));
+    QCOMPARE(storedValueText(4294967295.0, 4294967295.0), QStringLiteral("4.29e+09"));
+    QCOMPARE(storedValueText(0.5, 1.5), QStringLiteral("0.5"));
 }
 
 QTEST_MAIN(TestOtfEditorPainting)

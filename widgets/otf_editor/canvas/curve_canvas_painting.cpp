@@ -5,6 +5,7 @@
 
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/stored_value_text.h"
 
 namespace echolucent {
 
@@ -18,10 +19,6 @@ constexpr double haloWidth = 2.5;  // background colour around the active curve,
 QString tickText(double value, double step) {
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 1, 4);
     return QString::number(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals);
-}
-
-QString storedValueText(double value, double whiteLevel) {
-    return whiteLevel >= 100.0 ? QString::number(std::lround(value)) : QString::number(value, 'g', 3);
 }
 
 double stepOf(const std::vector<double>& ticks) { return ticks.size() > 1 ? ticks[1] - ticks[0] : 0.1; }
