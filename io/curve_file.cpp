@@ -26,7 +26,7 @@ Result<ManualCurve> readCurve(const std::string& path) {
 
 Result<void> writeCurve(const std::string& path, const ManualCurve& curve) {
     const nlohmann::ordered_json object{{"format", curveFormatName}, {"version", 1}, {"nodes", manualCurveJson(curve)}};
-    return writeFileAtomically(path, object.dump(2) + "\n");
+    return writeFileAtomically(path, object.dump(2) + "\n", OutputKind::curve);
 }
 
 }  // namespace echolucent

@@ -139,8 +139,9 @@ private:
 [[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
 
 /// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
-/// or where one of them is the file of a manual curve among `curveNames` (names as curveFromName() takes them). Empty
-/// outputs and "-" are left out. The files of the volume are checked where it is read (VolumeOptions::readAll()).
+/// and as placeOfOutput() does. The files of manual curves among `curveNames` (names as curveFromName() takes them) are
+/// inputs from here on, which no output may be. The files of the volume are checked where it is read
+/// (VolumeOptions::readAll()). Empty outputs are left out.
 [[nodiscard]] Result<void> checkOutputs(const std::vector<std::string>& outputs,
                                         const std::vector<std::string>& curveNames = {});
 

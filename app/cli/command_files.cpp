@@ -17,7 +17,8 @@ void addFilesCommand(CLI::App& program, Action& action) {
     command->footer("Example:\n  echolucent-cli files scans -o scans.md");
     command->callback([folder, output, &action] {
         action = [folder, output]() -> Result<void> {
-            const auto table = fileTable(*folder, {});
+            if (auto checked = checkOutputs({*output}); !checked) return checked;
+            const auto table = fileTable(*folder, {}, *output);
             if (!table) return tl::unexpected(table.error());
             return writeFileAtomically(*output, *table);
         };

@@ -10,6 +10,7 @@
 #include "io/headers/header_text.h"
 #include "io/import_report.h"
 #include "io/output/atomic_file.h"
+#include "io/output/overwriting.h"
 #include "processing/beam/beam_guess.h"
 
 namespace echolucent::cli {
@@ -157,6 +158,8 @@ Result<void> writeListOnly(const std::optional<SeriesList>& list, const InfoOpti
 
 Result<void> runInfo(const InfoOptions& options) {
     if (options.volume.path.empty()) return wrongUsage("VOLUME", "is required", "Name a volume.");
+    keepFromOverwriting({options.volume.path});
+    if (auto checked = checkOutputs({options.json}); !checked) return checked;
     const auto list = options.volume.listedSeries();
     if (!list) return tl::unexpected(list.error());
     const auto study = options.volume.readListed(*list, {options.json});

@@ -22,6 +22,7 @@ Result<void> writeQuiet(const QuietOptions& options) {
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
     if (auto checked = checkMetaImageName(options.output, "-o"); !checked) return checked;
+    if (auto checked = checkOutputs({options.output}); !checked) return checked;
     const auto volume = options.volume.readPhase({options.output});
     if (!volume) return tl::unexpected<Failure>(volume.error());
     const auto quiet = std::make_shared<const Volume>(*quietVolume(**volume, look->reduction));

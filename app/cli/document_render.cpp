@@ -35,10 +35,12 @@ std::string placeOf(const StudyFile& file, const std::string& document) {
 
 Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
     const std::string path = placeOf(file, document);
-    if (auto kept = refuseToOverwrite({path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    keepFromOverwriting({path});
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
     auto study = restricted::readStudy(path, file.options);
     if (!study) return study;
-    if (auto kept = refuseToOverwrite(study->files, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    keepFromOverwriting(study->files);
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
     if (file.checksum.empty()) return study;
     const auto checksum = checksumOf(study->files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
@@ -92,7 +94,8 @@ Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
 
 Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                    const std::array<int, 2>& size, const std::string& output) {
-    if (auto kept = refuseToOverwrite({options.path}, {output}); !kept) return tl::unexpected<Failure>(kept.error());
+    keepFromOverwriting({options.path});
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
     const auto document = readDocument(options.path);
     if (!document) return tl::unexpected<Failure>(document.error());
     const auto view = viewIn(*document, options);

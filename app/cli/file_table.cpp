@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study.h"
 #include "io/study_assembly.h"
@@ -65,7 +66,7 @@ std::string fileRow(const std::string& path, const std::string& shownName) {
     return start + "refused | " + cell(why) + " |";
 }
 
-Result<std::string> fileTable(const std::string& folder, const Progress& progress) {
+Result<std::string> fileTable(const std::string& folder, const Progress& progress, const std::string& output) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     std::filesystem::recursive_directory_iterator entry(folder, error);
@@ -76,6 +77,9 @@ Result<std::string> fileTable(const std::string& folder, const Progress& progres
         return fail(FailureKind::unreadable, folder, "", "is no folder that can be read: " + error.message(),
                     "Check the name and the permissions.");
     std::sort(files.begin(), files.end());
+    std::vector<std::string> inputs;
+    for (const std::filesystem::path& file : files) inputs.push_back(file.string());
+    if (auto kept = refuseToOverwrite(inputs, {output}); !kept) return tl::unexpected(kept.error());
     std::string table = "| file | | what was read, or why not |\n|---|---|---|\n";
     for (const std::filesystem::path& file : files) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, folder, "", "was not looked through: cancelled");

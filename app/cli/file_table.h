@@ -13,7 +13,9 @@ namespace echolucent::cli {
 [[nodiscard]] std::string fileRow(const std::string& path, const std::string& shownName);
 
 /// A Markdown table of all files in a folder and the folders in it, sorted by name; files whose name begins with a dot
-/// are left out. Fails (unreadable) where the folder cannot be read.
-[[nodiscard]] Result<std::string> fileTable(const std::string& folder, const Progress& progress);
+/// are left out. Fails (unreadable) where the folder cannot be read, and (wrong usage), before any of them is read,
+/// where `output`, which the table is to be written to, is one of them.
+[[nodiscard]] Result<std::string> fileTable(const std::string& folder, const Progress& progress,
+                                            const std::string& output = {});
 
 }  // namespace echolucent::cli

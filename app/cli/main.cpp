@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "io/output/interruption.h"
 
 namespace {
 
@@ -70,6 +71,7 @@ std::string sentenceOn(const NeedsCommand& wrong, const CLI::App& program) {
 
 int main(int count, char** arguments) {
     using namespace echolucent::cli;
+    echolucent::removeUnfinishedOnSignals();
     CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
     program.set_version_flag("--version", std::string("echolucent-cli ") + ECHOLUCENT_VERSION);
     program.require_subcommand(1);

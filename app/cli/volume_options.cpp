@@ -7,7 +7,7 @@
 
 #include "app/cli/command.h"
 #include "io/headers/header_text.h"
-#include "io/output/overwriting.h"
+#include "io/output/output_place.h"
 #include "io/restricted/restricted_reader.h"
 
 namespace echolucent::cli {
@@ -87,7 +87,12 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
                             "Give each output a name of its own.");
     std::vector<std::string> curves(curveNames.size());
     std::transform(curveNames.begin(), curveNames.end(), curves.begin(), curveFileOf);
-    return refuseToOverwrite(curves, outputs);
+    keepFromOverwriting(curves);
+    for (const std::string& output : outputs) {
+        if (output.empty()) continue;
+        if (const auto place = placeOfOutput(output); !place) return tl::unexpected<Failure>(place.error());
+    }
+    return {};
 }
 
 void VolumeOptions::addTo(CLI::App& command) {
@@ -131,6 +136,7 @@ Result<std::optional<SeriesList>> VolumeOptions::listedSeries() const {
     }
     auto list = restricted::listSeries(path);
     if (!list) return tl::unexpected(list.error());
+    keepFromOverwriting(list->files);
     return std::optional(std::move(*list));
 }
 
@@ -151,7 +157,8 @@ Result<const SeriesEntry*> VolumeOptions::chosenSeries(const SeriesList& list) c
 
 Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) const {
     // The path itself is compared at once, the files behind it when they are known.
-    if (auto kept = refuseToOverwrite({path}, outputs); !kept) return tl::unexpected(kept.error());
+    keepFromOverwriting({path});
+    if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected(possible.error());
     const auto list = listedSeries();
     if (!list) return tl::unexpected(list.error());
     return readListed(*list, outputs);
@@ -171,7 +178,8 @@ Result<Study> VolumeOptions::readListed(const std::optional<SeriesList>& list,
         return restricted::readSeries(*list, **entry, options);
     }();
     if (!study) return study;
-    if (auto kept = refuseToOverwrite(study->files, outputs); !kept) return tl::unexpected(kept.error());
+    keepFromOverwriting(study->files);
+    if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected(possible.error());
     if (static_cast<std::size_t>(phase) >= study->phases.size())
         return fail(FailureKind::wrongUsage, path, "--phase",
                     fmt::format("is {}, but the volume has {} phase(s)", phase, study->phases.size()),

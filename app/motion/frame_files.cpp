@@ -10,6 +10,7 @@
 
 #include "app/picture/picture_caption.h"
 #include "io/output/movie_file.h"
+#include "io/output/output_place.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
 #include "io/output/unfinished_file.h"
@@ -166,9 +167,8 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
         if (name.suffix().compare(pictureEnding, Qt::CaseInsensitive) != 0 || name.completeBaseName().isEmpty())
             return fail(FailureKind::wrongUsage, path, "", "is no name of pictures, which are written as PNG",
                         "Give it a name that ends in .png.");
-        if (!QFileInfo(name.path()).isDir() || !QFileInfo(name.path()).isWritable())
-            return fail(FailureKind::unwritable, path, "",
-                        "could not be written: its folder is not there or read-only");
+        if (const auto place = placeOfOutput(fileOfSeries(choice, 1, frames)); !place)
+            return tl::unexpected<Failure>(place.error());
     }
     std::vector<std::string> files = filesOf(output, choice, frames);
     std::ranges::move(filesOfLongerSeries(output, choice, frames), std::back_inserter(files));

@@ -199,6 +199,7 @@ void PresetControls::chooseAndImport() {
 bool PresetControls::importFrom(const QString& path) {
     const auto read = readPresets(path.toStdString());
     if (!read) return report(tl::unexpected(read.error()));
+    m_read.emplace_back(std::vector{path.toStdString()}, OutputKind::presets);
     const bool kept = changeOwn([&, this](std::vector<Preset>& own) {
         std::vector<std::string> taken = names();
         for (Preset preset : *read) {

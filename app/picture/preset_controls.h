@@ -9,6 +9,7 @@
 #include "app/picture/preset_pictures.h"
 #include "app/study/open_study.h"
 #include "app/window/settings.h"
+#include "io/output/overwriting.h"
 #include "processing/document/preset.h"
 #include "processing/result.h"
 
@@ -66,6 +67,7 @@ private:
 
     Parts m_parts;
     std::vector<Preset> m_own;
+    std::vector<KeptFiles> m_read;  ///< presets that were imported: only presets take their places
     PresetPictures m_pictures;
 };
 

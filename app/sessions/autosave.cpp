@@ -15,9 +15,9 @@ namespace echolucent {
 namespace {
 
 /// Gives an empty text, or a sentence that says what went wrong.
-QString writeWhole(const QString& file, const SavedSession& session) {
+QString writeWhole(const Autosave::Write& write, const QString& file, const SavedSession& session) {
     try {
-        const auto done = writeSession(file.toStdString(), session);
+        const auto done = write(file.toStdString(), session);
         return done ? QString() : QString::fromStdString(done.error().sentence());
     } catch (const std::exception& problem) {
         return Autosave::tr("%1 could not be written: %2.").arg(file, QString::fromUtf8(problem.what()));
@@ -27,10 +27,10 @@ QString writeWhole(const QString& file, const SavedSession& session) {
 }  // namespace
 
 /// In whatever thread. Gives an empty text, or a sentence that says what went wrong; nothing earlier goes then.
-QString Autosave::carriedOut(const QString& file, const Order& order) {
+QString Autosave::carriedOut(const Write& write, const QString& file, const Order& order) {
     if (!order.session) {
         QFile::remove(file);
-    } else if (QString problem = writeWhole(file, *order.session); !problem.isEmpty()) {
+    } else if (QString problem = writeWhole(write, file, *order.session); !problem.isEmpty()) {
         return problem;
     }
     for (const Left& earlier : order.earlier) QFile::remove(earlier.file);
@@ -38,7 +38,7 @@ QString Autosave::carriedOut(const QString& file, const Order& order) {
 }
 
 Autosave::Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent)
-    : QObject(parent), m_folder(folder), m_present(std::move(present)) {
+    : QObject(parent), m_folder(folder), m_present(std::move(present)), m_write(&writeSession) {
     for (QTimer* timer : {&m_timer, &m_again}) timer->setSingleShot(true);
     setInterval(standardIntervalMilliseconds);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
@@ -52,10 +52,11 @@ Autosave::~Autosave() {
     for (const auto& left : m_leftBehind) {
         left->thread.reset();
         const auto lock = left->lock.lock();
-        if (left->due && lock && own(lock)) carriedOut(left->name, *left->due);
+        if (left->due && lock && own(lock)) carriedOut(m_write, left->name, *left->due);
     }
     m_file->thread.reset();
-    if (!m_keep || own(m_lock)) carriedOut(m_file->name, newOrder(m_keep ? std::optional(m_present()) : std::nullopt));
+    if (!m_keep || own(m_lock))
+        carriedOut(m_write, m_file->name, newOrder(m_keep ? std::optional(m_present()) : std::nullopt));
 }
 
 void Autosave::setInterval(int milliseconds) {
@@ -133,8 +134,9 @@ void Autosave::carryOut(File& file) {
         return ended(file, file.due,
                      tr("%1 cannot be written, so that nothing is kept of an unsaved session.").arg(m_folder));
     file.thread->submit(
-        [this, &file, name = file.name, order = file.due](const Progress&) -> NewestWinsThread::Deliver {
-            return [this, &file, order, problem = carriedOut(name, *order)] { ended(file, order, problem); };
+        [this, &file, name = file.name, order = file.due,
+         write = m_write](const Progress&) -> NewestWinsThread::Deliver {
+            return [this, &file, order, problem = carriedOut(write, name, *order)] { ended(file, order, problem); };
         },
         NewestWinsThread::WhenSuperseded::finish);
 }

@@ -7,9 +7,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "processing/document/saved_session.h"
+#include "processing/result.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {
@@ -38,6 +41,9 @@ public:
 
     /// Between a change and its being written, and between a failure and the next attempt.
     void setInterval(int milliseconds);
+    /// What writes a session, in whatever thread; tests put one in its place that ends on command.
+    using Write = std::function<Result<void>(const std::string& file, const SavedSession& session)>;
+    void setWrite(Write write) { m_write = std::move(write); }
     /// What `present` gives may be other than before. The phase shown and the frame of the motion alone are not written
     /// anew.
     void noteChange();
@@ -96,10 +102,11 @@ private:
     void carryOut(File& file);
     void ended(File& file, const std::shared_ptr<const Order>& order, const QString& problem);
     bool own(const std::shared_ptr<QLockFile>& lock) const;
-    static QString carriedOut(const QString& file, const Order& order);
+    static QString carriedOut(const Write& write, const QString& file, const Order& order);
 
     QString m_folder;
     std::function<SavedSession()> m_present;
+    Write m_write;
     std::vector<Left> m_earlier;            ///< what this session's file takes the place of, until that is ordered
     std::optional<SavedSession> m_written;  ///< newest that was ordered
     QTimer m_timer;                         ///< runs while a change waits

@@ -174,6 +174,7 @@ void OpenStudy::load(const StudyReference& reference, Read read) {
             m_reference = saved ? saved->session.document.study : reference;
             m_saved = saved;
             m_study = shared;
+            m_filesRead = filesRead(*m_study, m_saved);
             m_seriesBeside = series;
             m_histograms = histograms;
             m_finds = finds;

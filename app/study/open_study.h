@@ -12,6 +12,7 @@
 #include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
 #include "app/study/saved_study.h"
+#include "io/output/overwriting.h"
 #include "io/series_list.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -213,6 +214,7 @@ private:
     Checksum m_checksum;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
+    std::vector<KeptFiles> m_filesRead;  ///< of m_study and m_saved
     std::shared_ptr<const SeriesList> m_seriesBeside;
     std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes
     std::optional<OpeningFinds> m_finds;

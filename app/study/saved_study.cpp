@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/document/session_file.h"
+#include "io/headers/raw_volume.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/simulated_study.h"
 
@@ -114,6 +115,16 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     keepToPhases(*session, study.phases.size());
     read->opened = {file, std::move(*session)};
     return read;
+}
+
+std::vector<KeptFiles> filesRead(const Study& study, const std::optional<OpenedSession>& saved) {
+    std::vector<KeptFiles> kept;
+    if (saved) kept.emplace_back(std::vector{saved->file}, OutputKind::session);
+    std::vector<std::string> voxels, layouts;
+    for (const std::string& file : study.files) (file.ends_with(rawLayoutEnding) ? layouts : voxels).push_back(file);
+    kept.emplace_back(std::move(voxels));
+    kept.emplace_back(std::move(layouts), OutputKind::rawLayout);
+    return kept;
 }
 
 }  // namespace echolucent

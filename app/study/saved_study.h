@@ -2,9 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "io/output/overwriting.h"
 #include "io/series_list.h"
 #include "io/study.h"
 #include "io/study_checksum.h"
@@ -50,5 +53,9 @@ using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
 /// shows (no view 1, a phase that the study does not have), and (cancelled) where the person ended it.
 [[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
                                              StudySearch search, const Progress& progress);
+
+/// Keeps what a study was read from, with the session that names it, if one does: no output takes the place of the
+/// voxels; the layout beside a raw file and the session are saved again under their names.
+[[nodiscard]] std::vector<KeptFiles> filesRead(const Study& study, const std::optional<OpenedSession>& saved);
 
 }  // namespace echolucent

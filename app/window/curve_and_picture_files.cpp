@@ -73,6 +73,7 @@ bool CurveAndPictureFiles::openCurve(const QString& path) {
         m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(curve.error()));
         return false;
     }
+    m_read.emplace_back(std::vector{path.toStdString()}, OutputKind::curve);
     m_parts.editor.openManualCurve(*curve);
     return true;
 }

@@ -3,10 +3,12 @@
 
 #include <QImage>
 #include <QObject>
+#include <vector>
 
 #include "app/document/document_model.h"
 #include "app/study/open_study.h"
 #include "app/window/settings.h"
+#include "io/output/overwriting.h"
 #include "processing/document/curve_set.h"
 #include "processing/result.h"
 
@@ -63,7 +65,8 @@ private:
     bool report(const Result<void>& written);
 
     Parts m_parts;
-    QString m_told;  ///< of a curve that was saved, while it is shown as it was saved
+    std::vector<KeptFiles> m_read;  ///< curves: only curves take their places
+    QString m_told;                 ///< of a curve that was saved, while it is shown as it was saved
 };
 
 }  // namespace echolucent

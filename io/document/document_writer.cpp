@@ -223,7 +223,7 @@ Result<void> writeJson(const std::string& path, const std::function<ordered_json
         if (text.size() > largestDocumentFile)
             return fail(FailureKind::unwritable, path, "", "would be too large to be opened again",
                         "Remove snapshots or strokes, and save again.");
-        return writeFileAtomically(path, text);
+        return writeFileAtomically(path, text, OutputKind::session);
     } catch (const ordered_json::exception&) {
         return fail(FailureKind::unwritable, path, "study",
                     "names a file whose name is not UTF-8, which JSON cannot hold",

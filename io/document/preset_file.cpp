@@ -66,7 +66,7 @@ Result<std::vector<Preset>> readPresets(const std::string& path) {
 }
 
 Result<void> writePresets(const std::string& path, const std::vector<Preset>& presets) {
-    return writeFileAtomically(path, jsonOf(presets));
+    return writeFileAtomically(path, jsonOf(presets), OutputKind::presets);
 }
 
 }  // namespace echolucent

@@ -22,7 +22,7 @@ constexpr const char* remedy =
 
 }  // namespace
 
-std::string rawLayoutPath(const std::string& path) { return path + ".echolucent.json"; }
+std::string rawLayoutPath(const std::string& path) { return path + std::string(rawLayoutEnding); }
 
 Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayout& layout, const std::string& source) {
     const std::string& path = file.path();
@@ -67,7 +67,7 @@ Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayo
 Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout) {
     nlohmann::ordered_json object{{"format", formatName}, {"version", 1}};
     object.update(rawLayoutJson(layout));
-    return writeFileAtomically(rawLayoutPath(path), object.dump(2) + "\n");
+    return writeFileAtomically(rawLayoutPath(path), object.dump(2) + "\n", OutputKind::rawLayout);
 }
 
 Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {

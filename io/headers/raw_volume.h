@@ -1,10 +1,15 @@
 // Headerless raw files, described by a person.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "io/stored_volume.h"
 
 namespace echolucent {
 
+/// What the name of a raw file's layout adds to the file's own.
+inline constexpr std::string_view rawLayoutEnding = ".echolucent.json";
 /// Where the layout of the raw file at `path` is kept: FILE.echolucent.json beside it.
 [[nodiscard]] std::string rawLayoutPath(const std::string& path);
 

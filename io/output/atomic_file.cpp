@@ -6,49 +6,104 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <memory>
+#include <optional>
 
+#include "io/output/interruption.h"
+#include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"
 
 namespace echolucent {
 
 namespace {
 
-tl::unexpected<Failure> cannotWrite(const std::string& path, int problem) {
-    return fail(FailureKind::unwritable, path, "", std::string("could not be written: ") + std::strerror(problem),
-                "Choose another folder or name.");
+/// Closes what it owns.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0) close(m_number);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+/// Gives 0, or the errno of what went wrong.
+int writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
 }
 
-/// Writes the bytes into a file that is there, a device or a pipe. Gives 0, or the errno of what went wrong.
-int writeInto(const std::string& path, std::string_view bytes) {
-    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) return errno;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(descriptor, "wb"), &std::fclose);
-    errno = 0;
-    const bool written =
-        file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() && std::fflush(file.get()) == 0;
-    return written ? 0 : (errno != 0 ? errno : EIO);
+/// Whether a file could be made that has no name; then `problem` is 0, or the errno of what went wrong.
+struct Nameless {
+    bool possible = false;
+    int problem = 0;
+};
+
+/// Gives a file without a name that of the place. A file that is there can only be replaced by one that has a name, so
+/// that it has one of its own for a moment. Gives 0, or an errno.
+int putInPlace(const std::string& nameless, const OutputPlace& place) {
+    const auto linkTo = [&](const std::string& name) {
+        return linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+    };
+    UninterruptedStep step;
+    if (const int problem = linkTo(place.target); problem != EEXIST) return problem;
+    constexpr int mostTries = 1000;
+    for (int attempt = 0; attempt < mostTries; ++attempt) {
+        const std::string name = place.target + '.' + std::to_string(getpid()) + '-' + std::to_string(attempt);
+        const int problem = linkTo(name);
+        if (problem == EEXIST) continue;
+        if (problem != 0) return problem;
+        if (std::rename(name.c_str(), place.target.c_str()) == 0) return 0;
+        const int renaming = errno;
+        unlink(name.c_str());
+        return renaming;
+    }
+    return EEXIST;
+}
+
+/// Whatever ends the program while the bytes are written, nothing is left of a file that has no name yet. Some file
+/// systems have no such files.
+Nameless writeNameless(const OutputPlace& place, std::string_view bytes) {
+    const Descriptor file(open(place.folder().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+    if (file.number() < 0) return {};
+    const std::string itself = "/proc/self/fd/" + std::to_string(file.number());
+    if (access(itself.c_str(), F_OK) != 0) return {};
+    if (const int problem = writeAll(file.number(), bytes)) return {true, problem};
+    // A crash of the machine leaves no empty file behind the new name.
+    if (fchmod(file.number(), place.mode) != 0 || fsync(file.number()) != 0) return {true, errno};
+    return {true, putInPlace(itself, place)};
+}
+
+Result<void> writeNamed(const std::string& path, std::string_view bytes, OutputKind kind) {
+    auto file = UnfinishedFile::beside(path, {}, kind);
+    if (!file) return tl::unexpected<Failure>(file.error());
+    const Descriptor named(open(file->name().c_str(), O_WRONLY | O_CLOEXEC));
+    const int problem = named.number() < 0 ? errno : writeAll(named.number(), bytes);
+    return problem == 0 ? file->putInPlace() : cannotWrite(path, problem);
 }
 
 }  // namespace
 
-Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
-    if (path == "-") {
-        if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-            return fail(FailureKind::unwritable, "standard output", "", "could not be written");
-        return {};
-    }
-    struct stat present {};
-    if (stat(path.c_str(), &present) == 0 && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
-        // A device or a pipe cannot be replaced.
-        const int problem = writeInto(path, bytes);
+Result<void> writeFileAtomically(const std::string& path, std::string_view bytes, OutputKind kind) {
+    const auto place = placeOfOutput(path, kind);
+    if (!place) return tl::unexpected<Failure>(place.error());
+    if (place->descriptor >= 0) {
+        std::fflush(stdout);
+        const int problem = writeAll(place->descriptor, bytes);
         return problem == 0 ? Result<void>() : cannotWrite(path, problem);
     }
-    auto file = UnfinishedFile::beside(path);
-    if (!file) return tl::unexpected<Failure>(file.error());
-    if (const int problem = writeInto(file->name(), bytes)) return cannotWrite(path, problem);
-    return file->putInPlace();
+    const Nameless written = writeNameless(*place, bytes);
+    if (!written.possible) return writeNamed(path, bytes, kind);
+    return written.problem == 0 ? Result<void>() : cannotWrite(path, written.problem);
 }
 
 }  // namespace echolucent

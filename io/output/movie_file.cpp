@@ -1,7 +1,6 @@
 #include "io/output/movie_file.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/movie_encoder/movie_encoder.h"
+#include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"
 
 namespace echolucent {
@@ -56,21 +56,8 @@ const Encoder& encoder() {
     return loaded;
 }
 
-tl::unexpected<Failure> cannotWrite(const std::string& path, const std::string& problem) {
+tl::unexpected<Failure> failed(const std::string& path, const std::string& problem) {
     return fail(FailureKind::unwritable, path, "", problem);
-}
-
-/// Fails where `path` cannot be written, so that this is said before minutes of rendering.
-Result<void> checkFolder(const std::string& path) {
-    if (path == "-") return {};
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return cannotWrite(path, "could not be written: it is a folder");
-    std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (folder.empty()) folder = ".";
-    if (!std::filesystem::is_directory(folder, error))
-        return cannotWrite(path, "could not be written: its folder is not there");
-    if (access(folder.c_str(), W_OK) != 0) return cannotWrite(path, "could not be written: its folder is read-only");
-    return {};
 }
 
 EcholucentMovieCodec codecOf(const MovieContainer& container) {
@@ -139,7 +126,9 @@ Result<void> MovieFile::check(const std::string& path, int width, int height) {
                     "would have " + std::to_string(width) + " x " + std::to_string(height) +
                         " pixels, but those of movies are counted in twos",
                     "Take an even width and height.");
-    return checkFolder(path);
+    // This is said before minutes of rendering.
+    if (const auto place = placeOfOutput(path); !place) return tl::unexpected<Failure>(place.error());
+    return {};
 }
 
 Result<MovieFile> MovieFile::begin(const std::string& path, int width, int height, double framesPerSecond) {
@@ -149,7 +138,7 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
         throw std::invalid_argument("MovieFile: the frame rate must be above 0, at most 1000");
     if (auto possible = check(path, width, height); !possible) return tl::unexpected<Failure>(possible.error());
     if (!encoder().complete())
-        return cannotWrite(
+        return failed(
             path, std::string("could not be made a movie: ") + ECHOLUCENT_MOVIE_MODULE +
                       " is neither beside the program nor in its library folder, or is not the one of this version");
     auto parts = std::make_unique<Parts>(path, *movieContainerOf(path));
@@ -161,8 +150,8 @@ Result<MovieFile> MovieFile::begin(const std::string& path, int width, int heigh
     parts->movie =
         encoder().open(parts->file->name().c_str(), codecOf(parts->container), width, height, framesPerSecond);
     if (!parts->movie)
-        return cannotWrite(path, "could not be made a movie: this machine has no encoder of " +
-                                     std::string(parts->container.words) + " for this size and rate");
+        return failed(path, "could not be made a movie: this machine has no encoder of " +
+                                std::string(parts->container.words) + " for this size and rate");
     return MovieFile(std::move(parts));
 }
 
@@ -170,7 +159,7 @@ Result<void> MovieFile::add(std::span<const std::uint8_t> rgb) {
     if (!m_parts || !m_parts->movie || rgb.size() != m_parts->pictureBytes())
         throw std::invalid_argument("MovieFile::add: the picture's bytes do not match the movie's size");
     if (encoder().add(m_parts->movie, rgb.data()) != 0)
-        return cannotWrite(m_parts->path, "could not be made a movie: a picture could not be encoded");
+        return failed(m_parts->path, "could not be made a movie: a picture could not be encoded");
     ++m_parts->pictures;
     return {};
 }
@@ -179,11 +168,11 @@ Result<void> MovieFile::finish(const Progress& progress) {
     if (!m_parts || !m_parts->movie) throw std::invalid_argument("MovieFile::finish: the movie is finished already");
     encoder().close(m_parts->movie);
     m_parts->movie = nullptr;
-    if (m_parts->pictures == 0) return cannotWrite(m_parts->path, "could not be made a movie: it has no pictures");
+    if (m_parts->pictures == 0) return failed(m_parts->path, "could not be made a movie: it has no pictures");
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(m_parts->file->name(), error);
     if (m_parts->container.ending == aviEnding && !error && bytes > largestAvi)
-        return cannotWrite(m_parts->path, "could not be made a movie: it is longer than 2 GB, which AVI cannot hold");
+        return failed(m_parts->path, "could not be made a movie: it is longer than 2 GB, which AVI cannot hold");
     // OpenCV does not say where a write failed.
     const auto wasCancelled = [](const void* asked) {
         return static_cast<const Progress*>(asked)->cancelled() ? 1 : 0;
@@ -192,8 +181,8 @@ Result<void> MovieFile::finish(const Progress& progress) {
         encoder().count(m_parts->file->name().c_str(), m_parts->width, m_parts->height, wasCancelled, &progress);
     if (progress.cancelled()) return fail(FailureKind::cancelled, m_parts->path, "", "was cancelled");
     if (whole != m_parts->pictures)
-        return cannotWrite(m_parts->path,
-                           "could not be made a movie: it does not read back whole, and the disk may be full");
+        return failed(m_parts->path,
+                      "could not be made a movie: it does not read back whole, and the disk may be full");
     return m_parts->file->putInPlace();
 }
 

@@ -33,7 +33,7 @@ inline constexpr std::array movieContainers{MovieContainer{".avi", "Motion JPEG 
 class MovieFile {
 public:
     /// Fails as begin() does before anything is rendered: where the name's ending is none of movieContainers or a side
-    /// is odd (wrongUsage: OpenCV would cut it), or the folder of `path` cannot be written into (unwritable).
+    /// is odd (wrongUsage: OpenCV would cut it), or `path` is no place of an output (placeOfOutput()).
     [[nodiscard]] static Result<void> check(const std::string& path, int width, int height);
 
     /// Begins a movie of `width` x `height` pixels (even, 1 to 16384 each) at `framesPerSecond` (above 0, at most

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -16,6 +17,22 @@ std::optional<Identity> identityOf(const std::string& path) {
     struct stat status {};
     if (path.empty() || path == "-" || stat(path.c_str(), &status) != 0) return std::nullopt;
     return Identity(status.st_dev, status.st_ino);
+}
+
+struct Kept {
+    std::vector<std::string> files;
+    OutputKind kind = OutputKind::other;
+};
+
+/// What the process keeps, whichever of its threads writes.
+struct AllKept {
+    std::mutex mutex;
+    std::vector<std::weak_ptr<const Kept>> list;
+};
+
+AllKept& allKept() {
+    static AllKept all;
+    return all;
 }
 
 }  // namespace
@@ -32,6 +49,38 @@ Result<void> refuseToOverwrite(const std::vector<std::string>& inputs, const std
         if (const auto same = present.find(*identity); same != present.end())
             return fail(FailureKind::wrongUsage, same->second, "",
                         "would overwrite \"" + input + "\", which is an input", "Give the output a name of its own.");
+    }
+    return {};
+}
+
+KeptFiles::KeptFiles(std::vector<std::string> files, OutputKind kind) {
+    const auto kept = std::make_shared<const Kept>(Kept{std::move(files), kind});
+    m_kept = kept;
+    AllKept& all = allKept();
+    const std::lock_guard lock(all.mutex);
+    std::erase_if(all.list, [](const auto& entry) { return entry.expired(); });
+    all.list.push_back(kept);
+}
+
+void keepFromOverwriting(std::vector<std::string> files, OutputKind kind) {
+    // Never destroyed: a thread may write until the process ends.
+    static auto& forGood = *new std::vector<KeptFiles>;
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    forGood.emplace_back(std::move(files), kind);
+}
+
+Result<void> refuseToOverwriteKept(const std::string& output, OutputKind kind) {
+    std::vector<std::shared_ptr<const Kept>> present;
+    {
+        AllKept& all = allKept();
+        const std::lock_guard lock(all.mutex);
+        for (const auto& entry : all.list)
+            if (auto kept = entry.lock()) present.push_back(std::move(kept));
+    }
+    for (const auto& kept : present) {
+        if (kind != OutputKind::other && kept->kind == kind) continue;
+        if (auto allowed = refuseToOverwrite(kept->files, {output}); !allowed) return allowed;
     }
     return {};
 }

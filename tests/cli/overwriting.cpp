@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/document/document_file.h"
 #include "program.h"
 #include "tests/io/dicom_files.h"
 
@@ -39,6 +40,17 @@ public:
             image.series = slice < 18 ? "1.2.3" : "1.2.4";  // the last two belong to a series that is not shown
             writeDicom(m_folder / ("series/s" + std::to_string(slice) + ".dcm"), image);
         }
+        std::filesystem::create_directory(m_folder / "refused");
+        for (int series = 0; series < 2; ++series) {
+            TestImage alone;
+            alone.columns = alone.rows = 20;
+            alone.pixels8.assign(400, 100);
+            alone.series = "1.2." + std::to_string(series + 5);
+            writeDicom(m_folder / ("refused/s" + std::to_string(series) + ".dcm"), alone);
+        }
+        Document document;
+        document.study = StudyFile{.path = m_folder / "v.mhd"};
+        if (!writeDocument(m_folder / "d.json", document)) ADD_FAILURE() << "no document";
         std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "link.png");
         std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "m.avi");
         std::filesystem::create_hard_link(m_folder / "v.raw", m_folder / "hard.png");
@@ -85,34 +97,46 @@ TEST_P(Overwriting, IsRefusedWithBothFilesNamedAndNothingWritten) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, Overwriting,
-    testing::Values(OverwritingRow{"render F/v.mhd --size 16x16 -o F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"render F/n.nhdr --size 16x16 -o F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"render F/v.mhd --size 16x16 -o F/../$(basename F/)/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"render F/v.mhd --size 16x16 -o F/link.png", "link.png", "v.raw"},
-                    OverwritingRow{"render F/v.mhd --size 16x16 -o F/hard.png", "hard.png", "v.raw"},
-                    OverwritingRow{"render F/plain.bin --size 16x16 -o F/plain.bin", "plain.bin", "plain.bin"},
-                    OverwritingRow{"render F/plain.bin --size 16x16 -o F/plain.bin.echolucent.json",
-                                   "plain.bin.echolucent.json", "plain.bin.echolucent.json"},
-                    OverwritingRow{"render F/series --size 16x16 -o F/series/s3.dcm", "s3.dcm", "s3.dcm"},
-                    OverwritingRow{"render F/series --size 16x16 -o F/series/s19.dcm", "s19.dcm", "s19.dcm"},
-                    OverwritingRow{"render F/v.mhd --size 16x16 --otf manual:F/curve.json -o F/curve.json",
-                                   "curve.json", "curve.json"},
-                    OverwritingRow{"render F/v.mhd --size 16x16 --initial manual:F/curve.json -o F/curve.json",
-                                   "curve.json", "curve.json"},
-                    OverwritingRow{"otf F/v.mhd --json F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"otf F/v.mhd --json F/o.json --csv F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"otf F/v.mhd --json F/o.json --tubes-csv F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"otf F/v.mhd --initial manual:F/curve.json --json F/curve.json", "curve.json",
-                                   "curve.json"},
-                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --json F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --movie F/m.avi", "m.avi", "v.raw"},
-                    OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --initial manual:F/curve.json --csv F/curve.json",
-                                   "curve.json", "curve.json"},
-                    OverwritingRow{"bench otf F/v.mhd --runs 1 --json F/v.raw", "v.raw", "v.raw"},
-                    OverwritingRow{"study otf F/v.mhd --repeats 1 -o F/study", "otf.html", "v.raw"},
-                    OverwritingRow{"study render F/v.mhd --quick -o F/study", "render.csv", "v.raw"},
-                    OverwritingRow{"study motion F/v.mhd --from 0 --to 2 -o F/study", "motion.csv", "v.raw"}));
+    testing::Values(
+        OverwritingRow{"render F/v.mhd --size 16x16 -o F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"render F/n.nhdr --size 16x16 -o F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"render F/v.mhd --size 16x16 -o F/../$(basename F/)/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"render F/v.mhd --size 16x16 -o F/link.png", "link.png", "v.raw"},
+        OverwritingRow{"render F/v.mhd --size 16x16 -o F/hard.png", "hard.png", "v.raw"},
+        OverwritingRow{"render F/plain.bin --size 16x16 -o F/plain.bin", "plain.bin", "plain.bin"},
+        OverwritingRow{"render F/plain.bin --size 16x16 -o F/plain.bin.echolucent.json", "plain.bin.echolucent.json",
+                       "plain.bin.echolucent.json"},
+        OverwritingRow{"render F/series --size 16x16 -o F/series/s3.dcm", "s3.dcm", "s3.dcm"},
+        OverwritingRow{"render F/series --size 16x16 -o F/series/s19.dcm", "s19.dcm", "s19.dcm"},
+        OverwritingRow{"render F/v.mhd --size 16x16 --otf manual:F/curve.json -o F/curve.json", "curve.json",
+                       "curve.json"},
+        OverwritingRow{"render F/v.mhd --size 16x16 --initial manual:F/curve.json -o F/curve.json", "curve.json",
+                       "curve.json"},
+        OverwritingRow{"otf F/v.mhd --json F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"otf F/v.mhd --json F/o.json --csv F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"otf F/v.mhd --json F/o.json --tubes-csv F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"otf F/v.mhd --initial manual:F/curve.json --json F/curve.json", "curve.json", "curve.json"},
+        OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --json F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --csv F/o.csv --movie F/m.avi", "m.avi", "v.raw"},
+        OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --initial manual:F/curve.json --csv F/curve.json", "curve.json",
+                       "curve.json"},
+        OverwritingRow{"sweep F/v.mhd --from 0 --to 2 --picture-flicker --json F/hard.png", "hard.png", "v.raw"},
+        OverwritingRow{"quiet F/v.mhd -o F/v.mhd", "v.mhd", "v.mhd"},
+        OverwritingRow{"quiet F/v.mhd -o F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"info F/v.mhd --json F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"info F/series --json F/series/s3.dcm", "s3.dcm", "s3.dcm"},
+        OverwritingRow{"info F/refused --json F/refused/s1.dcm", "s1.dcm", "s1.dcm"},
+        OverwritingRow{"files F/ -o F/series/s3.dcm", "s3.dcm", "s3.dcm"},
+        OverwritingRow{"files F/ -o F/hard.png", "hard.png", "hard.png"},
+        OverwritingRow{"files F/ -o F/curve.json", "curve.json", "curve.json"},
+        OverwritingRow{"render --document F/d.json --size 16x16 -o F/d.json", "d.json", "d.json"},
+        OverwritingRow{"render --document F/d.json --size 16x16 -o F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"render --document F/d.json F/n.nhdr --size 16x16 -o F/d.json", "d.json", "d.json"},
+        OverwritingRow{"bench otf F/v.mhd --runs 1 --json F/v.raw", "v.raw", "v.raw"},
+        OverwritingRow{"study otf F/v.mhd --repeats 1 -o F/study", "otf.html", "v.raw"},
+        OverwritingRow{"study render F/v.mhd --quick -o F/study", "render.csv", "v.raw"},
+        OverwritingRow{"study motion F/v.mhd --from 0 --to 2 -o F/study", "motion.csv", "v.raw"}));
 
 TEST(Overwriting, AnotherFileInTheFolderOfTheInputsIsReplaced) {
     const Inputs inputs;
