@@ -12,6 +12,8 @@ namespace echolucent {
 
 namespace {
 
+// Such a name fits into a sentence.
+constexpr std::size_t longestName = 1000;
 const std::string exportAgain = "Correct the header or export the volume again.";
 
 tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem,
@@ -98,6 +100,11 @@ Result<void> requireInItsFolder(const std::string& path) {
 }
 
 Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name) {
+    if (name.size() > longestName)
+        return wrong(key,
+                     fmt::format("names {}, which is {} letters long; no more than {} are read", quotedText(name),
+                                 name.size(), longestName),
+                     "Give the file a shorter name, and correct it in the header.");
     const auto folder = std::filesystem::path(key.headerPath).parent_path();
     if (name.empty())
         return wrong(key, "names no file", "The header is incomplete or damaged: copy or export it again.");

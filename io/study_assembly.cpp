@@ -281,6 +281,19 @@ Result<void> checkWhite(const StudyParts& parts) {
                 "Correct the white level or leave it out.");
 }
 
+/// What a file says of itself, as one line of the report: a file may hold any bytes, and any number of them.
+std::string asLine(std::string text) {
+    constexpr std::size_t longest = 300;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // no half letter of UTF-8
+        text = text.substr(0, end) + "...";
+    }
+    for (char& letter : text)
+        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+    return text;
+}
+
 void addLossFact(const StudyParts& parts, Study& study) {
     const char* value = "unknown";
     if (parts.lossyCompression != LossyCompression::unknown)
@@ -312,6 +325,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.lossyCompression = parts.lossyCompression;
     study.burnedInText = parts.burnedInText;
     study.facts = std::move(parts.facts);
+    for (ImportFact& fact : study.facts) fact.value = asLine(std::move(fact.value));
     study.warnings = std::move(parts.warnings);
 
     const ChosenWhite white = chooseWhite(parts, study.warnings);

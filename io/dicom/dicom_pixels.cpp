@@ -254,8 +254,10 @@ void DicomFrames::sayWhite(StudyParts& parts) const {
 }
 
 std::vector<ImportFact> DicomFrames::facts() const {
-    std::vector<ImportFact> facts{{"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
-                                  {"photometric interpretation", m_state->format.photometric, "(0028,0004)"}};
+    const std::string& photometric = m_state->format.photometric;
+    std::vector<ImportFact> facts{
+        {"transfer syntax", syntaxNameOf(m_state->syntax), "(0002,0010)"},
+        {"photometric interpretation", photometric.empty() ? "not given" : photometric, "(0028,0004)"}};
     if (m_state->rescaled) {
         const std::vector<Rescale> different = m_state->rescalesShown();
         const Rescale& first = different.front();

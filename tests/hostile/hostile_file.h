@@ -59,9 +59,10 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::vector<HostileFile> hostileMalformedNifti();
 [[nodiscard]] std::vector<HostileFile> hostileMalformedKretz();
 [[nodiscard]] std::vector<HostileFile> hostileMalformedDicom();  ///< numbers of no scanner, codings, objects
-[[nodiscard]] std::vector<HostileFile> hostileDataFiles();     ///< lists of data files, voxels as text, packed voxels
-[[nodiscard]] std::vector<HostileFile> hostileUnknownFiles();  ///< no known format, false layouts beside raw files
-[[nodiscard]] std::vector<HostileFile> hostileEnhancedUs();    ///< Enhanced US Volumes that contradict themselves
+[[nodiscard]] std::vector<HostileFile> hostileDataFiles();       ///< lists of data files, voxels as text, packed voxels
+[[nodiscard]] std::vector<HostileFile> hostileUnknownFiles();    ///< no known format, false layouts beside raw files
+[[nodiscard]] std::vector<HostileFile> hostileEnhancedUs();      ///< Enhanced US Volumes that contradict themselves
+[[nodiscard]] std::vector<HostileFile> hostileFoundByFuzzing();  ///< whatever tests/fuzz found, of every format
 
 /// All rows.
 [[nodiscard]] std::vector<HostileFile> hostileFiles();

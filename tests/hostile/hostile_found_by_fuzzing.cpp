@@ -1,0 +1,44 @@
+#include "dicom_bytes.h"
+#include "hostile_file.h"
+
+namespace echolucent {
+
+namespace {
+
+const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
+const std::string pixels = "ABCDEFGHIJKLMNOP";
+
+HostileFile metaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {
+    return hostileFile("found-by-fuzzing/" + name, "v.mha",
+                       "NDims = 3\nDimSize = 4 2 2\nElementType = MET_UCHAR\n" + lastKeys, std::move(words));
+}
+
+/// What is wrong with these shows in the report, which tests/fuzz looks at; the words are in no warning.
+HostileFile cine(const std::string& name, DicomBytes file, std::vector<std::string> words) {
+    file.text(0x0018, 0x0088, "DS", "1").text(0x0028, 0x0030, "DS", "1\\1").put(0x7fe0, 0x0010, "OW", pixels);
+    return hostileFile("found-by-fuzzing/" + name, "v.dcm", file.file(cineClass), std::move(words),
+                       HostileOutcome::opens);
+}
+
+/// A cine of 4 x 2 pixels without a Photometric Interpretation.
+DicomBytes withoutPhotometric() {
+    DicomBytes file;
+    file.word(0x0028, 0x0002, 1).text(0x0028, 0x0008, "IS", "2").word(0x0028, 0x0010, 2).word(0x0028, 0x0011, 4);
+    return file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
+}
+
+}  // namespace
+
+std::vector<HostileFile> hostileFoundByFuzzing() {
+    const std::string longName(2000, 'v');
+    return {
+        metaImage("a-data-file-with-a-name-of-2000-letters", "ElementDataFile = " + longName + "\n",
+                  {"2000 letters long"}),
+        cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
+        cine("a-manufacturer-of-20000-letters",
+             DicomBytes().text(0x0008, 0x0070, "LO", std::string(20000, 'm')).picture(4, 2, 2), {"mmmm"}),
+        cine("no-photometric-interpretation", withoutPhotometric(), {"Photometric"}),
+    };
+}
+
+}  // namespace echolucent
