@@ -11,12 +11,13 @@
 
 namespace echolucent {
 
-/// Makes one text after the other from a good one: bits are flipped, parts cut away, doubled or filled with noise; and
-/// of the JSON values are exchanged, removed, renamed, moved to other places and nested.
+/// Makes one text after the other from a good one, JSON that is no plain value and not empty: bits are flipped, parts
+/// cut away, doubled or filled with noise; and of the JSON values are exchanged, removed, renamed, moved to other
+/// places and nested. The ten kinds of change follow each other from `first` on.
 class Mutations {
 public:
-    explicit Mutations(std::string good, unsigned seed)
-        : m_good(std::move(good)), m_object(nlohmann::ordered_json::parse(m_good)), m_random(seed) {
+    explicit Mutations(std::string good, unsigned seed, int first = 0)
+        : m_good(std::move(good)), m_object(nlohmann::ordered_json::parse(m_good)), m_random(seed), m_count(first) {
         collect(m_object, Pointer());
     }
 
@@ -128,7 +129,7 @@ private:
     nlohmann::ordered_json m_object;
     std::vector<Pointer> m_places;
     std::mt19937 m_random;
-    int m_count = 0;
+    int m_count;
 };
 
 }  // namespace echolucent

@@ -1,0 +1,59 @@
+// The targets that are fuzzed: one for each reader, with its samples and its mutation.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace echolucent {
+
+/// Thrown where a reader did what none may do: it is a finding, as a crash is.
+class BrokenPromise : public std::logic_error {
+    using std::logic_error::logic_error;
+};
+
+/// One file to begin from.
+struct FuzzSample {
+    std::string name;
+    std::string bytes;
+};
+
+/// What is fuzzed under one name.
+struct FuzzTarget {
+    std::string_view name;  ///< as in scripts/fuzz: "meta-image"
+    /// Has the reader read these bytes. Throws BrokenPromise where what it gives is none that it may give; whatever
+    /// else it throws is a finding too.
+    void (*read)(std::string_view bytes);
+    /// Other bytes that the seed decides, mostly of the same form.
+    std::string (*mutated)(std::string bytes, std::uint64_t seed);
+    /// Files to begin from, written by the project's own writers and by those of its tests.
+    std::vector<FuzzSample> (*samples)();
+    std::size_t longest;          ///< bytes; longer inputs are not made
+    std::string_view dictionary;  ///< name of a file in tests/fuzz/dictionaries without its ending; it may be empty
+};
+
+// Each stands in a source file of its own name in tests/fuzz/targets.
+extern const FuzzTarget metaImageTarget;       ///< MetaImage
+extern const FuzzTarget nrrdTarget;            ///< NRRD
+extern const FuzzTarget niftiTarget;           ///< NIfTI
+extern const FuzzTarget kretzTarget;           ///< GE Voluson
+extern const FuzzTarget gzipTarget;            ///< packed files
+extern const FuzzTarget rawLayoutTarget;       ///< the layout beside a raw file
+extern const FuzzTarget dicomTarget;           ///< one DICOM file
+extern const FuzzTarget dicomDirectoryTarget;  ///< a DICOMDIR beside slices
+extern const FuzzTarget dicomPixelsTarget;     ///< a fragment in a good header: RLE, JPEG, JPEG-LS, JPEG 2000
+extern const FuzzTarget dicomFolderTarget;     ///< one file among slices: listing, middle pictures, the series
+extern const FuzzTarget curveTarget;           ///< an opacity curve
+extern const FuzzTarget presetsTarget;         ///< presets
+extern const FuzzTarget documentTarget;        ///< a document
+extern const FuzzTarget sessionTarget;         ///< a session
+
+/// All targets.
+[[nodiscard]] std::span<const FuzzTarget* const> fuzzTargets();
+/// The target of that name. Throws std::invalid_argument where there is none.
+[[nodiscard]] const FuzzTarget& fuzzTargetNamed(std::string_view name);
+
+}  // namespace echolucent

@@ -1,0 +1,45 @@
+#include "tests/fuzz/mutations/zlib_parts.h"
+
+#include <zlib.h>
+
+#include <cstddef>
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::size_t mostUnpacked = std::size_t{4} << 20;
+
+/// Points the stream at both; `out` must not move afterwards.
+void point(z_stream& stream, std::string_view bytes, std::string& out) {
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+}
+
+}  // namespace
+
+std::string unpacked(std::string_view bytes, int windowBits) {
+    z_stream stream{};
+    inflateInit2(&stream, windowBits);
+    std::string out(mostUnpacked, '\0');
+    point(stream, bytes, out);
+    inflate(&stream, Z_FINISH);
+    out.resize(out.size() - stream.avail_out);
+    inflateEnd(&stream);
+    return out;
+}
+
+std::string packed(std::string_view bytes, int windowBits) {
+    z_stream stream{};
+    deflateInit2(&stream, 1, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);
+    std::string out(deflateBound(&stream, bytes.size()) + 64, '\0');
+    point(stream, bytes, out);
+    deflate(&stream, Z_FINISH);
+    out.resize(out.size() - stream.avail_out);
+    deflateEnd(&stream);
+    return out;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,218 @@
+#include "tests/fuzz/samples/dicom_samples.h"
+
+#include <numeric>
+
+#include "dicom_bytes.h"
+#include "dicom_files.h"
+#include "enhanced_us_files.h"
+#include "kretz_files.h"
+#include "tests/fuzz/mutations/dicom_elements.h"
+#include "tests/fuzz/samples/written_file.h"
+#include "zlib_bytes.h"
+
+namespace echolucent {
+
+namespace {
+
+const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
+const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
+const std::string qlabClass = "1.2.840.113543.6.6.1.3.10002";
+
+std::string counted(std::size_t count) {
+    std::string bytes(count, '\0');
+    std::iota(bytes.begin(), bytes.end(), '\1');
+    return bytes;
+}
+
+constexpr std::size_t jpeg2000Form = 12;  // of fragmentForms()
+
+DicomBytes cine(int frames = 2) {
+    DicomBytes file;
+    file.text(0x0008, 0x0060, "CS", "US").text(0x0018, 0x0088, "DS", "1").text(0x0020, 0x000e, "UI", "1.2.3");
+    file.picture(4, 2, frames).text(0x0028, 0x0030, "DS", "1\\1");
+    return file;
+}
+
+TestImage image(int samples = 1, int bits = 8) {
+    TestImage one;
+    one.frames = 3;
+    one.samples = samples;
+    one.spacingBetweenSlices = 1.0;
+    one.pixelSpacing = {{0.5, 0.5}};
+    one.bitsAllocated = bits;
+    one.bitsStored = bits == 16 ? 12 : 8;
+    const auto count = static_cast<std::size_t>(one.columns * one.rows * one.frames * samples);
+    if (bits == 16)
+        one.pixels16.assign(count, 300);
+    else
+        one.pixels8.assign(count, 77);
+    if (samples == 3) one.photometric = "RGB";
+    return one;
+}
+
+std::string written(const TestImage& one, TestSyntax syntax = TestSyntax::explicitLittle) {
+    return bytesOfWritten("v.dcm", [&](const std::string& path) { return writeDicom(path, one, syntax), true; });
+}
+
+std::string writtenEnhanced(int bits, int phases) {
+    return bytesOfWritten("v.dcm", [&](const std::string& path) {
+        EnhancedUsDetails details;
+        if (phases > 1) details.phaseSeconds = 0.04;
+        VolumeGeometry geometry = obliqueGeometry();
+        geometry.size = {8, 8, 8};
+        return writeEnhancedUs(path, simulatedPhases(geometry, bits, phases), details).has_value();
+    });
+}
+
+std::string qlab() {
+    DicomBytes file;
+    file.text(0x0018, 0x1063, "DS", "40").word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
+    file.real(0x0018, 0x602c, 0.02).real(0x0018, 0x602e, 0.04);
+    file.picture(3, 2, 2).put(0x3001, 0x1001, "UL", bytesFrom<std::uint32_t>({4}));
+    file.real(0x3001, 0x1003, 0.05);
+    return file.put(0x7fe0, 0x0010, "OW", counted(48)).file(qlabClass);
+}
+
+std::string groups() {
+    TestImage one = image();
+    one.orientation = {{1, 0, 0, 0, 1, 0}};
+    for (int frame = 0; frame < 3; ++frame)
+        one.functionalGroups.push_back({Vec3(0, 0, frame), frame * 0.1, "TISSUE_INTENSITY"});
+    one.windowCentre = "79";
+    one.windowWidth = "158";
+    one.rescaleSlope = "2";
+    one.rescaleIntercept = "-5";
+    one.windowInGroups = true;
+    return written(one);
+}
+
+std::string palette() {
+    TestImage one = image();
+    one.photometric = "PALETTE COLOR";
+    TestPalette colours;
+    for (std::uint16_t i = 0; i < 256; ++i) {
+        colours.red.push_back(static_cast<std::uint16_t>(i * 257));
+        colours.green.push_back(static_cast<std::uint16_t>(i * 257));
+        colours.blue.push_back(static_cast<std::uint16_t>(65535 - i * 257));
+    }
+    one.palette = colours;
+    return written(one);
+}
+
+/// The first frame's fragment of a file.
+std::string fragmentOf(const std::string& bytes) {
+    const DicomFileBytes parts = dicomParts(bytes);
+    for (const DicomElementBytes& element : parts.elements)
+        if (element.encapsulated && element.fragments.size() > 1) return element.fragments[1];
+    throw std::runtime_error("a sample holds no fragment");
+}
+
+std::string jpeg2000Fragment() {
+    return fragmentOf(bytesOfWritten("v.dcm", [](const std::string& path) {
+        return writeJpeg2000Dicom(path, 8, 8, std::vector<std::uint8_t>(64, 99)), true;
+    }));
+}
+
+}  // namespace
+
+std::vector<FuzzSample> dicomSamples() {
+    const std::string pixels = counted(16);
+    const auto nested = DicomBytes().sequence(0x0008, 0x1140, {DicomBytes().text(0x0008, 0x1150, "UI", "1.2")});
+    DicomBytes deep = cine();
+    deep.sequence(0x0040, 0xa730, {nested, nested}).put(0x7fe0, 0x0010, "OW", pixels);
+    DicomBytes kretz = cine(0);
+    kretz.put(0x7fe0, 0x0010, "OW", counted(8)).text(0x7fe1, 0x0011, "LO", "KRETZ_US");
+    kretz.put(0x7fe1, 0x1101, "OB", KretzParts().bytes() + std::string(KretzParts().bytes().size() % 2, '\0'));
+    std::vector<FuzzSample> samples{
+        {"cine", cine().put(0x7fe0, 0x0010, "OW", pixels).file(cineClass)},
+        {"sequences", deep.file(cineClass)},
+        {"kretz", kretz.file(sliceClass)},
+        {"qlab", qlab()},
+        {"groups", groups()},
+        {"palette", palette()},
+        {"enhanced", writtenEnhanced(8, 1)},
+        {"enhanced-phases", writtenEnhanced(16, 2)},
+        {"implicit", written(image(), TestSyntax::implicitLittle)},
+        {"big", written(image(1, 16), TestSyntax::explicitBig)},
+        {"colour", written(image(3))},
+        {"deflated", written(image(), TestSyntax::deflated)},
+        {"rle", written(image(1, 16), TestSyntax::rle)},
+        {"jpeg", written(image(), TestSyntax::jpegBaseline)},
+        {"jpeg-lossless", written(image(1, 16), TestSyntax::jpegLossless)},
+        {"jpeg-ls", written(image(), TestSyntax::jpegLs)},
+        {"slice", dicomSlice(1)},
+    };
+    samples.push_back({"jpeg-2000", dicomOfFragment(jpeg2000Form, jpeg2000Fragment())});
+    return samples;
+}
+
+std::string dicomSlice(int instance) {
+    DicomBytes file;
+    file.text(0x0008, 0x0016, "UI", sliceClass).text(0x0008, 0x0018, "UI", "1.2.3." + std::to_string(instance));
+    file.text(0x0008, 0x0060, "CS", "US").text(0x0020, 0x000e, "UI", "1.2.3");
+    file.text(0x0020, 0x0013, "IS", std::to_string(instance));
+    file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(instance));
+    file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").text(0x0020, 0x0052, "UI", "1.2.4").picture(4, 2, 0);
+    file.text(0x0028, 0x0030, "DS", "0.5\\0.5");
+    return file.put(0x7fe0, 0x0010, "OW", counted(8)).file(sliceClass);
+}
+
+std::string dicomDirectory(const std::vector<std::string>& names) {
+    std::vector<DicomBytes> records;
+    for (const std::string& name : names) {
+        DicomBytes record;
+        record.put(0x0004, 0x1400, "UL", bytesFrom<std::uint32_t>({400}));
+        record.word(0x0004, 0x1410, 0xffff).put(0x0004, 0x1420, "UL", bytesFrom<std::uint32_t>({400}));
+        record.text(0x0004, 0x1430, "CS", "IMAGE").text(0x0004, 0x1500, "CS", name);
+        records.push_back(record);
+    }
+    return DicomBytes().sequence(0x0004, 0x1220, records).file("1.2.840.10008.1.3.10");
+}
+
+const std::vector<FragmentForm>& fragmentForms() {
+    static const std::vector<FragmentForm> forms{
+        {"1.2.840.10008.1.2.5", 4, 3, 1, 8},     {"1.2.840.10008.1.2.5", 4, 3, 1, 16},
+        {"1.2.840.10008.1.2.5", 4, 3, 3, 8},     {"1.2.840.10008.1.2.4.50", 4, 3, 1, 8},
+        {"1.2.840.10008.1.2.4.50", 4, 3, 3, 8},  {"1.2.840.10008.1.2.4.51", 4, 3, 1, 16},
+        {"1.2.840.10008.1.2.4.70", 4, 3, 1, 16}, {"1.2.840.10008.1.2.4.70", 4, 3, 1, 8},
+        {"1.2.840.10008.1.2.4.57", 4, 3, 1, 8},  {"1.2.840.10008.1.2.4.80", 4, 3, 1, 8},
+        {"1.2.840.10008.1.2.4.81", 4, 3, 1, 16}, {"1.2.840.10008.1.2.4.80", 4, 3, 3, 8},
+        {"1.2.840.10008.1.2.4.90", 8, 8, 1, 8},  {"1.2.840.10008.1.2.4.91", 8, 8, 3, 8},
+        {"1.2.840.10008.1.2.4.90", 8, 8, 1, 16}};
+    return forms;
+}
+
+std::string dicomOfFragment(std::size_t form, const std::string& fragment) {
+    const FragmentForm& one = fragmentForms()[form];
+    const auto bits = static_cast<std::uint16_t>(one.bits);
+    DicomBytes file;
+    file.text(0x0008, 0x0060, "CS", "US").text(0x0018, 0x0088, "DS", "1");
+    file.word(0x0028, 0x0002, static_cast<std::uint16_t>(one.samples));
+    file.text(0x0028, 0x0004, "CS", one.samples == 3 ? "RGB" : "MONOCHROME2");
+    if (one.samples == 3) file.word(0x0028, 0x0006, 0);
+    file.text(0x0028, 0x0008, "IS", "2").word(0x0028, 0x0010, static_cast<std::uint16_t>(one.rows));
+    file.word(0x0028, 0x0011, static_cast<std::uint16_t>(one.columns)).text(0x0028, 0x0030, "DS", "1\\1");
+    file.word(0x0028, 0x0100, bits).word(0x0028, 0x0101, bits);
+    file.word(0x0028, 0x0102, static_cast<std::uint16_t>(bits - 1)).word(0x0028, 0x0103, 0);
+    const std::string even = fragment + std::string(fragment.size() % 2, '\0');
+    return file.fragments("", {even, even}).file(cineClass, one.transferSyntax);
+}
+
+std::vector<FuzzSample> fragmentSamples() {
+    const auto behind = [](char form, const std::string& bytes) { return std::string(1, form) + fragmentOf(bytes); };
+    std::vector<FuzzSample> samples{
+        {"rle", behind(0, written(image(), TestSyntax::rle))},
+        {"rle-words", behind(1, written(image(1, 16), TestSyntax::rle))},
+        {"rle-colour", behind(2, written(image(3), TestSyntax::rle))},
+        {"jpeg", behind(3, written(image(), TestSyntax::jpegBaseline))},
+        {"jpeg-colour", behind(4, written(image(3), TestSyntax::jpegBaseline))},
+        {"jpeg-lossless", behind(6, written(image(1, 16), TestSyntax::jpegLossless))},
+        {"jpeg-lossless-bytes", behind(7, written(image(), TestSyntax::jpegLossless))},
+        {"jpeg-ls", behind(9, written(image(), TestSyntax::jpegLs))},
+        {"jpeg-ls-words", behind(10, written(image(1, 16), TestSyntax::jpegLs))},
+    };
+    samples.push_back({"jpeg-2000", static_cast<char>(jpeg2000Form) + jpeg2000Fragment()});
+    return samples;
+}
+
+}  // namespace echolucent
