@@ -25,7 +25,7 @@ endif()
 # Of the linkers that come with the compiler, gold takes a quarter of the time for some thirty programs with VTK.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ECHOLUCENT_HAS_GOLD)
-if(ECHOLUCENT_HAS_GOLD)
+if(ECHOLUCENT_HAS_GOLD AND NOT ECHOLUCENT_FUZZ)  # gold warns of each symbol of clang's sanitizers
     add_link_options(-fuse-ld=gold)
 endif()
 
