@@ -17,10 +17,12 @@ std::uint64_t mostReadingMemory(std::uint64_t storedBytes) {
 Result<void> requireReadingMemory(const std::string& file, const std::string& element, std::uint64_t neededBytes,
                                   std::uint64_t storedBytes) {
     if (neededBytes <= mostReadingMemory(storedBytes)) return {};
-    return fail(FailureKind::unreadable, file, element,
-                fmt::format("declares voxels that would take {} MiB of memory out of a file of {} bytes, as no scan of echoes does",
-                            neededBytes >> 20, storedBytes),
-                "Unpack it, or save it without compression, if you trust it, and open what comes out.");
+    return fail(
+        FailureKind::unreadable, file, element,
+        fmt::format(
+            "declares voxels that would take {} MiB of memory out of a file of {} bytes, as no scan of echoes does",
+            neededBytes >> 20, storedBytes),
+        "Unpack it, or save it without compression, if you trust it, and open what comes out.");
 }
 
 }  // namespace echolucent

@@ -30,9 +30,9 @@ struct DicomScan {
     bool hasPixelData = false;   ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
-    std::uint64_t pixelStart = 0;  ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
-    bool pixelsEnd = false;        ///< whether the walk came to the end of (7FE0,0010)
-    bool holdsKretz = false;       ///< whether a volume of GE's (kretzVolumeIn()) stands behind the pixels
+    std::uint64_t pixelStart = 0;      ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
+    bool pixelsEnd = false;            ///< whether the walk came to the end of (7FE0,0010)
+    bool holdsKretz = false;           ///< whether a volume of GE's (kretzVolumeIn()) stands behind the pixels
     std::uint64_t kretzBytesHeld = 0;  ///< how many bytes of it the file holds
     DicomScanEnd end = DicomScanEnd::whole;
     std::uint64_t endPosition = 0;    ///< where the walk ended, in what the file unpacks to where it is deflated

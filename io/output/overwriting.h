@@ -20,7 +20,8 @@ namespace echolucent {
 enum class OutputKind { other, curve, presets, session, rawLayout };
 
 /// Files that were read. While this lives, every file that this process writes asks whether it would take the place of
-/// one of them (placeOfOutput()), and fails then; only a file of the same kind may, where that is not OutputKind::other.
+/// one of them (placeOfOutput()), and fails then; only a file of the same kind may, where that is not
+/// OutputKind::other.
 class KeptFiles {
 public:
     KeptFiles() = default;

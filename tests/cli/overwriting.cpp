@@ -49,7 +49,9 @@ public:
             writeDicom(m_folder / ("refused/s" + std::to_string(series) + ".dcm"), alone);
         }
         Document document;
-        document.study = StudyFile{.path = m_folder / "v.mhd"};
+        StudyFile study;
+        study.path = m_folder / "v.mhd";
+        document.study = study;
         if (!writeDocument(m_folder / "d.json", document)) ADD_FAILURE() << "no document";
         std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "link.png");
         std::filesystem::create_symlink(m_folder / "v.raw", m_folder / "m.avi");

@@ -93,7 +93,8 @@ std::vector<HostileFile> overflowingPlaces() {
     many.pixelSpacingText = "0.5";
     for (int i = 1; i < 200000; ++i) many.pixelSpacingText += "\\ 0.5";
     // Lengths of 32 bits hold it.
-    rows.push_back(fileOf("a-pixel-spacing-of-200000-values", "v", many, {"(0028,0030) Pixel Spacing is not two numbers above 0"}, TestSyntax::implicitLittle));
+    rows.push_back(fileOf("a-pixel-spacing-of-200000-values", "v", many,
+                          {"(0028,0030) Pixel Spacing is not two numbers above 0"}, TestSyntax::implicitLittle));
     return rows;
 }
 
