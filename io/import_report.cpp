@@ -14,4 +14,14 @@ std::vector<ImportFact> importReport(const Study& study, const BeamGuess& beam) 
     return facts;
 }
 
+std::string burnedInTextNote(const Study& study) {
+    switch (study.burnedInText) {
+        case BurnedInText::no: return {};
+        case BurnedInText::yes:
+            return "The file declares text in its pictures: what is saved may show names burnt into the pictures.";
+        case BurnedInText::unknown: break;
+    }
+    return "The file does not declare its pictures free of text: what is saved may show names burnt into the pictures.";
+}
+
 }  // namespace echolucent

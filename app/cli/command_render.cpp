@@ -7,6 +7,7 @@
 #include "app/cli/look_options.h"
 #include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
+#include "io/import_report.h"
 #include "io/output/picture_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/picture/empty_picture.h"
@@ -110,20 +111,21 @@ Result<void> render(const RenderOptions& options) {
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
 
-    const auto volume = options.volume.readPhase({options.output});
-    if (!volume) return tl::unexpected<Failure>(volume.error());
-    const VolumeGeometry& geometry = (*volume)->geometry();
+    const auto study = options.volume.readAll({options.output});
+    if (!study) return tl::unexpected<Failure>(study.error());
+    sayNote(burnedInTextNote(*study));
+    const std::shared_ptr<const Volume>& volume = study->phases[static_cast<std::size_t>(options.volume.phase)];
+    const VolumeGeometry& geometry = volume->geometry();
     if (!geometry.spacingKnown)
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the picture may be wrong.\n");
-    const auto view = options.view.get(**volume);
+    const auto view = options.view.get(*volume);
     if (!view) return tl::unexpected<Failure>(view.error());
     const Projection projection = settings->camera.projection;
-    settings->camera =
-        defaultCamera((*volume)->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
+    settings->camera = defaultCamera(volume->dataBox(), *view, static_cast<double>(settings->width) / settings->height);
     settings->camera.projection = projection;
     *settings = limitedTo(*view, geometry, *settings);
-    const Volume shown = *quietVolume(**volume, look->reduction);
-    const OpacityCurve curve = curveFor(**volume, {&shown, look->reduction}, *view, *named, *config);
+    const Volume shown = *quietVolume(*volume, look->reduction);
+    const OpacityCurve curve = curveFor(*volume, {&shown, look->reduction}, *view, *named, *config);
     const auto picture = castRays(shown, curve, *settings);
     if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, shown);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);

@@ -11,6 +11,7 @@
 #include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
 #include "app/cli/sweep_report.h"
+#include "io/import_report.h"
 #include "io/output/atomic_file.h"
 #include "io/output/movie_file.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -111,6 +112,7 @@ void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bo
     if (without > 0)
         std::fprintf(stderr, "No surface found in %d of %d frames: the initial function is used there.\n",
                      static_cast<int>(without), static_cast<int>(swept.size()));
+    if (pictures) sayNote(burnedInTextNote(study));
     if (pictures && !study.phases.front()->geometry().spacingKnown)
         std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the movie may be wrong.\n");
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "io/document/session_file.h"
+#include "io/import_report.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/simulated_study.h"
@@ -102,6 +103,7 @@ Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeO
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto study = studyOf(*document, options, volume, output);
     if (!study) return tl::unexpected<Failure>(study.error());
+    sayNote(burnedInTextNote(*study));
     const int phase = phaseOf(*document, *view);
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, options.path, "phases",

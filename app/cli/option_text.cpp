@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "io/headers/header_text.h"
 
@@ -47,6 +48,10 @@ std::string listed(const std::vector<std::string_view>& names) {
         list += names[i];
     }
     return list;
+}
+
+void sayNote(const std::string& note) {
+    if (!note.empty()) std::fprintf(stderr, "%s\n", note.c_str());
 }
 
 }  // namespace echolucent::cli

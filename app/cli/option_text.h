@@ -33,4 +33,7 @@ inline constexpr const char* mustBeAngles = "must be angles in degrees, -36000 t
 /// "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& names);
 
+/// Says a note on stderr; an empty one is none.
+void sayNote(const std::string& note);
+
 }  // namespace echolucent::cli
