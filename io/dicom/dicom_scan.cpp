@@ -1,7 +1,5 @@
 #include "io/dicom/dicom_scan.h"
 
-#include <fmt/format.h>
-
 #include "io/dicom/dicom_walk.h"
 
 namespace echolucent {
@@ -23,16 +21,6 @@ bool looksLikeDicom(std::string_view beginning) {
     if (isVrLetter(beginning[4]) && isVrLetter(beginning[5])) return true;
     // Without value representations, a short first value in a low element gives it away.
     return little && byte(3) <= 0x01 && byte(5) == 0 && byte(6) == 0 && byte(7) == 0 && byte(4) > 0 && byte(4) % 2 == 0;
-}
-
-const char* const doNotOpen = "The file is damaged or made to do harm: do not open it.";
-
-std::string nestedTooDeep() {
-    return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence);
-}
-
-std::string tooManyElements() {
-    return fmt::format("holds more than {} elements, which no true DICOM object does", mostElements);
 }
 
 Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly) {

@@ -23,9 +23,4 @@ namespace echolucent {
 /// are deflated. Where the walk cannot follow the file otherwise, DicomScan::end says so.
 [[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);
 
-/// What is wrong with files that hold too much, as in Failure::problem and Failure::remedy.
-[[nodiscard]] std::string nestedTooDeep();
-[[nodiscard]] std::string tooManyElements();
-extern const char* const doNotOpen;
-
 }  // namespace echolucent

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_names.h"
-#include "io/dicom/dicom_scan.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
 #include "io/kretz/kretz_items.h"

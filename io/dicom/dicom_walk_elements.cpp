@@ -8,7 +8,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
-#include "io/dicom/dicom_scan.h"
+#include "io/dicom/dicom_scan_result.h"
 #include "io/dicom/dicom_walk.h"
 
 namespace echolucent {

@@ -88,7 +88,8 @@ TEST(NearAuto, RefusesWhatIsNeitherANumberNorAuto) {
         EXPECT_NE(outcome.errors.find("--near"), std::string::npos) << outcome.errors;
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
     }
-    const Outcome phantom = runProgram("phantom /dev/null/none.mha --truth - --beam-axis +z --near auto");
+    const Outcome phantom =
+        runProgram("phantom \"" + testing::TempDir() + "none.mha\" --truth - --beam-axis +z --near auto");
     EXPECT_EQ(phantom.status, 2);
     EXPECT_NE(phantom.errors.find("--near"), std::string::npos) << phantom.errors;
 }

@@ -1,0 +1,17 @@
+#include "io/dicom/dicom_scan_result.h"
+
+#include <fmt/format.h>
+
+namespace echolucent {
+
+const char* const doNotOpen = "The file is damaged or made to do harm: do not open it.";
+
+std::string nestedTooDeep() {
+    return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence);
+}
+
+std::string tooManyElements() {
+    return fmt::format("holds more than {} elements, which no true DICOM object does", mostElements);
+}
+
+}  // namespace echolucent
