@@ -111,6 +111,37 @@ std::string pixelElement(const std::string& file) {
     return at == std::string::npos ? std::string() : file.substr(at);
 }
 
+/// The numbers as each type of bytes that holds them.
+std::vector<std::string> formsOf(const std::vector<double>& numbers) {
+    std::vector<std::string> forms;
+    for (const bool bigEndian : {false, true}) {
+        forms.push_back(asType<std::uint8_t>(numbers, bigEndian));
+        forms.push_back(asType<std::int8_t>(numbers, bigEndian));
+        forms.push_back(asType<std::uint16_t>(numbers, bigEndian));
+        forms.push_back(asType<std::int16_t>(numbers, bigEndian));
+        forms.push_back(asType<std::uint32_t>(numbers, bigEndian));
+        forms.push_back(asType<std::int32_t>(numbers, bigEndian));
+        forms.push_back(asType<float>(numbers, bigEndian));
+        forms.push_back(asType<double>(numbers, bigEndian));
+    }
+    std::erase(forms, std::string());
+    return forms;
+}
+
+/// Whether each slice stands somewhere. A slice that holds nothing but 0 need not where some are missing, but one does.
+bool eachSliceStands(const std::string& form, std::size_t slices, const std::vector<std::string>& places,
+                     bool someAreMissing) {
+    const std::size_t length = form.size() / slices;
+    std::size_t missing = 0;
+    for (std::size_t z = 0; z < slices; ++z) {
+        const std::string slice = form.substr(z * length, length);
+        const bool isEmpty = someAreMissing && slice.find_first_not_of('\0') == std::string::npos;
+        if (!isEmpty && !stands(slice, places)) return false;
+        missing += isEmpty ? 1 : 0;
+    }
+    return missing < slices;
+}
+
 }  // namespace
 
 std::optional<WrittenVoxels> writtenVoxels(const std::string& path) {
@@ -130,30 +161,15 @@ std::optional<WrittenVoxels> writtenVoxels(const std::string& path) {
 }
 
 bool standIn(const WrittenVoxels& voxels, const std::vector<std::string>& places, bool someAreMissing) {
-    std::vector<double> numbers = numbersOf(voxels);
+    const std::vector<double> all = numbersOf(voxels);
+    std::vector<double> numbers = all;
     while (someAreMissing && !numbers.empty() && numbers.back() == 0) numbers.pop_back();
     if (numbers.empty()) return true;
-    std::vector<std::string> forms;
-    for (const bool bigEndian : {false, true}) {
-        forms.push_back(asType<std::uint8_t>(numbers, bigEndian));
-        forms.push_back(asType<std::int8_t>(numbers, bigEndian));
-        forms.push_back(asType<std::uint16_t>(numbers, bigEndian));
-        forms.push_back(asType<std::int16_t>(numbers, bigEndian));
-        forms.push_back(asType<std::uint32_t>(numbers, bigEndian));
-        forms.push_back(asType<std::int32_t>(numbers, bigEndian));
-        forms.push_back(asType<float>(numbers, bigEndian));
-        forms.push_back(asType<double>(numbers, bigEndian));
-    }
-    std::erase(forms, std::string());
     const auto slices = static_cast<std::size_t>(voxels.size[2]);
-    return std::ranges::any_of(forms, [&](const std::string& form) {
-        if (stands(form, places)) return true;
-        if (someAreMissing) return false;
-        const std::size_t length = form.size() / slices;
-        for (std::size_t z = 0; z < slices; ++z)
-            if (!stands(form.substr(z * length, length), places)) return false;
-        return true;
-    });
+    return std::ranges::any_of(formsOf(numbers), [&](const std::string& form) { return stands(form, places); }) ||
+           std::ranges::any_of(formsOf(all), [&](const std::string& form) {
+               return eachSliceStands(form, slices, places, someAreMissing);
+           });
 }
 
 std::vector<std::string> placesOfVoxels(const GoodFile& good, const std::vector<std::string>& changed) {

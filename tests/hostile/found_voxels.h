@@ -22,7 +22,8 @@ struct WrittenVoxels {
 [[nodiscard]] std::optional<WrittenVoxels> writtenVoxels(const std::string& path);
 
 /// Whether the voxels, in one of the number types that files hold them in, stand in one of `places` as one run of
-/// bytes, or each slice of them does. Where some are said to be missing, zeros at their end count as these.
+/// bytes, or each slice of them does. Where some are said to be missing, zeros at their end, or a slice of nothing but
+/// zeros beside one that stands, count as these.
 [[nodiscard]] bool standIn(const WrittenVoxels& voxels, const std::vector<std::string>& places, bool someAreMissing);
 
 /// Where the voxels of a good file may stand once its files were changed to `changed` (in their order): the bytes of

@@ -80,11 +80,12 @@ private:
 
     /// Whether the file says that its voxels are computed from what is stored, so that they stand nowhere as bytes.
     static bool isComputed(const std::string& json) {
-        for (const auto& fact : nlohmann::json::parse(json).at("facts")) {
+        // The report outlives the loop over its facts.
+        const auto report = nlohmann::json::parse(json);
+        return std::ranges::any_of(report.at("facts"), [](const nlohmann::json& fact) {
             const std::string name = fact.at("name");
-            if (name == "rescale" || name == "polar volume" || name == "colours") return true;
-        }
-        return false;
+            return name == "rescale" || name == "rescaling" || name == "polar volume" || name == "colours";
+        });
     }
 
     void findVoxels(const std::string& json, const std::vector<std::string>& places) {

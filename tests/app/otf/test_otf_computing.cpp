@@ -33,6 +33,9 @@ private slots:
         geometry.size = {4, 4, 4};
         const QString path = m_folder.filePath("cube.mha");
         const auto phase = std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)));
+        // Nothing is written over a study that is open.
+        m_computing.reset();
+        m_openStudy.reset();
         QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_model = std::make_unique<DocumentModel>();
         m_openStudy = std::make_unique<OpenStudy>();
