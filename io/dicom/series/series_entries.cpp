@@ -276,8 +276,9 @@ void nameApart(std::vector<SeriesEntry>& entries) {
 void sayApart(const std::vector<std::vector<std::string>>& reasons, std::vector<std::string>& warnings) {
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)
-        warnings.push_back(fmt::format("Pictures of the same Series Instance UID, or of none, are of {}; they are listed apart.",
-                                       fmt::join(reasons[i], " and of ")));
+        warnings.push_back(
+            fmt::format("Pictures of the same Series Instance UID, or of none, are of {}; they are listed apart.",
+                        fmt::join(reasons[i], " and of ")));
     if (reasons.size() > most)
         warnings.push_back(fmt::format("{} more series are listed apart in this way.", reasons.size() - most));
 }
