@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,6 +22,35 @@ TEST(Histogram, EveryByteHasItsOwnBinAndWhiteIsInTheLast) {
     const IntensityHistogram histogram = intensityHistogram(Volume(lineOf(count), voxels));
     EXPECT_EQ(histogram.total, static_cast<std::uint64_t>(count));
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(histogram.counts[i], i % 5);
+}
+
+/// Each voxel by itself, whatever the type.
+TEST(Histogram, CountsManyVoxelsOfEveryTypeAsOneByOne) {
+    constexpr std::int64_t count = 10007;  // no multiple of anything
+    std::vector<std::uint8_t> bytes, mask;
+    std::vector<std::uint16_t> words;
+    std::vector<float> floats;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t random = i * 2654435761U >> 7;
+        bytes.push_back(static_cast<std::uint8_t>(random));
+        words.push_back(static_cast<std::uint16_t>(random));
+        floats.push_back(static_cast<float>(random % 7001) - 100.0F);
+        mask.push_back(random % 3 != 0 ? 1 : 0);
+    }
+    for (const Volume& volume : {Volume(lineOf(count), bytes, 200.0), Volume(lineOf(count), words, 60000.0),
+                                 Volume(lineOf(count), floats, 5000.0)}) {
+        const Volume masked = volume.withDataMask(mask);
+        for (const Volume* each : {&volume, &masked}) {
+            IntensityHistogram expected;
+            for (std::int64_t i = 0; i < count; ++i) {
+                if (!each->hasData(i)) continue;
+                ++expected.counts[std::min<std::size_t>(
+                    255, static_cast<std::size_t>(256.0 * each->normalisedIntensity(i)))];
+                ++expected.total;
+            }
+            EXPECT_EQ(intensityHistogram(*each), expected) << each->typeName();
+        }
+    }
 }
 
 TEST(Histogram, LeavesOutNoDataAndNotFiniteVoxels) {
