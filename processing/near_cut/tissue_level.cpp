@@ -1,13 +1,16 @@
 #include "processing/near_cut/tissue_level.h"
 
-#include <algorithm>
+#include <hwy/contrib/sort/vqsort.h>
+
 #include <numeric>
 
 namespace echolucent {
 
 std::optional<double> tissueLevel(std::vector<float> intensities) {
     if (intensities.empty()) return std::nullopt;
-    std::sort(intensities.begin(), intensities.end());
+    // By vectors, as everybody waits for it who opens a volume: std::sort() takes ten times as long.
+    thread_local hwy::Sorter sort;
+    sort(intensities.data(), intensities.size(), hwy::SortAscending());
     const auto count = static_cast<double>(intensities.size());
     const double total = std::accumulate(intensities.begin(), intensities.end(), 0.0);
     double below = 0.0, best = -1.0, level = total / count;
