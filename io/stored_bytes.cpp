@@ -212,4 +212,23 @@ Result<void> StoredBytes::read(std::span<std::uint8_t> bytes, const Progress& pr
     return {};
 }
 
+Result<void> StoredBytes::readRaw(std::uint64_t position, std::span<std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const auto number = static_cast<std::size_t>(position / m_part);
+        if (!m_openPart || m_openPart->number != number) {
+            const auto file = m_stored.data.at(number).open();
+            if (!file) return tl::unexpected(file.error());
+            const auto extent = extentIn(*file);
+            if (!extent) return tl::unexpected(extent.error());
+            m_openPart = OpenPart{number, *file, extent->offset};
+        }
+        const std::uint64_t within = position % m_part;
+        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(m_part - within, bytes.size()));
+        if (auto read = m_openPart->file.readAt(m_openPart->offset + within, bytes.first(count)); !read) return read;
+        position += count;
+        bytes = bytes.subspan(count);
+    }
+    return {};
+}
+
 }  // namespace echolucent

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,9 @@ public:
     /// Fills `bytes` with what comes next, as VoxelSource::read(). At the end of a data file compressed voxels are
     /// decoded to their own end and their checksums verified.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
+    /// Fills `bytes` with those of the voxels from byte `position` on, wherever read() is. To be asked after check(),
+    /// and only where the voxels are stored raw. Fails (unreadable) where a file cannot be read.
+    [[nodiscard]] Result<void> readRaw(std::uint64_t position, std::span<std::uint8_t> bytes);
 
 private:
     /// Where the voxels lie in an opened data file.
@@ -47,6 +52,13 @@ private:
     std::uint64_t m_left = 0;  // bytes that the one begun last has still to give
     std::unique_ptr<VoxelSource> m_source;
     std::vector<std::string> m_warnings;
+    /// A data file that readRaw() has open.
+    struct OpenPart {
+        std::size_t number = 0;
+        InputFile file;
+        std::uint64_t offset = 0;  // of its first voxel
+    };
+    std::optional<OpenPart> m_openPart;
 };
 
 }  // namespace echolucent

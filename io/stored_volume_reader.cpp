@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/coarse_bytes.h"
 #include "io/stored_bytes.h"
 #include "io/study_assembly.h"
 
@@ -64,27 +65,15 @@ void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
     }
 }
 
-}  // namespace
-
-Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress) {
-    const auto counts = countBytes(stored);
-    if (!counts) return tl::unexpected(counts.error());
-    StoredBytes source(stored, *counts);
-    if (auto checked = source.check(progress); !checked) return tl::unexpected(checked.error());
-    const std::int64_t memory =
-        stored.rescale ? counts->all / bytesOf(stored.type) * bytesOf(StoredType::float32) : counts->all;
-    const auto largest = static_cast<std::uint64_t>(std::max(memory, counts->all));
-    if (auto enough = requireMemory(stored.path, stored.sizeKey, largest); !enough)
-        return tl::unexpected(enough.error());
-
-    auto phases = readPhases(stored, source, *counts, progress);
-    if (!phases) return tl::unexpected(phases.error());
-    for (auto& bytes : *phases) {
+/// The study that bytes of voxels make, as they are stored, one vector a phase.
+Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>> phases,
+                      const std::vector<std::string>& warnings, const ReadOptions& options, const Progress& progress) {
+    for (auto& bytes : phases) {
         toMachineByteOrder(bytes, stored.type, stored.bigEndian);
         if (stored.channels == 3) reduceToLuma(bytes, stored.type);
     }
 
-    if (const auto problem = problemOfFloats(*phases, stored.type, stored.rescale.value_or(Rescale{})))
+    if (const auto problem = problemOfFloats(phases, stored.type, stored.rescale.value_or(Rescale{})))
         return fail(FailureKind::unreadable, stored.path, stored.rescale ? stored.rescaleSource : stored.typeKey,
                     *problem, "Correct the values or their scale, and save the volume as float32.");
 
@@ -100,8 +89,8 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     parts.sliceAxis = stored.sliceAxis;
     parts.sizeSource = stored.sizeKey;
     parts.typeSource = stored.typeKey;
-    parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(*phases), stored.type, *stored.rescale)
-                                  : convertVoxels(std::move(*phases), stored.type);
+    parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(phases), stored.type, *stored.rescale)
+                                  : convertVoxels(std::move(phases), stored.type);
     parts.whiteLevel = stored.whiteLevel;
     parts.whiteLevelSource = stored.whiteLevelSource;
     parts.window = stored.window;
@@ -109,13 +98,49 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     parts.phaseSource = stored.phaseSource;
     parts.facts = stored.facts;
     parts.warnings = stored.warnings;
-    const auto& warnings = source.warnings();
     parts.warnings.insert(parts.warnings.end(), warnings.begin(), warnings.end());
     addStorageFacts(stored, parts);
     if (stored.polar)
         if (auto converted = scanConvert(parts, *stored.polar, stored.polarSources, options, progress); !converted)
             return tl::unexpected(converted.error());
     return assembleStudy(std::move(parts), options, progress);
+}
+
+/// Hands over what a coarse grid shows, where that can be read soon. What is wrong with the volume is said when all of
+/// it is read.
+void offerCoarse(const StoredVolume& stored, StoredBytes& source, const ReadOptions& options,
+                 const Progress& progress) {
+    if (!progress.coarse) return;
+    const auto grid = coarseGridOf(stored);
+    if (!grid) return;
+    auto bytes = readCoarseBytes(stored, source, *grid, progress);
+    if (!bytes) return;
+    StoredVolume coarse = stored;
+    coarse.geometry = grid->geometry;
+    coarse.phases = 1;
+    std::vector<std::vector<std::uint8_t>> phases;
+    phases.push_back(std::move(*bytes));
+    const auto study = studyOf(coarse, std::move(phases), {}, options, Progress{{}, progress.cancel});
+    if (study) progress.coarse(coarseVolumeOf(*grid, *study->phases.front()));
+}
+
+}  // namespace
+
+Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress) {
+    const auto counts = countBytes(stored);
+    if (!counts) return tl::unexpected(counts.error());
+    StoredBytes source(stored, *counts);
+    if (auto checked = source.check(progress); !checked) return tl::unexpected(checked.error());
+    const std::int64_t memory =
+        stored.rescale ? counts->all / bytesOf(stored.type) * bytesOf(StoredType::float32) : counts->all;
+    const auto largest = static_cast<std::uint64_t>(std::max(memory, counts->all));
+    if (auto enough = requireMemory(stored.path, stored.sizeKey, largest); !enough)
+        return tl::unexpected(enough.error());
+
+    offerCoarse(stored, source, options, progress);
+    auto phases = readPhases(stored, source, *counts, progress);
+    if (!phases) return tl::unexpected(phases.error());
+    return studyOf(stored, std::move(*phases), source.warnings(), options, progress);
 }
 
 }  // namespace echolucent

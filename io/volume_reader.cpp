@@ -144,8 +144,9 @@ Result<Study> readNifti(const InputFile& file, const Packing& packing, const Rea
     double reached = 0;
     auto stored = readNiftiHeader(file, options.framesAsSlices,
                                   {[&](double share) { progress.at(reached = 0.5 * share); }, progress.cancel});
-    return readStored(std::move(stored), packing, options,
-                      {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel});
+    return readStored(
+        std::move(stored), packing, options,
+        {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel, progress.coarse});
 }
 
 /// Reads an opened file; what was packed as a whole is unpacked.
@@ -191,7 +192,7 @@ Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, co
         return fail(FailureKind::unreadable, packed.path(), "", "is compressed with gzip twice",
                     "Unpack it with gunzip and open what comes out.");
     auto study = readOpened(*unpacked, {packed.size(), unpacked->size()}, options,
-                            {[&](double share) { progress.at(0.5 + 0.5 * share); }, progress.cancel});
+                            {[&](double share) { progress.at(0.5 + 0.5 * share); }, progress.cancel, progress.coarse});
     if (study)
         study->facts.push_back(
             {"file", fmt::format("gzip, {} bytes unpacked to {}", packed.size(), unpacked->size()), "its beginning"});
