@@ -41,6 +41,7 @@ enum class MessageKind : std::uint32_t {
     answer,       ///< to the reader
     confined,     ///< from the reader: what the kernel holds it to
     progress,     ///< from the reader: the share done
+    coarse,       ///< from the reader, once and only where the request wants it: what a coarse grid shows, as a study
     result,       ///< from the reader: its last message
 };
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,12 +20,15 @@
 
 #include "io/restricted/message.h"
 #include "io/restricted/reader_limits.h"
+#include "io/restricted/shared_study.h"
 
 namespace echolucent::restricted {
 
 namespace {
 
 constexpr int readerSocket = 3;
+// Behind the threads that make its picture.
+constexpr int niceAfterCoarse = 10;
 // Cancel is looked at this often.
 constexpr std::chrono::milliseconds lookEvery(20);
 // A disk that sleeps takes seconds; a reader that says nothing for so long never will.
@@ -78,6 +82,15 @@ private:
     posix_spawn_file_actions_t m_files{};
     posix_spawnattr_t m_attributes{};
 };
+
+/// Hands over the coarse volume that a message brought. False where it is none, or none was wanted.
+bool tellCoarse(const Message& message, const Progress& progress) {
+    if (!progress.coarse || message.files.size() != 1) return false;
+    const auto coarse = takeCoarse({reinterpret_cast<const std::uint8_t*>(message.bytes.data()), message.bytes.size()},
+                                   message.files.front());
+    if (coarse) progress.coarse(*coarse);
+    return coarse.has_value();
+}
 
 }  // namespace
 
@@ -161,6 +174,7 @@ Result<ReaderProcess::Answer> ReaderProcess::serve(FileBroker& broker, const std
     Answer result;
     holdTo(limitsFor(0), m_process, m_baseBytes);
     auto heard = std::chrono::steady_clock::now();
+    bool coarseIsThere = false;
     while (true) {
         if (progress.cancelled()) {
             static_cast<void>(end(true));
@@ -196,6 +210,13 @@ Result<ReaderProcess::Answer> ReaderProcess::serve(FileBroker& broker, const std
             reader(share);
             if (!reader.complete() || !(share >= 0.0 && share <= 1.0)) return noAnswer();
             progress.at(share);
+            continue;
+        }
+        if (message.kind == MessageKind::coarse) {
+            if (coarseIsThere || !tellCoarse(message, progress)) return noAnswer();
+            coarseIsThere = true;
+            // A person waits for its picture first.
+            setpriority(PRIO_PROCESS, static_cast<id_t>(m_process), niceAfterCoarse);
             continue;
         }
         std::string bytes;

@@ -80,6 +80,12 @@ bool sendStudy(Channel& channel, const Result<Study>& read) {
     return channel.send(MessageKind::result, writer.bytes() + shared->bytes, {shared->voxels.number()});
 }
 
+/// Sends what there is to be seen before the study is read. What cannot be shared is left out: the study follows.
+void sendCoarse(Channel& channel, const CoarseVolume& coarse) {
+    const Result<SharedStudy> shared = shareCoarse(coarse);
+    if (shared && !channel.send(MessageKind::coarse, shared->bytes, {shared->voxels.number()})) leave();
+}
+
 bool perform(Channel& channel, const Request& request, const Progress& progress) {
     switch (request.task) {
         case Task::readStudy: return sendStudy(channel, readStudy(request.path, request.options, progress));
@@ -126,8 +132,10 @@ int serveReader(const ReaderStart& start) {
                                       static_cast<std::size_t>(std::max(1, request.threads)));
     ProgressSender sender(channel);
     bool sent = false;
+    Progress progress{[&](double share) { sender.at(share); }, nullptr};
+    if (request.wantsCoarse) progress.coarse = [&](const CoarseVolume& coarse) { sendCoarse(channel, coarse); };
     try {
-        sent = perform(channel, request, {[&](double share) { sender.at(share); }, nullptr});
+        sent = perform(channel, request, progress);
     } catch (const std::bad_alloc&) {
         sent = sendOutcome(channel, Result<bool>(tl::unexpected(tooLarge(request))));
     } catch (const std::length_error&) {

@@ -18,6 +18,7 @@ struct Request {
     std::vector<std::string> files{};  ///< readPatient
     std::string series{};              ///< readPatient
     bool mayBeDicom = true;            ///< whether what DICOM needs has to be loaded
+    bool wantsCoarse = false;          ///< readStudy, readSeries: whether a coarse volume is wanted before the study
     int threads = 1;                   ///< that the reader may use at once; at least 1
 };
 
@@ -25,7 +26,7 @@ template <typename Archive, Described<Request> Value>
 void describe(Archive& archive, Value& request) {
     archive.choice(request.task, Task::readPatient);
     archive(request.path, request.options, request.list, request.longestEdge, request.files, request.series,
-            request.mayBeDicom, request.threads);
+            request.mayBeDicom, request.wantsCoarse, request.threads);
 }
 
 }  // namespace echolucent::restricted

@@ -153,6 +153,7 @@ Result<Study> readStudy(const std::string& path, const ReadOptions& options, con
     Request request = requestFor(Task::readStudy, path);
     request.options = options;
     request.mayBeDicom = mayBeDicom(path);
+    request.wantsCoarse = progress.coarse != nullptr;
     return studyOf(ask(request, FileBroker(path), path, progress), path);
 }
 
@@ -178,6 +179,7 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
     Request request = requestFor(Task::readSeries);
     request.list = {list.path, {entry}, list.files, list.warnings};
     request.options = options;
+    request.wantsCoarse = progress.coarse != nullptr;
     return studyOf(ask(request, FileBroker(list.path), list.path, progress), list.path);
 }
 

@@ -55,6 +55,8 @@ void describe(Archive& archive, Value& volumes) {
 }
 
 constexpr std::uint64_t pageBytes = 4096;
+// No volume is longer, in units, and a coarse grid has at least one voxel.
+constexpr double mostUnitsOfCoarse = 100'000;
 
 /// Memory that both processes see.
 class Mapping {
@@ -235,6 +237,35 @@ std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descri
         study.phases.push_back(std::make_shared<const Volume>(volume.withDataBox(phase.box)));
     }
     return study;
+}
+
+Result<SharedStudy> shareCoarse(const CoarseVolume& coarse) {
+    Study study;
+    study.name = "coarse";
+    study.phases = {coarse.voxels};
+    auto shared = shareStudy(study);
+    if (!shared) return shared;
+    MessageWriter writer;
+    writer(coarse.units);
+    shared->bytes = writer.bytes() + shared->bytes;
+    return shared;
+}
+
+std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, const Descriptor& voxels) {
+    CoarseVolume coarse;
+    MessageReader reader(bytes);
+    reader(coarse.units);
+    // Voxels of any type and their mask, each at the beginning of a page.
+    constexpr auto mostBytes = static_cast<off_t>(mostCoarseVoxels * mostCoarseVoxels * mostCoarseVoxels * 5 +
+                                                  2 * static_cast<std::int64_t>(pageBytes));
+    struct stat status {};
+    if (!reader.good() || !(coarse.units >= 1.0 && coarse.units <= mostUnitsOfCoarse) ||
+        fstat(voxels.number(), &status) != 0 || status.st_size > mostBytes)
+        return std::nullopt;
+    const auto study = takeStudy(reader.rest(), voxels);
+    if (!study || study->phases.size() != 1) return std::nullopt;
+    coarse.voxels = study->phases.front();
+    return coarse;
 }
 
 }  // namespace echolucent::restricted

@@ -8,6 +8,7 @@
 
 #include "io/restricted/channel.h"
 #include "io/study.h"
+#include "processing/volume/coarse_grid.h"
 
 namespace echolucent::restricted {
 
@@ -20,8 +21,12 @@ struct SharedStudy {
 /// Puts a study's voxels and masks into shared memory. Fails (unreadable) where the system has no more of it.
 [[nodiscard]] Result<SharedStudy> shareStudy(const Study& study);
 
-/// Takes a study out of what a reader sent. The reader has ended, and nobody trusts what it left: memory that could
-/// still change, sizes that do not agree and numbers that no reader gives are refused. No value then.
+/// Takes a study out of what a reader sent, which may still run. Nobody trusts what it gave: memory that could still
+/// change, sizes that do not agree and numbers that no reader gives are refused. No value then.
 [[nodiscard]] std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
+
+/// The same of what a coarse grid shows. No value either for one that is larger than a coarse grid can be.
+[[nodiscard]] Result<SharedStudy> shareCoarse(const CoarseVolume& coarse);
+[[nodiscard]] std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
 
 }  // namespace echolucent::restricted

@@ -9,6 +9,7 @@
 
 #include "io/restricted/reader_process.h"
 #include "io/restricted/restricted_reader.h"
+#include "processing/volume/coarse_grid.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -63,6 +64,80 @@ TEST_F(FalseReader, IsNotBelieved) {
             << mode;
     EXPECT_THAT(sentenceBy("unconfined"), HasSubstr("said what makes no sense"));
     EXPECT_THAT(sentenceBy("raw-bytes"), HasSubstr("ended"));
+}
+
+/// Asks for a coarse volume too.
+struct WithCoarse {
+    int told = 0;
+    double intensity = -1;
+    Progress progress;
+    WithCoarse() {
+        progress.coarse = [this](const CoarseVolume& coarse) {
+            ++told;
+            intensity = coarse.voxels->storedValue(63);
+        };
+    }
+};
+
+TEST_F(FalseReader, ShowsItsCoarseVolumeBeforeTheStudy) {
+    WithCoarse asked;
+    const auto study = readBy("coarse", 1, asked.progress);
+    ASSERT_TRUE(study) << study.error().sentence() << ": the lies below would prove nothing";
+    EXPECT_EQ(asked.told, 1);
+    EXPECT_EQ(asked.intensity, 7.0);
+
+    WithCoarse failing;
+    const auto failed = readBy("coarse-fails", 1, failing.progress);
+    ASSERT_FALSE(failed);
+    EXPECT_THAT(failed.error().sentence(), HasSubstr("ends within its voxels"));
+    EXPECT_EQ(failing.told, 1);
+
+    WithCoarse late;
+    EXPECT_TRUE(readBy("coarse-after-result", 1, late.progress)) << "nobody listens any more";
+    EXPECT_EQ(late.told, 1);
+}
+
+TEST_F(FalseReader, IsNotBelievedCoarsely) {
+    for (const char* mode : {"coarse-rubbish", "coarse-without-memory", "coarse-too-large", "coarse-still-written"}) {
+        WithCoarse asked;
+        const auto study = readBy(mode, 1000, asked.progress);
+        ASSERT_FALSE(study) << mode;
+        EXPECT_THAT(study.error().sentence(), HasSubstr("said what makes no sense")) << mode;
+        EXPECT_EQ(asked.told, 0) << mode;
+    }
+    WithCoarse asked;
+    const auto twice = readBy("coarse-twice", 1, asked.progress);
+    ASSERT_FALSE(twice);
+    EXPECT_THAT(twice.error().sentence(), HasSubstr("said what makes no sense"));
+    EXPECT_EQ(asked.told, 1);
+    EXPECT_THAT(sentenceBy("coarse"), HasSubstr("said what makes no sense")) << "nobody asked for it";
+}
+
+TEST_F(FalseReader, CannotHandOverACoarseVolumeThatMakesNoSense) {
+    int shown = 0, refused = 0;
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        Progress progress;
+        bool told = false;
+        progress.coarse = [&](const CoarseVolume& coarse) {
+            told = true;
+            EXPECT_EQ(coarse.voxels->geometry().voxelCount(), 64) << seed;
+            EXPECT_TRUE(coarse.units >= 1.0 && coarse.units <= 1e5) << seed;
+        };
+        const auto study = readBy("coarse-mutated", seed, progress);
+        EXPECT_EQ(study.has_value(), told) << seed;
+        ++(told ? shown : refused);
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(shown, 10) << "where none was shown, nothing was checked";
+}
+
+TEST_F(FalseReader, IsEndedOnCancelAfterItsCoarseVolume) {
+    std::atomic<bool> cancel = false;
+    Progress progress{{}, &cancel};
+    progress.coarse = [&](const CoarseVolume&) { cancel = true; };
+    const auto study = readBy("coarse-stays", 1, progress);
+    ASSERT_FALSE(study);
+    EXPECT_EQ(study.error().kind, FailureKind::cancelled);
 }
 
 TEST_F(FalseReader, OpensNothingOutsideOfTheFolder) { EXPECT_THAT(sentenceBy("outside"), HasSubstr("was refused")); }

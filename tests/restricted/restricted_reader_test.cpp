@@ -6,16 +6,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,6 +28,7 @@
 #include "io/restricted/reader_process.h"
 #include "io/restricted/request.h"
 #include "io/restricted/restricted_reader.h"
+#include "processing/volume/coarse_grid.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -140,6 +145,44 @@ std::string volumeOf(const TemporaryFolder& folder, int edge) {
                                     "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
                                     edge) +
                             std::string(voxels, 'v'));
+}
+
+/// What reading a study told of it.
+struct Told {
+    std::vector<CoarseVolume> coarse;
+    bool beforeTheStudy = false;
+    Result<Study> study;
+};
+
+Told toldBy(const std::function<Result<Study>(const Progress&)>& read) {
+    std::vector<CoarseVolume> coarse;
+    double furthest = 0.0;
+    bool early = true;
+    Progress progress{[&](double share) { furthest = std::max(furthest, share); }, nullptr};
+    progress.coarse = [&](const CoarseVolume& volume) {
+        early = early && furthest < 0.5;
+        coarse.push_back(volume);
+    };
+    auto study = read(progress);
+    return {std::move(coarse), early, std::move(study)};
+}
+
+TEST(RestrictedReader, HandsOverTheCoarseVolumeThatReadingHereHandsOver) {
+    const TemporaryFolder folder;
+    const std::string path = volumeOf(folder, 324);
+    const Told here = toldBy([&](const Progress& progress) { return readStudy(path, {}, progress); });
+    const Told apart = toldBy([&](const Progress& progress) { return restricted::readStudy(path, {}, progress); });
+    expectSame(here.study, apart.study, path);
+    ASSERT_EQ(here.coarse.size(), 1U);
+    ASSERT_EQ(apart.coarse.size(), 1U);
+    EXPECT_TRUE(apart.beforeTheStudy);
+    EXPECT_EQ(apart.coarse.front().units, here.coarse.front().units);
+    const auto asStudy = [](const CoarseVolume& coarse) {
+        Study study;
+        study.phases = {coarse.voxels};
+        return Result<Study>(study);
+    };
+    expectSame(asStudy(here.coarse.front()), asStudy(apart.coarse.front()), "coarse");
 }
 
 TEST(RestrictedReader, MayBeKilledAtAnyMoment) {

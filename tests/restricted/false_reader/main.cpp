@@ -49,6 +49,51 @@ std::string withoutFailure(const std::string& study) {
     return writer.bytes() + study;
 }
 
+/// What a coarse grid shows, and what becomes of it afterwards.
+void lieCoarsely(Channel& channel, const std::string& mode, unsigned seed) {
+    auto shared = shareCoarse({smallStudy().phases.front(), 4.0});
+    const auto sendCoarse = [&](const std::string& bytes, int memory) {
+        static_cast<void>(channel.send(MessageKind::coarse, bytes, {memory}));
+    };
+    const auto sendResult = [&] {
+        const auto study = shareStudy(smallStudy());
+        static_cast<void>(channel.send(MessageKind::result, withoutFailure(study->bytes), {study->voxels.number()}));
+    };
+    if (mode == "coarse-mutated") {
+        std::mt19937 random(seed);
+        for (unsigned change = 0; change <= seed % 8; ++change)
+            shared->bytes[random() % shared->bytes.size()] = static_cast<char>(random());
+        sendCoarse(shared->bytes, shared->voxels.number());
+    } else if (mode == "coarse-rubbish") {
+        sendCoarse(randomBytes(seed % 4096, seed), shared->voxels.number());
+    } else if (mode == "coarse-without-memory") {
+        static_cast<void>(channel.send(MessageKind::coarse, shared->bytes));
+    } else if (mode == "coarse-too-large") {
+        sendCoarse(shared->bytes, sharedMemory(std::uint64_t{1} << 30).number());
+    } else if (mode == "coarse-still-written") {
+        // It would change the voxels while they are looked at.
+        static_cast<void>(mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED, shared->voxels.number(), 0));
+        sendCoarse(shared->bytes, shared->voxels.number());
+    } else {
+        sendCoarse(shared->bytes, shared->voxels.number());
+        if (mode == "coarse-twice") {
+            const auto second = shareCoarse({smallStudy().phases.front(), 4.0});
+            sendCoarse(second->bytes, second->voxels.number());
+        }
+    }
+    if (mode == "coarse-fails") {
+        // Not before whoever looks on has looked: until then nobody has opened the pipe for writing.
+        if (const char* const pipe = std::getenv("ECHOLUCENT_FALSE_PIPE"); pipe != nullptr)
+            close(open(pipe, O_RDONLY | O_CLOEXEC));
+        MessageWriter report;
+        report(std::optional(fail(FailureKind::unreadable, "a.mha", "", "ends within its voxels").value()));
+        static_cast<void>(channel.send(MessageKind::result, report.bytes()));
+    } else if (mode != "coarse-stays") {
+        sendResult();
+    }
+    if (mode == "coarse-after-result") sendCoarse(shared->bytes, shared->voxels.number());
+}
+
 /// Says something false, seed by seed.
 void lie(Channel& channel, const std::string& mode, unsigned seed) {
     if (mode == "unconfined") {
@@ -58,6 +103,7 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
         return;
     }
     static_cast<void>(channel.send(MessageKind::confined, saying(true)));
+    if (mode.starts_with("coarse")) return lieCoarsely(channel, mode, seed);
     auto shared = shareStudy(smallStudy());
     const auto sendStudy = [&](const std::string& bytes, int memory) {
         static_cast<void>(channel.send(MessageKind::result, withoutFailure(bytes), {memory}));
