@@ -99,11 +99,14 @@ void NewestWinsThread::work() {
                 tell(share);
             }
         };
+        m_workersFlag = order.cancelFlag;
         Deliver deliver = order.job(progress);
         order.job = {};
         tell(Ended{std::move(order.cancelFlag), std::move(deliver)});
     }
 }
+
+void NewestWinsThread::deliverMeanwhile(Deliver deliver) { tell(Meanwhile{m_workersFlag, std::move(deliver)}); }
 
 void NewestWinsThread::tell(News news) {
     QEvent* event = nullptr;
@@ -128,7 +131,9 @@ bool NewestWinsThread::event(QEvent* event) {
     for (const News& each : news) {
         if (const double* share = std::get_if<double>(&each))
             emit progressed(*share);
-        else
+        else if (const auto* meanwhile = std::get_if<Meanwhile>(&each)) {
+            if (!meanwhile->cancelFlag->load(std::memory_order_relaxed)) meanwhile->deliver();
+        } else
             ended(std::get<Ended>(each));
     }
     return told || QObject::event(event);

@@ -51,6 +51,9 @@ public:
     void submit(Job job, WhenSuperseded whenSuperseded = WhenSuperseded::cancel);
     /// Cancels the running job and forgets the waiting one; what ran is not delivered.
     void cancel();
+    /// To be called by the running job: what is done with something that it has before its end, in this object's
+    /// thread; nothing where the job was cancelled meanwhile.
+    void deliverMeanwhile(Deliver deliver);
     /// True from submit() until the last job was delivered or dropped.
     [[nodiscard]] bool busy() const { return m_running || m_waiting.has_value(); }
 
@@ -79,8 +82,13 @@ private:
         CancelFlag cancelFlag;
         Deliver deliver;
     };
-    /// The share done, or the end of a job.
-    using News = std::variant<double, Ended>;
+    /// What a job delivers before its end.
+    struct Meanwhile {
+        CancelFlag cancelFlag;
+        Deliver deliver;
+    };
+    /// The share done, something before the end, or the end of a job.
+    using News = std::variant<double, Meanwhile, Ended>;
 
     void start(Waiting next);
     void ended(const Ended& job);
@@ -99,6 +107,7 @@ private:
     std::optional<Order> m_order;
     std::vector<News> m_news;
     bool m_toEnd = false, m_hasEnded = false;
+    CancelFlag m_workersFlag;  ///< of the running job; for the worker alone
     std::unique_ptr<QThread> m_thread;
 };
 

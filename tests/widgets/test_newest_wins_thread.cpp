@@ -1,4 +1,5 @@
 #include <QSignalSpy>
+#include <QStringList>
 #include <QTest>
 #include <algorithm>
 #include <atomic>
@@ -100,6 +101,38 @@ private slots:
         QCOMPARE(deliveredIn, QThread::currentThread());
         QVERIFY(ranIn != nullptr && ranIn != QThread::currentThread());
         QVERIFY(!thread.busy());
+    }
+
+    void deliversBeforeTheEndOfAJobWhatItHasMeanwhile() {
+        NewestWinsThread thread("test");
+        auto gate = std::make_shared<Gate>();
+        QStringList delivered;
+        thread.submit([&, gate](const Progress&) -> NewestWinsThread::Deliver {
+            thread.deliverMeanwhile([&] {
+                delivered << "meanwhile";
+                gate->open();
+            });
+            gate->passThrough();  // which the delivery opens
+            return [&] { delivered << "end"; };
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(!thread.busy(), patience);
+        QCOMPARE(delivered, QStringList({"meanwhile", "end"}));
+    }
+
+    void deliversNothingThatAJobHasAfterItWasCancelled() {
+        NewestWinsThread thread("test");
+        auto gate = std::make_shared<Gate>();
+        bool delivered = false;
+        thread.submit([&, gate](const Progress&) -> NewestWinsThread::Deliver {
+            gate->passThrough();
+            thread.deliverMeanwhile([&] { delivered = true; });
+            return {};
+        });
+        gate->awaitArrivals(1);
+        thread.cancel();
+        gate->open();
+        QTRY_VERIFY_WITH_TIMEOUT(!thread.busy(), patience);
+        QVERIFY(!delivered);
     }
 
     void onlyTheNewestOfManyIsDelivered() {
