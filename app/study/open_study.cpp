@@ -90,7 +90,8 @@ void OpenStudy::open(const QString& path, const ReadOptions& options) {
 OpenStudy::Read OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
     const StudySearch search = m_studySearch ? m_studySearch() : StudySearch{};
     return [file = file.toStdString(), answer, search](const Progress& progress) -> Result<Opening> {
-        auto read = readSaved(file, answer, search, progress);
+        // A session says how its study is seen, so that it opens without a picture from elsewhere.
+        auto read = readSaved(file, answer, search, Progress{progress.report, progress.cancel});
         if (!read) return tl::unexpected(read.error());
         if (auto* problem = std::get_if<SavedStudyProblem>(&*read)) return Opening{.problem = std::move(*problem)};
         auto& session = std::get<ReadSession>(*read);
@@ -133,15 +134,25 @@ void OpenStudy::load(const StudyReference& reference, Read read) {
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
     m_loadingClock.start();
+    emit loadingBegun();
     m_loader.submit([this, reference, path, options,
                      read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
         std::vector<IntensityHistogram> histograms;
         std::optional<OpeningFinds> finds;
         Result<Opening> opening = [&]() -> Result<Opening> {
             try {
-                Result<Opening> opened = read(progress);
+                bool coarseTold = false;
+                Progress telling = progress;
+                telling.coarse = [this, &coarseTold](const CoarseVolume& coarse) {
+                    coarseTold = true;
+                    tellCoarse(coarse);
+                };
+                Result<Opening> opened = read(telling);
                 if (!opened || !opened->study) return opened;
                 const auto& phases = opened->study->phases;
+                // What could not be read in part looks coarse at least until it is looked through.
+                if (!coarseTold && !opened->saved)
+                    if (const auto coarse = coarseVolumeOf(*phases.front())) tellCoarse(*coarse);
                 // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
                 for (const auto& phase : phases) histograms.push_back(intensityHistogram(*phase));
                 const bool simulated =
@@ -190,6 +201,11 @@ void OpenStudy::load(const StudyReference& reference, Read read) {
             takeChecksum();
         };
     });
+}
+
+/// Called in the loader's thread.
+void OpenStudy::tellCoarse(const CoarseVolume& coarse) {
+    m_loader.deliverMeanwhile([this, coarse] { emit coarseVolumeRead(coarse); });
 }
 
 void OpenStudy::takeChecksum() {

@@ -18,6 +18,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
+#include "processing/volume/coarse_grid.h"
 #include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"
 
@@ -155,7 +156,12 @@ public:
 
 signals:
     void loadingChanged(bool loading);
+    /// A study is being loaded, perhaps in the place of another one that was.
+    void loadingBegun();
     void loadingProgressed(double share);
+    /// The study that is being loaded is large, and this is what its first phase looks like on a coarse grid
+    /// (processing/volume/coarse_grid.h). Loading may fail all the same. At most once a study; never of sessions.
+    void coarseVolumeRead(const echolucent::CoarseVolume& coarse);
     void studyOpened();
     /// The study of a session file is missing or changed; what was open before is unchanged.
     void savedStudyAsked(const echolucent::SavedStudyProblem& problem);
@@ -194,6 +200,7 @@ private:
     };
     using Read = std::function<Result<Opening>(const Progress&)>;
     static Read readerOf(const StudyFile& file);
+    void tellCoarse(const CoarseVolume& coarse);
     Read readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
     void takeChecksum();
     [[nodiscard]] bool waitsForVoxels();

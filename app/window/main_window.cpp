@@ -20,6 +20,7 @@
 #include "app/report/report_saving.h"
 #include "app/sessions/history_controls.h"
 #include "app/sessions/session_keeping.h"
+#include "app/study/loading_picture.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
@@ -93,6 +94,8 @@ void MainWindow::createUnits() {
         ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_view, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages, m_names});
+    m_loadingPicture = std::make_unique<LoadingPicture>(
+        LoadingPicture::Parts{m_document, mainView, *m_openStudy, *m_view, *m_widgets.picture});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
         NearCutFinder::Parts{m_document, mainView, *m_openStudy, *m_computing, *m_widgets.messages});
     m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);

@@ -24,6 +24,7 @@ class CurveControls;
 class FullScreen;
 class HistoryControls;
 class MethodControls;
+class LoadingPicture;
 class LongWorks;
 class MovieFiles;
 class NearCutFinder;
@@ -130,6 +131,7 @@ private:
     std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;
+    std::unique_ptr<LoadingPicture> m_loadingPicture;
     std::unique_ptr<NearCutFinder> m_nearCutFinder;
     std::unique_ptr<RecentPictures> m_recentPictures;
     std::unique_ptr<StudyOpening> m_opening;

@@ -4,6 +4,7 @@
 #include "app/picture/preset_controls.h"
 #include "app/report/report_saving.h"
 #include "app/sessions/session_keeping.h"
+#include "app/study/loading_picture.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
 #include "app/window/long_works.h"
@@ -27,9 +28,10 @@ void MainWindow::createLongWorks() {
         m_openStudy->cancelComputing();
         m_computing->computeAgain();  // what was being computed for the picture is still wanted
     };
-    const std::size_t loading = m_works->add({.busy = [this] { return m_openStudy->loading(); },
-                                              .words = [] { return tr("loading"); },
-                                              .cancel = [this] { m_openStudy->cancelLoading(); }});
+    const std::size_t loading = m_works->add(
+        {.busy = [this] { return m_openStudy->loading(); },
+         .words = [this] { return m_loadingPicture->shown() ? tr("coarse picture, loading goes on") : tr("loading"); },
+         .cancel = [this] { m_openStudy->cancelLoading(); }});
     m_works->add({.busy = [this] { return m_openStudy->lookingForNearCut(); },
                   .words = [] { return tr("looking for the near cut"); },
                   .cancel = cancelComputing});
@@ -49,6 +51,8 @@ void MainWindow::createLongWorks() {
     connect(m_openStudy.get(), &OpenStudy::loadingChanged, this, changed);
     connect(m_openStudy.get(), &OpenStudy::loadingProgressed, m_works.get(),
             [this, loading](double share) { m_works->setProgress(loading, share); });
+    connect(m_loadingPicture.get(), &LoadingPicture::shownChanged, this, changed);
+    connect(m_loadingPicture.get(), &LoadingPicture::busyChanged, this, changed);
     connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
     connect(m_openStudy.get(), &OpenStudy::nearCutFound, this, changed);
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, changed);
@@ -101,9 +105,10 @@ bool MainWindow::idle() const {
 }
 
 bool MainWindow::atRest() const {
-    return !m_openStudy->loading() && !m_openStudy->takingChecksum() && !m_openStudy->computingOtf() &&
-           !m_openStudy->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
-           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
+    return !m_openStudy->loading() && !m_loadingPicture->busy() && !m_openStudy->takingChecksum() &&
+           !m_openStudy->computingOtf() && !m_openStudy->quietPhases().busy() && !m_sessions->busy() &&
+           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_movies->busy() &&
+           !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

@@ -1,0 +1,56 @@
+// The coarse picture of a large study, which is seen while the study is being loaded.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+
+#include "app/document/document_model.h"
+#include "app/document/document_view.h"
+#include "app/study/open_study.h"
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+class StillPicture;
+class VolumeViewWidget;
+
+/// Makes a picture of what OpenStudy has of a study before all of it is read, in a thread of its own, and lays it over
+/// the 3D view until the study's own first picture is drawn there, or the loading ends without one. It is no part of
+/// the document: what was open stays open below it, with what the bar of messages says of it.
+class LoadingPicture : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        int view;  ///< of the document
+        OpenStudy& openStudy;
+        DocumentView& documentView;
+        VolumeViewWidget& picture;
+    };
+    /// All outlive this.
+    explicit LoadingPicture(const Parts& parts, QObject* parent = nullptr);
+
+    /// Whether the coarse picture lies over the 3D view.
+    [[nodiscard]] bool shown() const;
+    /// True while it is being made.
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+
+signals:
+    /// It is shown, or no longer.
+    void shownChanged(bool shown);
+    void busyChanged();
+
+private:
+    void make(const CoarseVolume& coarse);
+    void show(const QImage& image);
+    void end();
+
+    Parts m_parts;
+    StillPicture* m_still = nullptr;  ///< made with the first picture, in the 3D view
+    bool m_opened = false;            ///< the study is open, and its first picture is on its way
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
+};
+
+}  // namespace echolucent
