@@ -11,6 +11,7 @@
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/large_study.h"
 #include "tests/benchmarks_window/movie_under_way.h"
+#include "tests/benchmarks_window/opening_time.h"
 #include "tests/benchmarks_window/report.h"
 #include "tests/benchmarks_window/room_under_test.h"
 #include "tests/benchmarks_window/window_under_test.h"
@@ -26,6 +27,7 @@ struct Options {
     Amount amount;
     int edge = 0;  // voxels of every phantom; with 0 those of the frames are 199 x 197 x 199, as the paper's scan
     bool shaded = false;
+    int openings = 0;
     QString volume, large;  // files in the place of phantoms
     QString json, pictures;
 };
@@ -39,7 +41,8 @@ Options parse(const QApplication& application) {
         "Measures the real window: frames a second, updates in the review room, memory, stalls.");
     parser.addHelpOption();
     parser.addOptions(
-        {{"parts", "What is measured; \"cine\" needs --volume of a 4D study.", "NAME,NAME", "room,frames,stalls,movie"},
+        {{"parts", "What is measured; \"opening\" is how soon a volume is seen, \"cine\" needs --volume of a 4D study.",
+          "NAME,NAME", "room,frames,stalls,movie"},
          {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
          {"seconds", "How long each action is measured.", "S", "4"},
          {"frames", "Measure so many frames instead.", "N", "0"},
@@ -53,6 +56,7 @@ Options parse(const QApplication& application) {
           "A volume's file in the phantom's place; the part \"cine\" plays its phases, and the movie shows them.",
           "FILE"},
          {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
+         {"openings", "How often a volume is opened.", "N", "9"},
          {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
          {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
     parser.process(application);
@@ -65,6 +69,7 @@ Options parse(const QApplication& application) {
     options.shaded = parser.isSet("shaded");
     options.volume = parser.value("volume");
     options.large = parser.value("large");
+    options.openings = parser.value("openings").toInt();
     options.json = parser.value("json");
     options.pictures = parser.value("pictures");
     return options;
@@ -195,6 +200,11 @@ int main(int count, char** arguments) {
             measureCine(options.volume, edge, options, findings, tell);
             out << keptLine(findings.kept.last()) << '\n' << Qt::flush;
         }
+    }
+    if (options.parts.contains("opening")) {
+        const QString volume = options.large.isEmpty() ? phantom(largeVoxels, 8) : options.large;
+        findings.opening = OpeningTime().measure(volume, std::max(1, options.openings));
+        out << openingTable(*findings.opening) << '\n' << Qt::flush;
     }
     if (options.parts.contains("stalls")) {
         // Two bytes a voxel: twice the memory to read, to make quiet and to let go.

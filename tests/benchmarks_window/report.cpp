@@ -54,6 +54,15 @@ QJsonObject json(const Stall& stall) {
             {"over_limit", stall.overLimit}};
 }
 
+QJsonObject json(const OpeningTimes& times) {
+    return {{"plain_read_ms", times.plainRead},
+            {"coarse_ms", times.coarsePainted ? QJsonValue(*times.coarsePainted) : QJsonValue()},
+            {"opened_ms", times.opened},
+            {"first_picture_ms", times.firstPicture},
+            {"all_rays_ms", times.allRays},
+            {"converged_ms", times.converged}};
+}
+
 }  // namespace
 
 QString tableHeader() {
@@ -116,11 +125,12 @@ bool writeJson(const QString& path, const Findings& findings) {
     for (const Row& row : findings.rows) rows.append(json(row));
     for (const Stall& stall : findings.stalls) stalls.append(json(stall));
     const QJsonObject memory{{"resident_mib", findings.memory.residentMiB}, {"peak_mib", findings.memory.peakMiB}};
-    const QJsonObject whole{{"processors", QThread::idealThreadCount()},
-                            {"rows", rows},
-                            {"memory", memory},
-                            {"kept", kept},
-                            {"stalls", stalls}};
+    QJsonObject whole{{"processors", QThread::idealThreadCount()},
+                      {"rows", rows},
+                      {"memory", memory},
+                      {"kept", kept},
+                      {"stalls", stalls}};
+    if (findings.opening) whole.insert(QStringLiteral("opening"), json(*findings.opening));
     QDir().mkpath(QFileInfo(path).absolutePath());
     QSaveFile file(path);
     return file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(whole).toJson()) > 0 && file.commit();

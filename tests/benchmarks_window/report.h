@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QList>
+#include <optional>
 
 #include "tests/benchmarks_window/heartbeat.h"
 #include "tests/benchmarks_window/measures.h"
 #include "tests/benchmarks_window/memory.h"
+#include "tests/benchmarks_window/opening_time.h"
 #include "widgets/panels/motion_panel.h"
 
 namespace echolucent::bench {
@@ -15,6 +17,7 @@ struct Findings {
     Memory memory;           ///< of a study with everything on
     QList<KeptMotion> kept;  ///< of each cine
     QList<Stall> stalls;
+    std::optional<OpeningTimes> opening;
 };
 
 [[nodiscard]] QString tableHeader();
@@ -26,7 +29,8 @@ struct Findings {
 /// A table with a line for each stall, and a sentence that names the longest.
 [[nodiscard]] QString stallTable(const QList<Stall>& stalls);
 
-/// {"processors": n, "rows": [...], "memory": {...}, "kept": [...], "stalls": [...]}; false where it cannot be written.
+/// {"processors": n, "rows": [...], "memory": {...}, "kept": [...], "stalls": [...], "opening": {...}}; false where it
+/// cannot be written.
 [[nodiscard]] bool writeJson(const QString& path, const Findings& findings);
 
 }  // namespace echolucent::bench
