@@ -15,7 +15,7 @@ namespace {
 /// What the keys of a sequence say, such as Seq_Frame0012_ProbeToTrackerTransform.
 struct SequenceKeys {
     std::set<std::string> frames, tracked;  ///< the numbers of frames that have any key, and a transform
-    std::string frameKey, transformKey;     ///< the first of each
+    std::string frameKey, transformKey;     ///< the first of each, fit for a sentence
 };
 
 SequenceKeys sequenceKeys(const std::vector<std::string>& keys) {
@@ -26,9 +26,9 @@ SequenceKeys sequenceKeys(const std::vector<std::string>& keys) {
         const auto end = key.find('_', beginning.size());
         const std::string number = key.substr(beginning.size(), end - beginning.size());
         if (end == std::string::npos || !wholeNumber(number)) continue;
-        if (found.frames.insert(number).second && found.frameKey.empty()) found.frameKey = key;
+        if (found.frames.insert(number).second && found.frameKey.empty()) found.frameKey = quotedText(key);
         if (!key.ends_with("Transform")) continue;
-        if (found.tracked.insert(number).second && found.transformKey.empty()) found.transformKey = key;
+        if (found.tracked.insert(number).second && found.transformKey.empty()) found.transformKey = quotedText(key);
     }
     return found;
 }

@@ -27,6 +27,23 @@ DicomBytes withoutPhotometric() {
     return file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
 }
 
+/// Two frames of a tracked sweep, whose keys have names of 2,000 letters.
+std::string longSweepKeys() {
+    std::string keys;
+    for (const char* frame : {"0000", "0001"})
+        keys +=
+            "Seq_Frame" + std::string(frame) + "_" + std::string(2000, 'k') + "Transform = 1 0 0 0 1 0 0 0 1 0 0 0\n";
+    return keys + "ElementDataFile = LOCAL\n" + pixels;
+}
+
+/// Behind whole pixels, an element that declares 4 GB: the library takes memory for it before it looks.
+HostileFile hugeLastElement() {
+    DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
+    file.put(0x7fe0, 0x0010, "OW", pixels).put(0xfffc, 0xfffc, "OB", "rest", 0xf0000000);
+    return hostileFile("found-by-fuzzing/4-gigabytes-declared-behind-the-pixels", "v.dcm", file.file(cineClass),
+                       {"(fffc,fffc)", "declares 4026531840 bytes, of which the file holds 4"});
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostileFoundByFuzzing() {
@@ -34,6 +51,8 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
     return {
         metaImage("a-data-file-with-a-name-of-2000-letters", "ElementDataFile = " + longName + "\n",
                   {"2000 letters long"}),
+        metaImage("a-key-of-2000-letters", longSweepKeys(), {"tracked 2D sweep"}),
+        hugeLastElement(),
         cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
         cine("a-manufacturer-of-20000-letters",
              DicomBytes().text(0x0008, 0x0070, "LO", std::string(20000, 'm')).picture(4, 2, 2), {"mmmm"}),

@@ -41,6 +41,7 @@ private:
 
     void collect(const nlohmann::ordered_json& value, const Pointer& place) {
         for (const auto& [key, inner] : value.items()) {
+            if (key.empty()) continue;  // contains() takes it for a place in an array too
             m_places.push_back(place / key);
             if (inner.is_structured()) collect(inner, place / key);
         }
@@ -114,7 +115,8 @@ private:
                     }
                     break;
                 default:
-                    if (object.at(place).is_array() && !object.at(place).empty()) {
+                    if (object.at(place).is_array() && !object.at(place).empty() &&
+                        object.at(place).front().is_primitive()) {
                         const nlohmann::ordered_json first = object.at(place).front();
                         for (int more = 0; more < 1500; ++more) object.at(place).push_back(first);
                     } else {
