@@ -8,6 +8,7 @@
 
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
+#include "io/import_report.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -38,6 +39,7 @@ void MovieFiles::ask(FrameOutput output) {
                          .frames = frameCount(),
                          .ofView = m_parts.viewPixels(),
                          .choice = proposal(output),
+                         .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
                          .folderShown = !m_parts.names.showsNumbers(),
                          .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
                          .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},

@@ -71,7 +71,7 @@ ReportSaving::ReportSaving(const Parts& parts)
 void ReportSaving::choose() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
-    ReportDialog dialog(areDicomFiles(study->files), &m_parts.window);
+    ReportDialog dialog(areDicomFiles(study->files), QString::fromStdString(burnedInTextNote(*study)), &m_parts.window);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,

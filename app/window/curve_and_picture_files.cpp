@@ -16,6 +16,7 @@
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
 #include "io/curve_file.h"
+#include "io/import_report.h"
 #include "io/output/overwriting.h"
 #include "io/output/picture_file.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
@@ -110,12 +111,21 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
                                           {.title = tr("Save picture"),
                                            .filter = tr("Pictures (*.png)"),
                                            .name = proposedName(QStringLiteral("picture")),
-                                           .suffix = QStringLiteral("png")});
+                                           .suffix = QStringLiteral("png"),
+                                           .note = burnedInText()});
     if (!path.isEmpty()) savePicture(path);
 }
 
 void CurveAndPictureFiles::copyPicture() {
-    if (m_parts.openStudy.volume()) QApplication::clipboard()->setImage(pictureToSave());
+    if (!m_parts.openStudy.volume()) return;
+    QApplication::clipboard()->setImage(pictureToSave());
+    if (const QString note = burnedInText(); !note.isEmpty())
+        m_parts.messages.showMessage(MessageKind::warning, tr("The picture was copied. %1").arg(note));
+}
+
+QString CurveAndPictureFiles::burnedInText() const {
+    const Study* study = m_parts.openStudy.study();
+    return study ? QString::fromStdString(burnedInTextNote(*study)) : QString();
 }
 
 QImage CurveAndPictureFiles::pictureToSave() {

@@ -47,7 +47,7 @@ public:
     /// Saves what the 3D view shows, measurements of its phase included, without any name of a patient or file in it.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
-    /// Puts the same picture into the clipboard.
+    /// Puts the same picture into the clipboard; says so where it may show names (burnedInTextNote()).
     void copyPicture();
     /// Of a file to be saved: the study's file and what the file will hold, without an ending.
     [[nodiscard]] QString proposedName(const QString& what) const;
@@ -57,6 +57,8 @@ public:
 private:
     /// What the 3D view shows, converged, with the measurements of its phase.
     [[nodiscard]] QImage pictureToSave();
+    /// What is to be said before a picture of the study leaves the window; empty where nothing is.
+    [[nodiscard]] QString burnedInText() const;
     void chooseAndOpenCurve();
     bool chooseAndSaveCurve(CurveKind kind);
     bool saveCurve(const QString& path, CurveKind kind);

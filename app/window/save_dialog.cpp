@@ -3,11 +3,14 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
 #include <QRegularExpression>
 #include <QStandardPaths>
 
 #include "app/study/open_study.h"
 #include "app/window/settings.h"
+#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 
@@ -31,11 +34,19 @@ QString withEnding(const QString& path, const QString& filter, const QString& su
     return named ? path + '.' + suffix : path;
 }
 
+/// Shows the note below the fields, in a dialog of Qt's own: those of desktops take no words.
+void showNote(QFileDialog& dialog, const QString& note) {
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    auto* fields = qobject_cast<QGridLayout*>(dialog.layout());
+    if (fields != nullptr) fields->addWidget(noteLabel(note, "saveFile.note"), fields->rowCount(), 0, 1, -1);
+}
+
 }  // namespace
 
 QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy, const FileToSave& file) {
     QFileDialog dialog(&window, file.title, writableFolder(file.folder, settings), file.filter);
     dialog.setObjectName("saveFile");
+    if (!file.note.isEmpty()) showNote(dialog, file.note);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::DontConfirmOverwrite, !file.asksBeforeReplacing);
     dialog.setDefaultSuffix(file.suffix);

@@ -129,7 +129,8 @@ void MovieDialog::arrange() {
     grid->addLayout(path, 4, 1);
     grid->addWidget(m_sentence, 5, 1);
     grid->addWidget(m_replace, 6, 1);
-    grid->addWidget(buttons, 7, 0, 1, 2);
+    if (!m_facts.note.isEmpty()) grid->addWidget(noteLabel(m_facts.note, "movieDialog.note"), 7, 0, 1, 2);
+    grid->addWidget(buttons, 8, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     resize(620, sizeHint().height());
 }

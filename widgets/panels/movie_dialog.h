@@ -41,8 +41,8 @@ struct MovieHindrance {
 
 /// Objects: movieDialog (this), movieDialog.plays, .preset (of sizes), .width, .height, .rate (of a movie), .labels,
 /// .path, .choosePath, .sentence (what stands in the way, or how long the movie is), .replace (seen where files are
-/// there already), .save, .cancel. Save is enabled only where nothing stands in the way. Movies have even sizes,
-/// since their pixels are counted in twos: an odd one is rounded down.
+/// there already), .note (where there is one), .save, .cancel. Save is enabled only where nothing stands in the way.
+/// Movies have even sizes, since their pixels are counted in twos: an odd one is rounded down.
 class MovieDialog : public QDialog {
     Q_OBJECT
 
@@ -52,6 +52,7 @@ public:
         int frames = 1;        ///< how many they are
         QSize ofView{};        ///< pixels of the view, which are offered too
         MovieChoice choice{};  ///< what is proposed
+        QString note{};        ///< a sentence to be read before anything is saved; empty where there is none
         /// Whether folders may be seen: else movieDialog.path shows the file's name alone.
         bool folderShown = true;
         /// Says of a choice, while it is being made, what stands in its way.

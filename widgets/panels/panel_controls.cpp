@@ -52,6 +52,13 @@ QLabel* secondaryLabel(const QString& text) {
     return label;
 }
 
+QLabel* noteLabel(const QString& sentence, const QString& objectName) {
+    auto* label = named(new QLabel(QStringLiteral("⚠ ") + sentence), objectName, QObject::tr("Note: %1").arg(sentence));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
 QString angleText(int degrees) {
     const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
     return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));

@@ -36,6 +36,9 @@ void wheelNeedsFocus(QWidget* control);
 /// A text that stands back behind the others.
 [[nodiscard]] QLabel* secondaryLabel(const QString& text = {});
 
+/// A sentence to be read before something is saved, in as many lines as it needs.
+[[nodiscard]] QLabel* noteLabel(const QString& sentence, const QString& objectName);
+
 /// "+3°", "−3°", "0°".
 [[nodiscard]] QString angleText(int degrees);
 

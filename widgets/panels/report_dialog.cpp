@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-ReportDialog::ReportDialog(bool patientKnown, QWidget* parent)
+ReportDialog::ReportDialog(bool patientKnown, const QString& note, QWidget* parent)
     : QDialog(parent),
       m_patient(named(new QCheckBox(tr("With the &patient's name and data")), "report.patient",
                       tr("With the patient's name and data"))) {
@@ -38,6 +38,10 @@ ReportDialog::ReportDialog(bool patientKnown, QWidget* parent)
     layout->addSpacing(6);
     layout->addWidget(m_patient);
     layout->addWidget(patientLine);
+    if (!note.isEmpty()) {
+        layout->addSpacing(6);
+        layout->addWidget(noteLabel(note, "report.note"));
+    }
     layout->addSpacing(6);
     layout->addWidget(buttons);
     setMinimumWidth(460);
