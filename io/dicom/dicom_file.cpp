@@ -9,6 +9,7 @@
 
 #include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_parse.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 

@@ -4,8 +4,6 @@
 
 namespace echolucent {
 
-const char* const doNotOpen = "The file is damaged or made to do harm: do not open it.";
-
 std::string nestedTooDeep() {
     return fmt::format("holds sequences nested more than {} deep, which no true DICOM object does", deepestSequence);
 }

@@ -55,9 +55,8 @@ constexpr std::size_t mostElementsOfOne = 20000;
 /// More repairs than this are not made: files that need any need a few.
 constexpr std::size_t mostRepairs = 1000;
 
-/// What is wrong with files that hold too much, as in Failure::problem and Failure::remedy.
+/// What is wrong with files that hold too much, as in Failure::problem.
 [[nodiscard]] std::string nestedTooDeep();
 [[nodiscard]] std::string tooManyElements();
-extern const char* const doNotOpen;
 
 }  // namespace echolucent

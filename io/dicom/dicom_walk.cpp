@@ -13,6 +13,7 @@
 #include "io/dicom/dicom_names.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 #include "io/kretz/kretz_items.h"
 #include "io/kretz/kretz_reader.h"
 

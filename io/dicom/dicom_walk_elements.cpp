@@ -10,6 +10,7 @@
 
 #include "io/dicom/dicom_scan_result.h"
 #include "io/dicom/dicom_walk.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 

@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include "io/input_problems.h"
 #include "io/restricted/message.h"
 #include "io/restricted/reader_limits.h"
 #include "io/restricted/shared_study.h"
@@ -42,8 +43,6 @@ ProgramPath& programPath() {
     static ProgramPath path;
     return path;
 }
-
-const std::string doNotOpen = "The file is damaged or made to do harm: do not open it.";
 
 /// What a new process finds open and how it begins.
 class SpawnPlan {

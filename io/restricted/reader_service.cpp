@@ -21,6 +21,7 @@
 #include <thread>
 
 #include "io/dicom/dicom_tables.h"
+#include "io/input_problems.h"
 #include "io/restricted/confinement.h"
 #include "io/restricted/remote_files.h"
 #include "io/restricted/request.h"
@@ -104,8 +105,7 @@ bool perform(Channel& channel, const Request& request, const Progress& progress)
 /// Where memory ran out outside of what readStudy() catches.
 Failure tooLarge(const Request& request) {
     return fail(FailureKind::unreadable, request.path.empty() ? request.list.path : request.path, "",
-                "needs more memory than a file of its size may take",
-                "It is damaged or made to do harm: do not open it.")
+                "needs more memory than a file of its size may take", doNotOpen)
         .value();
 }
 

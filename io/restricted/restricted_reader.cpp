@@ -11,6 +11,7 @@
 #include "io/file_access.h"
 #include "io/file_format.h"
 #include "io/input_file.h"
+#include "io/input_problems.h"
 #include "io/restricted/reader_process.h"
 #include "io/restricted/request.h"
 #include "io/restricted/shared_study.h"
@@ -95,8 +96,7 @@ Result<ReaderProcess::Answer> ask(const Request& request, FileBroker broker, con
 
 tl::unexpected<Failure> noSense(const std::string& file) {
     return fail(FailureKind::unreadable, file, "",
-                "was not read: the process that reads files answered what makes no sense",
-                "The file is damaged or made to do harm: do not open it.");
+                "was not read: the process that reads files answered what makes no sense", doNotOpen);
 }
 
 MessageReader readerOf(const ReaderProcess::Answer& answer) {
