@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "processing/beam/probe_view.h"
+#include "processing/one_line.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {
@@ -281,18 +282,8 @@ Result<void> checkWhite(const StudyParts& parts) {
                 "Correct the white level or leave it out.");
 }
 
-/// What a file says of itself, as one line of the report: a file may hold any bytes, and any number of them.
-std::string asLine(std::string text) {
-    constexpr std::size_t longest = 300;
-    if (text.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // no half letter of UTF-8
-        text = text.substr(0, end) + "...";
-    }
-    for (char& letter : text)
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
-    return text;
-}
+/// What a file says of itself may hold any bytes, and any number of them; a line of the report has so many at most.
+constexpr std::size_t longestFact = 300;
 
 void addLossFact(const StudyParts& parts, Study& study) {
     const char* value = "unknown";
@@ -325,7 +316,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.lossyCompression = parts.lossyCompression;
     study.burnedInText = parts.burnedInText;
     study.facts = std::move(parts.facts);
-    for (ImportFact& fact : study.facts) fact.value = asLine(std::move(fact.value));
+    for (ImportFact& fact : study.facts) fact.value = oneLine(fact.value, longestFact);
     study.warnings = std::move(parts.warnings);
 
     const ChosenWhite white = chooseWhite(parts, study.warnings);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "processing/one_line.h"
+
 namespace echolucent {
 
 std::string Failure::sentence() const {
@@ -11,9 +13,7 @@ std::string Failure::sentence() const {
     text += problem;
     if (!text.empty() && text.back() != '.') text += '.';
     if (!remedy.empty()) text += ' ' + remedy;
-    for (char& character : text)
-        if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f) character = ' ';
-    return text;
+    return oneLine(text);
 }
 
 tl::unexpected<Failure> fail(FailureKind kind, std::string file, std::string element, std::string problem,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
 #include "processing/beam/beam_guess.h"
+#include "processing/one_line.h"
 
 namespace echolucent::cli {
 
@@ -84,11 +86,15 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     return object;
 }
 
-/// The text with control characters but the ends of lines made blanks: what files say is shown on a terminal.
-std::string printable(std::string text) {
-    for (char& character : text)
-        if ((static_cast<unsigned char>(character) < 0x20 && character != '\n') || character == 0x7f) character = ' ';
-    return text;
+/// Each line of the text as one that does nothing to a terminal: files may say anything.
+std::string printable(std::string_view text) {
+    std::string lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines += oneLine(text.substr(0, end)) + '\n';
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
 }
 
 std::string infoText(const Study& study, const Volume& volume, int phase) {
@@ -103,7 +109,7 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     line("stored values", range.dataVoxels > 0 ? fmt::format("{} to {}", range.low, range.high) : "none",
          "data voxels");
     for (const std::string& warning : study.warnings) text += "  Note: " + warning + "\n";
-    return printable(std::move(text));
+    return printable(text);
 }
 
 /// Why a series cannot be opened, and what to do: the sentence of the failure without the file, which the list names.

@@ -15,6 +15,7 @@
 #include "io/restricted/reader_process.h"
 #include "io/restricted/request.h"
 #include "io/restricted/shared_study.h"
+#include "io/restricted/taken_words.h"
 
 namespace echolucent::restricted {
 
@@ -99,6 +100,12 @@ tl::unexpected<Failure> noSense(const std::string& file) {
                 "was not read: the process that reads files answered what makes no sense", doNotOpen);
 }
 
+/// Why a reader refused a file.
+tl::unexpected<Failure> refused(Failure failure) {
+    makeHarmless(failure);
+    return tl::unexpected(std::move(failure));
+}
+
 MessageReader readerOf(const ReaderProcess::Answer& answer) {
     return MessageReader({reinterpret_cast<const std::uint8_t*>(answer.bytes.data()), answer.bytes.size()});
 }
@@ -111,7 +118,8 @@ Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::st
     MessageReader reader = readerOf(*answer);
     reader(failure, value);
     if (!reader.complete() || failure.has_value() == value.has_value()) return noSense(file);
-    if (failure) return tl::unexpected(*failure);
+    if (failure) return refused(std::move(*failure));
+    makeHarmless(*value);
     return std::move(*value);
 }
 
@@ -121,10 +129,11 @@ Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::st
     MessageReader reader = readerOf(*answer);
     reader(failure);
     if (!reader.good()) return noSense(file);
-    if (failure) return tl::unexpected(*failure);
+    if (failure) return refused(std::move(*failure));
     if (answer->files.size() != 1) return noSense(file);
     auto study = takeStudy(reader.rest(), answer->files.front());
     if (!study) return noSense(file);
+    makeHarmless(*study);
     if (!answer->systemCallsFiltered)
         study->warnings.emplace_back(
             "The process that read this file was not restricted: the kernel does not filter its system calls.");

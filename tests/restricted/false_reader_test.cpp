@@ -9,14 +9,24 @@
 
 #include "io/restricted/reader_process.h"
 #include "io/restricted/restricted_reader.h"
+#include "io/restricted/taken_words.h"
 #include "processing/volume/coarse_grid.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
 
+using testing::AllOf;
 using testing::AnyOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int time = 0; time < times; ++time) all += text;
+    return all;
+}
 
 std::string besideThisProgram(const std::string& name) {
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
@@ -141,6 +151,44 @@ TEST_F(FalseReader, IsEndedOnCancelAfterItsCoarseVolume) {
 }
 
 TEST_F(FalseReader, OpensNothingOutsideOfTheFolder) { EXPECT_THAT(sentenceBy("outside"), HasSubstr("was refused")); }
+
+TEST_F(FalseReader, SaysNothingThatATerminalOrALabelObeys) {
+    const std::string harmless = "a [2J 2J b  c  d" + repeated("\ufffd", 6);
+    const auto study = readBy("bad-words");
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->name, harmless);
+    EXPECT_EQ(study->facts.front().name, harmless);
+    EXPECT_EQ(study->facts.front().value, harmless);
+    EXPECT_EQ(study->facts.front().source, harmless);
+    ASSERT_EQ(study->warnings.size(), restricted::mostTakenLines);
+    EXPECT_EQ(study->warnings.front().size(), restricted::longestTakenLine + 3);
+    EXPECT_THAT(study->warnings.front(), AllOf(StartsWith(harmless + "xx"), EndsWith("xx...")));
+    EXPECT_EQ(study->warnings.back(), "4801 more notes are not shown.");
+    EXPECT_THAT(sentenceBy("refuses-with-bad-words"),
+                AllOf(StartsWith(harmless + ": " + harmless + " " + harmless + "xx"), EndsWith("xx... " + harmless)));
+}
+
+/// What a list of series says is seen in tables and in JSON.
+TEST(TakenWords, OfSeriesAndPatientsAreLines) {
+    SeriesEntry entry;
+    entry.uid = entry.object = entry.description = entry.modality = entry.distinction = "\x1b]0;a\x07";
+    entry.whyNot = fail(FailureKind::unreadable, "/a\nb", "\t", "\x7f", "\u202e").value();
+    entry.files.push_back({.path = "/a\nb", .damage = entry.whyNot});
+    SeriesList list{"/a\nb", {entry}, {"/a\nb"}, {"\x1b"}};
+    restricted::makeHarmless(list);
+    const SeriesEntry& taken = list.series.front();
+    for (const std::string& word : {taken.uid, taken.object, taken.description, taken.modality, taken.distinction})
+        EXPECT_EQ(word, " ]0;a ");
+    for (const Failure& failure : {*taken.whyNot, *taken.files.front().damage}) {
+        EXPECT_EQ(failure.element + failure.problem + failure.remedy, "   ");
+        EXPECT_EQ(failure.file, "/a\nb") << "paths name files";
+    }
+    EXPECT_EQ(list.path + list.files.front() + taken.files.front().path, "/a\nb/a\nb/a\nb");
+    EXPECT_EQ(list.warnings.front(), " ");
+    Patient patient{"Anna\nMuster", "\x01", "\x02", "\x03", "\x04"};
+    restricted::makeHarmless(patient);
+    EXPECT_EQ(patient.name + patient.id + patient.birthDate + patient.sex + patient.studyDate, "Anna Muster    ");
+}
 
 TEST_F(FalseReader, DiesWithASentence) {
     EXPECT_THAT(sentenceBy("ends-at-once"), HasSubstr("ended without a word (status 0)"));

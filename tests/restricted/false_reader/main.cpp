@@ -42,6 +42,9 @@ Study smallStudy() {
     return study;
 }
 
+/// Words that clear a terminal, turn the direction of writing, begin a line, and are no UTF-8.
+std::string badWords() { return "a\x1b[2J\u009b2J\u202eb\u2066\u2028c\r\nd\xff\xc0\x80\xed\xa0\x80"; }
+
 /// The message of a study that was read, as a reader sends it.
 std::string withoutFailure(const std::string& study) {
     MessageWriter writer;
@@ -135,6 +138,19 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
         MessageWriter report;
         report(std::optional(
             fail(FailureKind::unreadable, "", "", answer.files.empty() ? "was refused" : "WAS OPENED").value()));
+        static_cast<void>(channel.send(MessageKind::result, report.bytes()));
+    } else if (mode == "bad-words") {
+        Study study = smallStudy();
+        study.name = badWords();
+        study.facts = {{badWords(), badWords(), badWords()}};
+        study.warnings.assign(5000, badWords() + std::string(3000, 'x'));
+        const auto spoken = shareStudy(study);
+        sendStudy(spoken->bytes, spoken->voxels.number());
+    } else if (mode == "refuses-with-bad-words") {
+        MessageWriter report;
+        report(std::optional(
+            fail(FailureKind::unreadable, badWords(), badWords(), badWords() + std::string(100000, 'x'), badWords())
+                .value()));
         static_cast<void>(channel.send(MessageKind::result, report.bytes()));
     } else if (mode == "honest")
         sendStudy(shared->bytes, shared->voxels.number());
