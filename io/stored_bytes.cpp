@@ -157,11 +157,22 @@ Result<void> StoredBytes::check(const Progress& progress) {
     return {};
 }
 
+Result<bool> StoredBytes::endsWithinNumber(const InputFile& file, const VoxelExtent& extent) const {
+    if (extent.encoding != VoxelEncoding::text) return false;
+    std::uint8_t last = 0;
+    if (const auto read = file.readAt(extent.offset + extent.length - 1, {&last, 1}); !read)
+        return tl::unexpected(read.error());
+    return !separatesNumbers(last);
+}
+
 Result<void> StoredBytes::beginNext(const Progress& progress) {
     const auto file = m_stored.data[m_begun++].open();
     if (!file) return tl::unexpected(file.error());
     const auto extent = extentIn(*file);
     if (!extent) return tl::unexpected(extent.error());
+    const auto mayBeCut = endsWithinNumber(*file, *extent);
+    if (!mayBeCut) return tl::unexpected(mayBeCut.error());
+    m_mayBeCut = *mayBeCut;
     m_file = file->path();
     m_source = std::make_unique<VoxelSource>(*file, *extent, m_stored.type);
     m_left = m_part;
@@ -188,7 +199,14 @@ Result<void> StoredBytes::endFile(const Progress& progress) {
         return fail(FailureKind::unreadable, m_file, "",
                     "ends within its compressed data, so that their checksum cannot be verified",
                     "The file is incomplete or damaged: copy or export it again.");
-    if (more && *more == 0) return {};
+    if (more && *more == 0) {
+        // A file that was cut there and one whose writer ends it so look alike.
+        if (m_mayBeCut)
+            m_warnings.push_back(nameFromPath(m_file) +
+                                 " ends directly after its last number, which may have been cut: compare its last "
+                                 "voxel with the original.");
+        return {};
+    }
     if (m_warnings.empty())
         m_warnings.emplace_back("The file holds more than the declared voxels; what follows them is ignored.");
     return {};

@@ -21,7 +21,7 @@ public:
     /// less, and where reading would take far more memory than the files' bytes are worth (requireReadingMemory());
     /// compressed bytes that claim to be many times more are counted.
     [[nodiscard]] Result<void> check(const Progress& progress);
-    /// Sentences of check() and read() on bytes that play no part.
+    /// Sentences of check() and read() on bytes that play no part, and on a last number that may have been cut.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
     /// Fills `bytes` with what comes next, as VoxelSource::read(). At the end of a data file compressed voxels are
@@ -39,6 +39,8 @@ private:
     [[nodiscard]] Result<std::uint64_t> skippedLines(const InputFile& file) const;
     [[nodiscard]] Result<void> checkDecoded(const InputFile& file, const VoxelExtent& extent,
                                             const Progress& progress) const;
+    /// Whether an extent ends in a number that is written as text, of which some digits may be missing.
+    [[nodiscard]] Result<bool> endsWithinNumber(const InputFile& file, const VoxelExtent& extent) const;
     void noteRest(const InputFile& file, const VoxelExtent& extent);
     [[nodiscard]] Result<void> beginNext(const Progress& progress);
     [[nodiscard]] Result<void> endFile(const Progress& progress);
@@ -50,6 +52,7 @@ private:
     std::size_t m_begun = 0;   // data files that were begun
     std::string m_file;        // path of the one begun last
     std::uint64_t m_left = 0;  // bytes that the one begun last has still to give
+    bool m_mayBeCut = false;   // whether the one begun last ends within a number that is written as text
     std::unique_ptr<VoxelSource> m_source;
     std::vector<std::string> m_warnings;
     /// A data file that readRaw() has open.

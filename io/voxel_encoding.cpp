@@ -150,8 +150,6 @@ private:
     bool m_between = false;  // a member has ended; another one may follow
 };
 
-bool separates(std::uint8_t byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r') || byte == ','; }
-
 /// The value that a word is; no value where it is no number of this type.
 template <typename T>
 std::optional<T> valueFrom(std::string_view word) {
@@ -181,9 +179,9 @@ public:
         constexpr std::size_t longestNumber = 64;
         Step step;
         while (step.given + sizeof(T) <= output.size()) {
-            while (step.taken < input.size() && separates(input[step.taken])) ++step.taken;
+            while (step.taken < input.size() && separatesNumbers(input[step.taken])) ++step.taken;
             std::size_t end = step.taken;
-            while (end < input.size() && !separates(input[end]) && end - step.taken <= longestNumber) ++end;
+            while (end < input.size() && !separatesNumbers(input[end]) && end - step.taken <= longestNumber) ++end;
             const std::string_view word(reinterpret_cast<const char*>(input.data()) + step.taken, end - step.taken);
             if (word.size() <= longestNumber && end == input.size() && !isLast) return step;  // it may go on
             if (word.empty()) {
@@ -206,7 +204,7 @@ public:
         Step step;
         for (; step.taken < input.size() && step.given < output.size(); ++step.taken) {
             const std::uint8_t byte = input[step.taken];
-            if (separates(byte) && byte != ',') continue;
+            if (separatesNumbers(byte) && byte != ',') continue;
             const auto digit = digitOf(byte);
             if (!digit)
                 return tl::unexpected(Problem{"has text that is no hexadecimal digit",
@@ -260,6 +258,8 @@ std::string_view compressionWords(VoxelEncoding encoding) {
 bool isCompressed(VoxelEncoding encoding) {
     return encoding == VoxelEncoding::zlib || encoding == VoxelEncoding::bzip2;
 }
+
+bool separatesNumbers(std::uint8_t byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r') || byte == ','; }
 
 std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type) {
     switch (encoding) {

@@ -22,6 +22,9 @@ enum class VoxelEncoding { raw, zlib, bzip2, text, hex };
 /// Whether so many encoded bytes may stand for almost any number of bytes.
 [[nodiscard]] bool isCompressed(VoxelEncoding encoding);
 
+/// Whether a byte stands between two numbers that are written as text, and in none.
+[[nodiscard]] bool separatesNumbers(std::uint8_t byte);
+
 /// Decodes a stream of bytes piece by piece.
 class VoxelDecoder {
 public:

@@ -143,10 +143,19 @@ HostileFile attached(const std::string& name, const std::string& encoding, const
 }
 
 std::vector<HostileFile> wrongText() {
+    const std::vector<std::string> cut{"ends directly after its last number, which may have been cut"};
+    const std::string allButADigit = numbers.substr(0, numbers.size() - 1);
     return {
         attached("text-of-three-numbers", "ascii", "1 2 3", {"sizes declares 48 bytes", "only 5 characters"}),
         attached("text-of-three-numbers-and-spaces", "ascii", "1 2 3" + std::string(200, ' '),
                  {"holds only 6 bytes of voxels where 48"}),
+        hostileFile("data-files/nrrd-text-cut-within-its-last-number", "v.nrrd",
+                    nrrd("encoding: ascii\n\n") + allButADigit, cut, HostileOutcome::opensWithNote),
+        hostileFile("data-files/metaimage-text-cut-within-its-last-number", "v.mha",
+                    metaImage("BinaryData = False\nElementDataFile = LOCAL\n") + allButADigit, cut,
+                    HostileOutcome::opensWithNote),
+        hostileFile("data-files/text-that-ends-with-its-line", "v.nrrd", nrrd("encoding: ascii\n\n") + numbers + "\n",
+                    cut, HostileOutcome::opens),
         attached("text-with-a-word", "ascii", "1 2 three " + numbers,
                  {"has text that is no voxel of its type near byte"}),
         attached("text-with-a-number-below-its-type", "ascii", "1 2 -3 " + numbers, {"no voxel of its type"}),
