@@ -1,9 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -34,16 +38,32 @@ struct StoredRange {
     std::int64_t dataVoxels = 0;
 };
 
-StoredRange storedRangeOf(const Volume& volume) {
-    StoredRange range;
-    for (std::int64_t offset = 0; offset < volume.geometry().voxelCount(); ++offset) {
-        if (!volume.hasData(offset)) continue;
-        const double value = volume.storedValue(offset);
-        range.low = range.dataVoxels == 0 ? value : std::min(range.low, value);
-        range.high = range.dataVoxels == 0 ? value : std::max(range.high, value);
-        ++range.dataVoxels;
+/// Loops that ask the volume nothing at a voxel become vectors.
+template <typename Value, typename IsData>
+StoredRange rangeOf(std::span<const Value> values, IsData isData) {
+    Value low = std::numeric_limits<Value>::max(), high = std::numeric_limits<Value>::lowest();
+    for (std::size_t offset = 0; offset < values.size(); ++offset) {
+        const Value value = values[offset];
+        low = std::min(low, isData(offset) ? value : low);
+        high = std::max(high, isData(offset) ? value : high);
     }
-    return range;
+    return {static_cast<double>(low), static_cast<double>(high), static_cast<std::int64_t>(values.size())};
+}
+
+StoredRange storedRangeOf(const Volume& volume) {
+    return std::visit(
+        [&](const auto& values) {
+            const std::span all(values.data(), values.size());
+            const std::uint8_t* const mask = volume.dataMaskOrNull();
+            if (mask == nullptr) return rangeOf(all, [](std::size_t) { return true; });
+            const auto marked = [](std::uint8_t mark) { return mark != 0; };
+            const auto count = std::count_if(mask, mask + values.size(), marked);
+            if (count == 0) return StoredRange{};
+            StoredRange range = rangeOf(all, [&](std::size_t offset) { return marked(mask[offset]); });
+            range.dataVoxels = count;
+            return range;
+        },
+        volume.voxels());
 }
 
 ordered_json vectorJson(const Vec3& vector) { return {vector[0], vector[1], vector[2]}; }
