@@ -9,11 +9,14 @@
 #include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
+#include "io/output/interruption.h"
 #include "io/restricted/restricted_reader.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 int main(int count, char** arguments) {
     using namespace echolucent;
+    // Before there is any other thread: a signal leaves no half of a movie.
+    removeUnfinishedOnSignals();
     restricted::prepareReader(restricted::Readiness::always);
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
