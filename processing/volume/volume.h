@@ -14,6 +14,7 @@
 
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
+#include "processing/volume/reduction.h"
 #include "processing/volume/stated_probe.h"
 #include "processing/volume/voxels.h"
 
@@ -30,6 +31,8 @@ struct VolumeGeometry {
                                ///< may be shown as a fact
     bool patientFrameKnown = false;  ///< whether `direction` was stated for a patient; else it is the grid's own frame
     std::optional<StatedProbe> probe{};  ///< where the file says where the probe was
+    /// Where the file holds more voxels than were kept: each is the mean of a block, and the picture must say so.
+    std::optional<Reduction> reduction{};
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
     /// Offset of voxel (x,y,z) in the voxel array.

@@ -1,0 +1,62 @@
+// Means of blocks of voxels, gathered slice by slice, so that the voxels themselves are never all in memory.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "processing/volume/reduction.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// The type of a sum of values that no block can overflow.
+template <typename T>
+struct BlockSum {
+    static constexpr bool isExact = std::is_integral_v<T> && sizeof(T) <= 4;
+    using WholeSum = std::conditional_t<sizeof(T) == 1, std::int32_t, std::int64_t>;
+    using Type = std::conditional_t<isExact, WholeSum, std::conditional_t<sizeof(T) == 4, double, long double>>;
+};
+
+/// Writes the mean of every block while the slices of one volume come by. Means of whole numbers are rounded, halves
+/// upwards. Values that are not finite do not count, and a block without finite ones becomes NaN. T is one of
+/// std::int8_t to std::uint64_t, float and double.
+template <typename T>
+class BlockMean {
+public:
+    /// `reduced` takes the means, x fastest: as many as the product of reducedSize(); it outlives this. Any other size
+    /// is a broken contract (std::invalid_argument).
+    BlockMean(const Reduction& reduction, std::span<T> reduced);
+
+    /// Takes the next slice along z: storedSize[0] * storedSize[1] values, x fastest. Another number of values, or a
+    /// slice beyond the last, is a broken contract (std::invalid_argument).
+    void add(std::span<const T> slice);
+    /// Passes over the next slice, which nobody could read: it does not count. A block layer of such slices alone
+    /// becomes 0.
+    void skip();
+
+private:
+    using Sum = typename BlockSum<T>::Type;
+
+    void endSlice();
+    [[nodiscard]] T meanOf(std::size_t firstColumn, std::int64_t x, std::int64_t valuesAlongYz) const;
+
+    Reduction m_reduction;
+    std::span<T> m_reduced;
+    // Of the layer of blocks that is being gathered: sums along y and z, still a column for each x, and how many values
+    // were finite, which only floating-point types count.
+    std::vector<Sum> m_sums;
+    std::vector<std::uint32_t> m_counts;
+    std::int64_t m_slice = 0;    // slices that came by
+    std::int64_t m_counted = 0;  // slices of the layer that count
+    std::size_t m_written = 0;   // means written so far
+};
+
+/// The geometry of the means: the size of the blocks' grid, spacing times the factors, and the origin at the centre of
+/// the first block, so that every whole block stands where its voxels stood. The last block along an axis stands like a
+/// whole one, although its voxels may end sooner. The probe keeps its place. `stored` describes the voxels of the file,
+/// whose size is the reduction's storedSize.
+[[nodiscard]] VolumeGeometry reducedGeometry(const VolumeGeometry& stored, const Reduction& reduction);
+
+}  // namespace echolucent
