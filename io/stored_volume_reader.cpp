@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "io/coarse_bytes.h"
+#include "io/reduced_phases.h"
 #include "io/stored_bytes.h"
 #include "io/study_assembly.h"
+#include "processing/volume/block_mean.h"
 
 namespace echolucent {
 
@@ -24,6 +26,20 @@ std::vector<std::vector<std::uint8_t>> splitPhases(const std::vector<std::uint8_
             std::memcpy(split[phase].data() + voxel * voxelBytes, all.data() + (voxel * phases + phase) * voxelBytes,
                         voxelBytes);
     return split;
+}
+
+/// How the voxels are to be reduced. Voxels along beams are not: their conversion has a limit of its own.
+Result<std::optional<ChosenReduction>> reductionOf(const StoredVolume& stored, const ByteCounts& counts,
+                                                   const ReadOptions& options) {
+    if (!stored.polar)
+        return chooseReduction(stored.path, stored.sizeKey,
+                               {stored.geometry.size, stored.phases, stored.type, stored.rescale.has_value()}, options);
+    const std::int64_t kept =
+        stored.rescale ? counts.all / bytesOf(stored.type) * bytesOf(StoredType::float32) : counts.all;
+    const auto largest = static_cast<std::uint64_t>(std::max(kept, counts.all));
+    if (auto enough = requireMemory(stored.path, stored.sizeKey, largest); !enough)
+        return tl::unexpected(enough.error());
+    return std::optional<ChosenReduction>();
 }
 
 Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredVolume& stored, StoredBytes& source,
@@ -65,14 +81,18 @@ void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
     }
 }
 
-/// The study that bytes of voxels make, as they are stored, one vector a phase.
-Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>> phases,
-                      const std::vector<std::string>& warnings, const ReadOptions& options, const Progress& progress) {
+/// Turns voxels as they are stored into one value each, in this machine's byte order.
+void toValues(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>>& phases) {
     for (auto& bytes : phases) {
         toMachineByteOrder(bytes, stored.type, stored.bigEndian);
         if (stored.channels == 3) reduceToLuma(bytes, stored.type);
     }
+}
 
+/// The study that voxels make which are one value each, one vector a phase; `chosen` says how they were reduced.
+Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>> phases,
+                      const std::optional<ChosenReduction>& chosen, const std::vector<std::string>& warnings,
+                      const ReadOptions& options, const Progress& progress) {
     if (const auto problem = problemOfFloats(phases, stored.type, stored.rescale.value_or(Rescale{})))
         return fail(FailureKind::unreadable, stored.path, stored.rescale ? stored.rescaleSource : stored.typeKey,
                     *problem, "Correct the values or their scale, and save the volume as float32.");
@@ -83,7 +103,8 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::u
     for (const DataFile& file : stored.data)
         if (file.path != stored.path) parts.files.push_back(file.path);
     if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
-    parts.geometry = stored.geometry;
+    parts.geometry = chosen ? reducedGeometry(stored.geometry, chosen->reduction) : stored.geometry;
+    parts.reduction = chosen;
     parts.spacingSource = stored.spacingSource;
     parts.inPlaneSpacingKnown = stored.inPlaneSpacingKnown;
     parts.sliceAxis = stored.sliceAxis;
@@ -108,8 +129,8 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::u
 
 /// Hands over what a coarse grid shows, where that can be read soon. What is wrong with the volume is said when all of
 /// it is read.
-void offerCoarse(const StoredVolume& stored, StoredBytes& source, const ReadOptions& options,
-                 const Progress& progress) {
+void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::optional<ChosenReduction>& chosen,
+                 const ReadOptions& options, const Progress& progress) {
     if (!progress.coarse) return;
     const auto grid = coarseGridOf(stored);
     if (!grid) return;
@@ -120,8 +141,15 @@ void offerCoarse(const StoredVolume& stored, StoredBytes& source, const ReadOpti
     coarse.phases = 1;
     std::vector<std::vector<std::uint8_t>> phases;
     phases.push_back(std::move(*bytes));
-    const auto study = studyOf(coarse, std::move(phases), {}, options, Progress{{}, progress.cancel});
-    if (study) progress.coarse(coarseVolumeOf(*grid, *study->phases.front()));
+    toValues(coarse, phases);
+    const auto study = studyOf(coarse, std::move(phases), {}, {}, options, Progress{{}, progress.cancel});
+    if (!study) return;
+    CoarseVolume volume = coarseVolumeOf(*grid, *study->phases.front());
+    // Opacities will be given per unit of the volume that is kept.
+    if (chosen)
+        volume.units = std::max(
+            1.0, volume.units * stored.geometry.unit() / reducedGeometry(stored.geometry, chosen->reduction).unit());
+    progress.coarse(volume);
 }
 
 }  // namespace
@@ -131,16 +159,14 @@ Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, 
     if (!counts) return tl::unexpected(counts.error());
     StoredBytes source(stored, *counts);
     if (auto checked = source.check(progress); !checked) return tl::unexpected(checked.error());
-    const std::int64_t memory =
-        stored.rescale ? counts->all / bytesOf(stored.type) * bytesOf(StoredType::float32) : counts->all;
-    const auto largest = static_cast<std::uint64_t>(std::max(memory, counts->all));
-    if (auto enough = requireMemory(stored.path, stored.sizeKey, largest); !enough)
-        return tl::unexpected(enough.error());
-
-    offerCoarse(stored, source, options, progress);
-    auto phases = readPhases(stored, source, *counts, progress);
+    const auto chosen = reductionOf(stored, *counts, options);
+    if (!chosen) return tl::unexpected(chosen.error());
+    offerCoarse(stored, source, *chosen, options, progress);
+    auto phases = *chosen ? readReducedPhases(stored, source, (*chosen)->reduction, progress)
+                          : readPhases(stored, source, *counts, progress);
     if (!phases) return tl::unexpected(phases.error());
-    return studyOf(stored, std::move(*phases), source.warnings(), options, progress);
+    if (!*chosen) toValues(stored, *phases);
+    return studyOf(stored, std::move(*phases), *chosen, source.warnings(), options, progress);
 }
 
 }  // namespace echolucent

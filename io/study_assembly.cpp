@@ -139,6 +139,11 @@ double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
 
 void addGeometryFacts(const StudyParts& parts, Study& study) {
     study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", parts.sizeSource});
+    if (parts.reduction)
+        study.facts.push_back({"reduced",
+                               fmt::format("means of {} of {} voxels", factorsText(parts.reduction->reduction),
+                                           sizeText(parts.reduction->reduction.storedSize)),
+                               parts.reduction->reason});
     std::string source = parts.spacingSource.empty() ? "assumed" : parts.spacingSource;
     if (parts.inPlaneSpacingKnown) source += "; distance of slices assumed";
     study.facts.push_back({"spacing", spacingText(parts.geometry.spacing), source});
@@ -339,6 +344,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     addProbeFacts(parts, study);
     addLossFact(parts, study);
     addBurnedInTextFact(parts, study);
+    if (parts.reduction) study.warnings.push_back(reductionWarning(*parts.reduction));
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
     if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)
         study.warnings.push_back(

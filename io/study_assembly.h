@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/large_volumes.h"
 #include "io/study.h"
 #include "io/voxel_types.h"
 
@@ -37,6 +38,8 @@ struct StudyParts {
     /// false).
     bool inPlaneSpacingKnown = false;
     int sliceAxis = 2;  ///< axis of the grid, 0 to 2, that such slices lie along
+    /// How the voxels were reduced while they were read; geometry is reducedGeometry() then.
+    std::optional<ChosenReduction> reduction;
     ConvertedVoxels voxels;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;       ///< key or tag that gave whiteLevel

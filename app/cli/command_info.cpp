@@ -75,6 +75,10 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     ordered_json& entry = object["volume"];
     entry["name"] = study.name;
     entry["size"] = geometry.size;
+    if (geometry.reduction) {
+        entry["reduced_by"] = geometry.reduction->by;
+        entry["stored_size"] = geometry.reduction->storedSize;
+    }
     entry["spacing_mm"] = vectorJson(geometry.spacing);
     entry["spacing_known"] = geometry.spacingKnown;
     entry["origin_mm"] = vectorJson(geometry.origin);

@@ -120,6 +120,11 @@ void VolumeOptions::addTo(CLI::App& command) {
                     "MiB that a phase may take where voxels along beams are converted to a grid")
         ->check(CLI::Range(std::int64_t{1}, mostConversionMebibytes))
         ->capture_default_str();
+    command
+        .add_option("--study-memory", read.studyMebibytes,
+                    "MiB that the voxels of all phases may take; a larger volume is read reduced. A sixth of this "
+                    "machine's memory where not given")
+        ->check(CLI::Range(std::int64_t{1}, mostStudyMebibytes));
     command.add_flag("--frames-as-slices", read.framesAsSlices,
                      "Take the frames of a 2D cine or of a tracked sweep as slices; their distance stays unknown");
     command.add_flag(

@@ -13,8 +13,10 @@
 #include "io/dicom/frame_phases.h"
 #include "io/dicom/picture_scale.h"
 #include "io/dicom/pixels/pixel_statements.h"
-#include "io/input_file.h"
 #include "io/kretz/kretz_reader.h"
+#include "io/large_volumes.h"
+#include "io/phase_slices.h"
+#include "processing/volume/block_mean.h"
 
 namespace echolucent {
 
@@ -36,7 +38,9 @@ private:
     Result<FrameLayout> layOut();
     Result<FrameLayout> layOutAsSlices();
     [[nodiscard]] std::string formatInWords(const FrameLayout& layout) const;
-    Result<std::vector<std::vector<std::uint8_t>>> readPhases(const FrameLayout& layout);
+    [[nodiscard]] Result<std::optional<ChosenReduction>> chooseReduction(const FrameLayout& layout) const;
+    Result<std::vector<std::vector<std::uint8_t>>> readPhases(const FrameLayout& layout,
+                                                              const std::optional<ChosenReduction>& chosen);
 
     const DicomFile& m_file;
     DicomFrames& m_frames;
@@ -83,27 +87,34 @@ std::string MultiframeReader::formatInWords(const FrameLayout& layout) const {
     return fmt::format("{}, one file, {} phases of {} frames", object, layout.phases.size(), slices);
 }
 
-Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(const FrameLayout& layout) {
-    const auto frameBytes = static_cast<std::size_t>(m_frames.frameBytes());
+Result<std::optional<ChosenReduction>> MultiframeReader::chooseReduction(const FrameLayout& layout) const {
+    return echolucent::chooseReduction(
+        m_file.path(), "(0028,0008) Number of Frames",
+        {{m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())},
+         static_cast<std::int64_t>(layout.phases.size()),
+         m_frames.type()},
+        m_options);
+}
+
+Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(
+    const FrameLayout& layout, const std::optional<ChosenReduction>& chosen) {
     const std::size_t slices = layout.phases[0].size();
-    const auto total = checkedProduct(m_frames.frameBytes(), static_cast<std::int64_t>(slices * layout.phases.size()));
-    const auto memory = requireMemory(m_file.path(), "(0028,0008) Number of Frames",
-                                      total ? static_cast<std::uint64_t>(*total) : ~std::uint64_t{0});
-    if (!memory) return tl::unexpected(memory.error());
     if (const auto checked = m_frames.check(m_progress); !checked) return tl::unexpected(checked.error());
+    const auto reduction = chosen ? std::optional(chosen->reduction) : std::nullopt;
     std::vector<std::vector<std::uint8_t>> phases;
     std::size_t done = 0;
     for (const auto& order : layout.phases) {
-        std::vector<std::uint8_t> voxels(frameBytes * slices);
+        PhaseSlices voxels(m_frames.type(), {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(slices)},
+                           reduction);
         for (std::size_t slice = 0; slice < slices; ++slice, ++done) {
             if (m_progress.cancelled())
                 return fail(FailureKind::cancelled, m_file.path(), "", "was not read: cancelled");
             m_progress.at(0.9 * static_cast<double>(done) / static_cast<double>(slices * layout.phases.size()));
-            const auto read = m_frames.readGrey(static_cast<std::int64_t>(order[slice]),
-                                                std::span(voxels).subspan(slice * frameBytes, frameBytes));
-            if (!read) return tl::unexpected(read.error());
+            if (const auto read = m_frames.readGrey(static_cast<std::int64_t>(order[slice]), voxels.nextSlice()); !read)
+                return tl::unexpected(read.error());
+            voxels.endSlice();
         }
-        phases.push_back(std::move(voxels));
+        phases.push_back(voxels.take());
     }
     return phases;
 }
@@ -114,7 +125,9 @@ Result<Study> MultiframeReader::read() {
     std::vector<std::size_t> shown;
     for (const auto& order : layout->phases) shown.insert(shown.end(), order.begin(), order.end());
     m_frames.keep(std::move(shown));
-    auto phases = readPhases(*layout);
+    auto chosen = chooseReduction(*layout);
+    if (!chosen) return tl::unexpected(chosen.error());
+    auto phases = readPhases(*layout, *chosen);
     if (!phases) return tl::unexpected(phases.error());
     StudyParts parts;
     parts.path = m_file.path();
@@ -133,6 +146,8 @@ Result<Study> MultiframeReader::read() {
         parts.geometry.probe = layout->probe->probe;
         parts.probeSource = layout->probe->source;
     }
+    if (*chosen) parts.geometry = reducedGeometry(parts.geometry, (*chosen)->reduction);
+    parts.reduction = *std::move(chosen);
     sayLoss(m_file.dataset(), parts);
     sayBurnedInText(m_file.dataset(), false, parts);
     parts.facts = {{"format", formatInWords(*layout), "(0008,0016) SOP Class UID"}};

@@ -42,6 +42,8 @@ StudyReference studyIn(JsonFields root) {
     file.options.guessNoData = fields.flag("guess_no_data");
     if (fields.has("conversion_mebibytes"))
         file.options.conversionMebibytes = fields.whole("conversion_mebibytes", 1, mostConversionMebibytes);
+    if (fields.has("study_mebibytes"))
+        file.options.studyMebibytes = fields.whole("study_mebibytes", 1, mostStudyMebibytes);
     file.checksum = fields.text("checksum");
     if (file.checksum.size() > longestChecksum) fields.wrong("checksum", "must be shorter");
     if (file.path.find('\0') != std::string::npos) fields.wrong("path", "must hold no null character");

@@ -30,6 +30,7 @@ ordered_json studyJson(const StudyReference& study) {
         if (file->files > 0) object["files"] = file->files;
         if (file->options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
             object["conversion_mebibytes"] = file->options.conversionMebibytes;
+        if (file->options.studyMebibytes) object["study_mebibytes"] = *file->options.studyMebibytes;
         return {{"file", object}};
     }
     if (const auto* scan = std::get_if<SimulatedScan>(&study))

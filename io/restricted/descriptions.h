@@ -32,7 +32,8 @@ void describe(Archive& archive, Value& layout) {
 
 template <typename Archive, Described<ReadOptions> Value>
 void describe(Archive& archive, Value& options) {
-    archive(options.raw, options.framesAsSlices, options.guessNoData, options.series, options.conversionMebibytes);
+    archive(options.raw, options.framesAsSlices, options.guessNoData, options.series, options.conversionMebibytes,
+            options.studyMebibytes);
 }
 
 template <typename Archive, Described<Failure> Value>
@@ -47,10 +48,15 @@ void describe(Archive& archive, Value& probe) {
     archive(probe.forward, probe.down, probe.apexMm);
 }
 
+template <typename Archive, Described<Reduction> Value>
+void describe(Archive& archive, Value& reduction) {
+    archive(reduction.by, reduction.storedSize);
+}
+
 template <typename Archive, Described<VolumeGeometry> Value>
 void describe(Archive& archive, Value& geometry) {
     archive(geometry.size, geometry.spacing, geometry.origin, geometry.direction, geometry.spacingKnown,
-            geometry.patientFrameKnown, geometry.probe);
+            geometry.patientFrameKnown, geometry.probe, geometry.reduction);
 }
 
 template <typename Archive, Described<DataBox> Value>

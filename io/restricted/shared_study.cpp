@@ -129,6 +129,7 @@ bool isSensible(const SharedVolume& volume) {
     if (!std::all_of(std::begin(geometry.direction.val), std::end(geometry.direction.val),
                      [](double value) { return std::abs(value) <= 1.0 + 1e-6; }))
         return false;
+    if (geometry.reduction && !canHaveMade(*geometry.reduction, geometry.size)) return false;
     if (const auto& probe = geometry.probe) {
         const auto isUnit = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) < 1e-3; };
         if (!isUnit(probe->forward) || !isUnit(probe->down) || (probe->apexMm && !isFinite(*probe->apexMm)))

@@ -35,7 +35,13 @@ struct ReadOptions {
     std::string series{};          ///< SeriesEntry::uid of the series of a folder to be read; empty: the first listed
     /// MiB that the voxels of one phase may take where polar voxels are converted to a Cartesian grid; at least 1.
     std::int64_t conversionMebibytes = standardConversionBytes >> 20;
+    /// MiB that the voxels of all phases may take, from 1 to mostStudyMebibytes; larger studies are opened reduced. No
+    /// value: as much as this machine can show.
+    std::optional<std::int64_t> studyMebibytes{};
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
+
+/// No study may be allowed more MiB than this, an exbibyte.
+constexpr std::int64_t mostStudyMebibytes = std::int64_t{1} << 40;
 
 }  // namespace echolucent

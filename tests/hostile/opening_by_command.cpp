@@ -60,6 +60,7 @@ std::vector<std::string> commandLineOf(const ReadOptions& options) {
     if (!options.series.empty()) add("--series", options.series);
     if (options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
         add("--conversion-memory", std::to_string(options.conversionMebibytes));
+    if (options.studyMebibytes) add("--study-memory", std::to_string(*options.studyMebibytes));
     return words;
 }
 

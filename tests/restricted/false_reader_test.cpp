@@ -217,6 +217,8 @@ TEST_F(FalseReader, CannotHandOverAStudyThatMakesNoSense) {
         if (!study) continue;
         const Volume& volume = *study->phases.front();
         EXPECT_EQ(volume.geometry().voxelCount(), 64) << seed;
+        const auto& reduction = volume.geometry().reduction;
+        EXPECT_TRUE(!reduction || canHaveMade(*reduction, volume.geometry().size)) << seed;
         EXPECT_TRUE(std::isfinite(volume.whiteLevel()) && volume.whiteLevel() > 0) << seed;
         for (const double mm : volume.geometry().spacing.val) EXPECT_TRUE(mm >= 1e-4 && mm <= 1e4) << seed;
     }

@@ -72,7 +72,7 @@ void expectSame(const Result<Study>& here, const Result<Study>& apart, const std
         const VolumeGeometry &a = one.geometry(), &b = other.geometry();
         EXPECT_TRUE(a.size == b.size && a.spacing == b.spacing && a.origin == b.origin && a.direction == b.direction &&
                     a.spacingKnown == b.spacingKnown && a.patientFrameKnown == b.patientFrameKnown &&
-                    a.probe == b.probe)
+                    a.probe == b.probe && a.reduction == b.reduction)
             << name;
     }
 }
@@ -108,6 +108,27 @@ TEST(RestrictedReader, SaysOfHostileFilesWhatReadingHereSays) {
     }
 }
 
+std::string volumeOf(const TemporaryFolder& folder, int edge) {
+    const auto voxels =
+        static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge);
+    return folder.write("a.mha",
+                        fmt::format("ObjectType = Image\nNDims = 3\nDimSize = {0} {0} {0}\nElementSpacing = 1 1 1\n"
+                                    "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
+                                    edge) +
+                            std::string(voxels, 'v'));
+}
+
+TEST(RestrictedReader, SaysHowAVolumeWasReduced) {
+    const TemporaryFolder folder;
+    const std::string path = volumeOf(folder, 104);
+    ReadOptions options;
+    options.studyMebibytes = 1;
+    const auto study = restricted::readStudy(path, options);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().reduction, (Reduction{{2, 2, 2}, {104, 104, 104}}));
+    expectSame(readStudy(path, options), study, path);
+}
+
 /// A program's standard output and how it ended.
 std::pair<std::string, int> outputOf(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
@@ -135,16 +156,6 @@ std::string requestBytes(const std::string& path) {
     restricted::MessageWriter writer;
     writer(request);
     return writer.bytes();
-}
-
-std::string volumeOf(const TemporaryFolder& folder, int edge) {
-    const auto voxels =
-        static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge);
-    return folder.write("a.mha",
-                        fmt::format("ObjectType = Image\nNDims = 3\nDimSize = {0} {0} {0}\nElementSpacing = 1 1 1\n"
-                                    "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
-                                    edge) +
-                            std::string(voxels, 'v'));
 }
 
 /// What reading a study told of it.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -14,7 +15,10 @@
 #include "io/dicom/series/series_entries.h"
 #include "io/files_below.h"
 #include "io/input_file.h"
+#include "io/large_volumes.h"
+#include "io/phase_slices.h"
 #include "io/series_list.h"
+#include "processing/volume/block_mean.h"
 
 namespace echolucent {
 
@@ -95,7 +99,8 @@ public:
             if (const auto done = readOrMiss(slice); !done) return tl::unexpected(done.error());
         }
         if (auto tooFew = whyTooFew()) return tl::unexpected(*std::move(tooFew));
-        m_parts.geometry = m_order.geometry;
+        m_parts.geometry =
+            m_parts.reduction ? reducedGeometry(m_order.geometry, m_parts.reduction->reduction) : m_order.geometry;
         m_parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, number of files";
         m_parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
         m_parts.spacingSource = m_order.spacingSource;
@@ -108,7 +113,7 @@ public:
                 "The slices are rescaled by different slopes or intercepts; each by its own.");
         shareWindow();
         std::vector<std::vector<std::uint8_t>> phases;
-        phases.push_back(std::move(m_voxels));
+        phases.push_back(m_slices->take());
         m_parts.voxels = convertVoxels(std::move(phases), m_type);
         return assembleStudy(std::move(m_parts), m_options, m_progress);
     }
@@ -122,6 +127,7 @@ private:
         if (grey.error().kind == FailureKind::cancelled) return tl::unexpected(grey.error());
         m_missing.push_back(slice);
         if (m_missing.size() == 1) m_whyMissing = grey.error();
+        if (m_slices) m_slices->skipSlice();
         return {};
     }
 
@@ -145,14 +151,15 @@ private:
     Result<void> take(std::size_t slice, const Slice& read) {
         const auto& [file, frames, grey] = read;
         const std::size_t bytes = grey.size();
-        if (m_voxels.empty())
-            if (const auto begun = begin(file.dataset(), frames); !begun) return begun;
+        if (!m_slices)
+            if (const auto begun = begin(file.dataset(), frames, slice); !begun) return begun;
         const bool sameType = frames.type() == m_type && bytes == m_sliceBytes;
         if (!sameType || frames.bitsStored() != m_bitsStored)
             return fail(FailureKind::unreadable, file.path(),
                         sameType ? "(0028,0101) Bits Stored" : "(0028,0100) Bits Allocated or (0028,0103) sign",
                         "makes this slice's pixels another type than the first slice's", "Export the series again.");
-        std::copy(grey.begin(), grey.end(), m_voxels.begin() + static_cast<std::ptrdiff_t>(slice * bytes));
+        std::ranges::copy(grey, m_slices->nextSlice().begin());
+        m_slices->endSlice();
         sayLoss(file.dataset(), m_parts);
         sayBurnedInText(file.dataset(), false, m_parts);
         keepWhite(frames);
@@ -178,18 +185,36 @@ private:
             fmt::format("{} of {} slices could not be read and are shown as no data: {}. The first {}{}.",
                         m_missing.size(), m_order.files.size(), filesInWords(missingPaths()),
                         element.empty() ? "" : element + " ", m_whyMissing->problem));
-        m_parts.missingSlices = m_missing;
+        m_parts.missingSlices = missingOfKept();
     }
 
-    Result<void> begin(DcmItem& dataset, const DicomFrames& frames) {
+    /// The slices of the volume that is kept of which nothing could be read, in rising order.
+    [[nodiscard]] std::vector<std::size_t> missingOfKept() const {
+        if (!m_parts.reduction) return m_missing;
+        const auto thick = static_cast<std::size_t>(m_parts.reduction->reduction.by[2]);
+        std::vector<std::size_t> whole;
+        for (std::size_t index = 0; index < m_missing.size();) {
+            const std::size_t layer = m_missing[index] / thick;
+            const std::size_t slices = std::min(thick, m_order.files.size() - layer * thick);
+            std::size_t missing = 0;
+            for (; index < m_missing.size() && m_missing[index] / thick == layer; ++index) ++missing;
+            if (missing == slices) whole.push_back(layer);
+        }
+        return whole;
+    }
+
+    /// The first slice that can be read says what all are; `before` slices could not be.
+    Result<void> begin(DcmItem& dataset, const DicomFrames& frames, std::size_t before) {
         m_type = frames.type();
         m_sliceBytes = static_cast<std::size_t>(frames.frameBytes());
         const auto slices = static_cast<std::int64_t>(m_order.files.size());
-        const auto total = checkedProduct(frames.frameBytes(), slices);
-        const auto memory =
-            requireMemory(m_parts.path, "", total ? static_cast<std::uint64_t>(*total) : ~std::uint64_t{0});
-        if (!memory) return memory;
-        m_voxels.resize(static_cast<std::size_t>(*total));
+        auto chosen =
+            chooseReduction(m_parts.path, "", {{frames.columns(), frames.rows(), slices}, 1, m_type}, m_options);
+        if (!chosen) return tl::unexpected(chosen.error());
+        m_slices.emplace(m_type, std::array{frames.columns(), frames.rows(), slices},
+                         *chosen ? std::optional((*chosen)->reduction) : std::nullopt);
+        m_parts.reduction = *std::move(chosen);
+        for (std::size_t slice = 0; slice < before; ++slice) m_slices->skipSlice();
         m_order.geometry.size = {frames.columns(), frames.rows(), slices};
         m_bitsStored = frames.bitsStored();
         frames.sayWhite(m_parts);
@@ -282,7 +307,7 @@ private:
     std::vector<std::size_t> m_missing;   // slices that could not be read
     std::optional<Failure> m_whyMissing;  // of the first of them
     std::vector<WindowWhite> m_windows;   // of the slices that declare one
-    std::vector<std::uint8_t> m_voxels;
+    std::optional<PhaseSlices> m_slices;
 };
 
 }  // namespace

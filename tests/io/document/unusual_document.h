@@ -34,6 +34,7 @@ inline Document unusualDocument() {
                                             .lines = {PolarSpread::angles, {-0.1, 1.0 / 7.0}, 10.1},
                                             .planes = {PolarSpread::positions, {0.3, 2e-7}}};
     file.options.conversionMebibytes = 77;
+    file.options.studyMebibytes = 1234;
     file.options.framesAsSlices = true;
     file.options.guessNoData = false;
     document.study = file;

@@ -38,6 +38,7 @@ Study smallStudy() {
     study.files = {"false"};
     VolumeGeometry geometry;
     geometry.size = {4, 4, 4};
+    geometry.reduction = Reduction{{2, 2, 2}, {8, 8, 7}};
     study.phases = {std::make_shared<const Volume>(geometry, std::vector<std::uint8_t>(64, 7))};
     return study;
 }
