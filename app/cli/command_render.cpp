@@ -116,8 +116,7 @@ Result<void> render(const RenderOptions& options) {
     sayNote(burnedInTextNote(*study));
     const std::shared_ptr<const Volume>& volume = study->phases[static_cast<std::size_t>(options.volume.phase)];
     const VolumeGeometry& geometry = volume->geometry();
-    if (!geometry.spacingKnown)
-        std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the picture may be wrong.\n");
+    sayNote(pictureNotesOf(geometry, "picture"));
     const auto view = options.view.get(*volume);
     if (!view) return tl::unexpected<Failure>(view.error());
     const Projection projection = settings->camera.projection;
@@ -129,7 +128,7 @@ Result<void> render(const RenderOptions& options) {
     const auto picture = castRays(shown, curve, *settings);
     if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, shown);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
-    if (!geometry.spacingKnown) writeWords(rgb, picture->width, picture->height, "spacing unknown");
+    writeWords(rgb, picture->width, picture->height, pictureWordsOf(geometry));
     return writePng(options.output, picture->width, picture->height, rgb);
 }
 

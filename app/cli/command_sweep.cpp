@@ -82,8 +82,7 @@ Result<void> writeMovie(const SweepOptions& options, const Study& study, const s
     const FrameRenderer render = frameRenderer(study.phases, framesOf(swept), settings);
     for (const SweptOtf& frame : swept) {
         std::vector<std::uint8_t> rgb = overBackground(*render(frame.frame, frame.shown), Vec3(0, 0, 0));
-        if (!study.phases.front()->geometry().spacingKnown)
-            writeWords(rgb, settings.width, settings.height, "spacing unknown");
+        writeWords(rgb, settings.width, settings.height, pictureWordsOf(study.phases.front()->geometry()));
         if (auto added = movie->add(rgb); !added) return added;
     }
     return movie->finish();
@@ -113,8 +112,7 @@ void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bo
         std::fprintf(stderr, "No surface found in %d of %d frames: the initial function is used there.\n",
                      static_cast<int>(without), static_cast<int>(swept.size()));
     if (pictures) sayNote(burnedInTextNote(study));
-    if (pictures && !study.phases.front()->geometry().spacingKnown)
-        std::fprintf(stderr, "The spacing of this volume is unknown: proportions in the movie may be wrong.\n");
+    if (pictures) sayNote(pictureNotesOf(study.phases.front()->geometry(), "movie"));
 }
 
 std::vector<std::string> outputsOf(const SweepOptions& options) { return {options.csv, options.json, options.movie}; }

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "processing/volume/volume.h"
 
 namespace echolucent::cli {
 
+/// What every picture of a volume has to say of it: "spacing unknown", "reduced 2 x 2 x 2", both, or nothing.
+[[nodiscard]] std::string pictureWordsOf(const VolumeGeometry& geometry);
+
+/// The same as a sentence for each, for stderr; `picture` is "picture" or "movie".
+[[nodiscard]] std::string pictureNotesOf(const VolumeGeometry& geometry, const std::string& picture);
+
 /// Words in the lower left corner, as large as a sixteenth of the picture's height allows. rgb: width * height * 3
-/// bytes.
-void writeWords(std::vector<std::uint8_t>& rgb, int width, int height, const char* words);
+/// bytes. No words change nothing.
+void writeWords(std::vector<std::uint8_t>& rgb, int width, int height, const std::string& words);
 
 }  // namespace echolucent::cli

@@ -150,6 +150,10 @@ QString explainPicture(const PictureFacts& facts) {
         sentences << tr("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)
         sentences << tr("The spacing of the voxels is unknown, so proportions may be wrong.");
+    if (const auto& reduction = facts.volume.geometry().reduction)
+        sentences
+            << tr("The file holds more voxels than are shown: each is the mean of %1, which averages fine detail.")
+                   .arg(textOf(factorsText(*reduction)));
     if (facts.study.lossyCompression == LossyCompression::yes)
         sentences << tr("The data were compressed with loss, which changes intensities.");
     sentences << tr("Not a medical device.");

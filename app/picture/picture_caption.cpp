@@ -12,6 +12,11 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("caption", text); }
 
+QString reductionLine(const std::optional<Reduction>& reduction) {
+    if (!reduction) return {};
+    return tr("reduced %1: fine detail is averaged").arg(textOf(factorsText(*reduction)).replace('x', QChar(0x00d7)));
+}
+
 QString beamLine(const Beam& beam, bool simulated) {
     const QString axis = textOf(nameOf(beam.axis));
     if (simulated) return tr("beam %1").arg(axis);
@@ -71,7 +76,8 @@ bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& o
 
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
-    QStringList lines{beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
+    QStringList lines{reductionLine(facts.reduction),
+                      beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
                       cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
                       speckleLine(look.reduction, facts.speckle),
                       lightLine(look),

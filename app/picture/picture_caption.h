@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
+#include "processing/volume/reduction.h"
 
 namespace echolucent {
 
@@ -22,6 +24,7 @@ struct CaptionFacts {
     ShownSpeckle speckle = ShownSpeckle::asRead;
     bool curveOfAnotherView = false;  ///< as curveIsOfAnotherView()
     bool lengthsKnown = true;         ///< the volume's spacing is known, so that lengths in mm may be told
+    std::optional<Reduction> reduction{};  ///< of the volume, where the file holds more voxels than were kept
 };
 
 /// Whether the picture's curve is adaptive and was computed for another direction than the picture is seen along: the
@@ -30,7 +33,7 @@ struct CaptionFacts {
 /// The same of an OTF that was computed, or will be, for this viewpoint.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf);
 
-/// One line for each of these that is true: which way round and how that is known, what is cut off and who cut it, how
+/// One line for each of these that is true: that voxels are means of several, which way round and how that is known, what is cut off and who cut it, how
 /// much speckle was taken away, which light falls, which phase the one OTF of all phases is of, that the curve was
 /// computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);

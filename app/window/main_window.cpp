@@ -192,7 +192,8 @@ void MainWindow::connectCaption() {
              .view = mainView,
              .speckle = shownSpeckle(),
              .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), mainView, m_motion->otf()),
-             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown}));
+             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
+             .reduction = m_openStudy->volume()->geometry().reduction}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
     connect(m_openStudy.get(), &OpenStudy::otfComputed, this, tell);

@@ -39,6 +39,24 @@ private slots:
     void init() { show(); }
     void cleanup() { close(); }
 
+    void thePictureSaysThatTheVolumeWasReduced() {
+        open(m_file);
+        QVERIFY(!window().volumeView().caption().contains("reduced 2"));
+        PhantomConfig config = defaultPhantom(PhantomScene::shapes);
+        config.size = {110, 100, 120};
+        const QString large = file("large.mha", {std::make_shared<const Volume>(*makePhantom(config))});
+        ReadOptions options;
+        options.studyMebibytes = 1;
+        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        window().open(large, options);
+        QVERIFY(computed.wait(20000));
+        waitUntilIdle();
+        QCOMPARE(window().openStudy().volume()->geometry().size[2], 60);
+        QVERIFY(window().volumeView().caption().startsWith(
+            QString::fromUtf8("reduced 2 × 2 × 2: fine detail is averaged\n")));
+        QVERIFY(child<MessageBar>("message")->text().contains("fine detail is averaged away"));
+    }
+
     void aSureBeamIsTakenSaidAndTakenBackByOneStep() {
         open(m_file);
         const auto& finds = window().openStudy().finds();

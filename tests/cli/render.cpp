@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/picture_words.h"
 #include "program.h"
 
 namespace echolucent {
@@ -28,6 +29,41 @@ TEST(Render, SaysWhatItCannotDo) {
     EXPECT_EQ(runProgram("render \"" + folder / "missing.mha" + "\" -o \"" + folder / "p.png" + "\"").status, 3);
     EXPECT_EQ(runProgram("render \"" + shapesFile() + "\" --size 16x16 -o \"" + folder / "none/p.png" + "\"").status,
               4);
+}
+
+TEST(Render, SaysInThePictureThatTheVolumeWasReduced) {
+    const Folder folder;
+    const std::string render =
+        "render \"" + shapesFile() + "\" --otf linear --size 400x200 -o \"" + folder / "p.png" + "\"";
+    const std::string sentence = "This volume was reduced 2 x 2 x 2: fine detail in the picture is averaged.";
+    const Outcome whole = runProgram(render + " --study-memory 2"), reduced = runProgram(render + " --study-memory 1");
+    ASSERT_EQ(whole.status + reduced.status, 0) << reduced.errors;
+    EXPECT_EQ(whole.errors.find(sentence), std::string::npos);
+    EXPECT_NE(reduced.errors.find(sentence), std::string::npos) << reduced.errors;
+    EXPECT_EQ(cli::pictureWordsOf(VolumeGeometry{}), "");
+    VolumeGeometry geometry;
+    geometry.reduction = Reduction{{2, 2, 1}, {9, 9, 3}};
+    EXPECT_EQ(cli::pictureWordsOf(geometry), "reduced 2 x 2 x 1");
+    geometry.spacingKnown = false;
+    EXPECT_EQ(cli::pictureWordsOf(geometry), "spacing unknown, reduced 2 x 2 x 1");
+    // The words are written where the background was.
+    const std::vector<std::uint8_t> black(3 * 400 * 200);
+    std::vector<std::uint8_t> written = black;
+    cli::writeWords(written, 400, 200, "");
+    EXPECT_EQ(written, black);
+    cli::writeWords(written, 400, 200, cli::pictureWordsOf(geometry));
+    EXPECT_NE(written, black);
+}
+
+TEST(Render, InfoSaysWhatWasReduced) {
+    const Outcome outcome = runProgram("info \"" + shapesFile() + "\" --study-memory 1 --json");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const auto volume = nlohmann::json::parse(outcome.output).at("volume");
+    EXPECT_EQ(volume.at("size"), nlohmann::json({55, 50, 60}));
+    EXPECT_EQ(volume.at("stored_size"), nlohmann::json({110, 100, 120}));
+    EXPECT_EQ(volume.at("reduced_by"), nlohmann::json({2, 2, 2}));
+    const Outcome whole = runProgram("info \"" + shapesFile() + "\" --json");
+    EXPECT_FALSE(nlohmann::json::parse(whole.output).at("volume").contains("reduced_by"));
 }
 
 TEST(Render, SaysThatTheCurveShowsNothing) {
