@@ -22,8 +22,8 @@ struct CaptionFacts {
     const Document& document;
     int view;  ///< of the document
     ShownSpeckle speckle = ShownSpeckle::asRead;
-    bool curveOfAnotherView = false;  ///< as curveIsOfAnotherView()
-    bool lengthsKnown = true;         ///< the volume's spacing is known, so that lengths in mm may be told
+    bool curveOfAnotherView = false;       ///< as curveIsOfAnotherView()
+    bool lengthsKnown = true;              ///< the volume's spacing is known, so that lengths in mm may be told
     std::optional<Reduction> reduction{};  ///< of the volume, where the file holds more voxels than were kept
 };
 
@@ -33,9 +33,9 @@ struct CaptionFacts {
 /// The same of an OTF that was computed, or will be, for this viewpoint.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf);
 
-/// One line for each of these that is true: that voxels are means of several, which way round and how that is known, what is cut off and who cut it, how
-/// much speckle was taken away, which light falls, which phase the one OTF of all phases is of, that the curve was
-/// computed for another view.
+/// One line for each of these that is true: that voxels are means of several, which way round and how that is known,
+/// what is cut off and who cut it, how much speckle was taken away, which light falls, which phase the one OTF of all
+/// phases is of, that the curve was computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent
