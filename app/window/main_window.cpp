@@ -293,6 +293,7 @@ void MainWindow::keepSettings() {
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
+    m_settings.save();
 }
 
 QString MainWindow::explanation() const {

@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
+#include <QSettings>
 #include <QStandardPaths>
 #include <cmath>
 #include <optional>
@@ -87,8 +88,7 @@ QString sessionNumberKey(const QString& path) {
 Settings::Settings(const QString& file)
     : m_store(file.isEmpty()
                   ? QSettings(QSettings::IniFormat, QSettings::UserScope, "Echolucent", "Echolucent").fileName()
-                  : file,
-              QSettings::IniFormat) {
+                  : file) {
     const QFileInfo given(file);
     m_dataFolder = file.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                                   : given.absoluteDir().filePath(given.completeBaseName() + QStringLiteral("-data"));
@@ -238,9 +238,6 @@ void Settings::setMethod(const MethodChoice& method) {
         if (const auto value = row.get(method.config)) m_store.setValue(keyOf("method", row), storedOf(*value));
 }
 
-bool Settings::save() {
-    m_store.sync();
-    return m_store.status() == QSettings::NoError;
-}
+bool Settings::save() { return m_store.save(); }
 
 }  // namespace echolucent

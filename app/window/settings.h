@@ -2,10 +2,10 @@
 #pragma once
 
 #include <QByteArray>
-#include <QSettings>
 #include <QString>
 #include <QStringList>
 
+#include "app/window/settings_store.h"
 #include "processing/document/document.h"
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
@@ -87,11 +87,12 @@ public:
     [[nodiscard]] MethodChoice method() const;
     void setMethod(const MethodChoice& method);
 
-    /// Writes to disc now; false where that failed.
+    /// Writes to disc now, and waits for it; false where that failed. Without it a thread of its own writes what
+    /// changed.
     bool save();
 
 private:
-    QSettings m_store;
+    SettingsStore m_store;
     QString m_dataFolder;
 };
 

@@ -5,6 +5,10 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "app/window/dark_theme.h"
 #include "hostile_file.h"
@@ -32,21 +36,20 @@ private slots:
 
     void leaveWhatIsOpenAndEndInOneSentence() {
         QElapsedTimer since;
-        qint64 longest = 0;
+        qint64 longest = 0;  // of one row
         QTimer beat;
         connect(&beat, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
+        std::vector<std::pair<qint64, QString>> longestOfRows;
         since.start();
         beat.start(1);
         const auto shown = window().openStudy().volume();
-        int rows = 0;
-        QString slowest;
-        qint64 before = 0;
         for (const HostileFile& row : hostileFiles()) {
             if (row.outcome != HostileOutcome::refused) continue;
             const QTemporaryDir folder;
             row.write(folder.path().toStdString());
             // Writing the row's files is no work of the window's.
             since.restart();
+            longest = 0;
             QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
             const QString path =
                 row.opened == "." ? folder.path() : folder.filePath(QString::fromStdString(row.opened));
@@ -60,15 +63,19 @@ private slots:
             // What the sentence says of the command line's options is no part of the window's.
             QVERIFY2(!text.isEmpty() && !text.contains('\n'),
                      qPrintable(QString::fromStdString(row.name) + ": " + text));
-            if (longest > before) slowest = QString::fromStdString(row.name);
-            before = longest;
-            ++rows;
+            longestOfRows.emplace_back(std::max(longest, since.elapsed()), QString::fromStdString(row.name));
         }
-        std::printf("%d hostile files in one window: the longest time between two beats was %lld ms (%s)\n", rows,
-                    static_cast<long long>(longest), qPrintable(slowest));
-        QVERIFY(rows > 100);
-        // A bound on a hang, not a measure of speed: several programs share the machine that runs the tests.
-        QVERIFY2(longest < 2000, qPrintable(slowest));
+        std::ranges::sort(longestOfRows, std::greater());
+        QVERIFY(longestOfRows.size() > 100);
+        const auto late = std::ranges::count_if(longestOfRows, [](const auto& row) { return row.first > 50; });
+        std::printf(
+            "%zu hostile files in one window, %lld of them with more than 50 ms between two beats; the longest:\n",
+            longestOfRows.size(), static_cast<long long>(late));
+        for (const auto& [milliseconds, name] : std::span(longestOfRows).first(10))
+            std::printf("%5lld ms  %s\n", static_cast<long long>(milliseconds), qPrintable(name));
+        // Several programs share the machine that runs the tests, so that a beat may be late once in a while.
+        QVERIFY2(late * 100 <= static_cast<long long>(longestOfRows.size()), qPrintable(longestOfRows.front().second));
+        QVERIFY2(longestOfRows.front().first < 2000, qPrintable(longestOfRows.front().second));
     }
 
 private:

@@ -165,6 +165,51 @@ private slots:
         QVERIFY(!settings.save());
     }
 
+    void changesAreWrittenWithoutWaitingForThem() {
+        Settings settings(store());
+        settings.setLastFolder("/first");
+        settings.setLastSaveFolder("/saved");
+        QVERIFY2(!QFile::exists(store()), "the disc was waited for");
+        QCOMPARE(settings.lastFolder(), "/first");
+        const auto inFile = [&](const char* key) {
+            QFile file(store());
+            return file.open(QIODevice::ReadOnly) && file.readAll().contains(key);
+        };
+        QTRY_VERIFY(inFile("folder=/first"));
+        QVERIFY(inFile("saveFolder=/saved"));
+        // What changes while the thread writes is written after it.
+        settings.setLastFolder("/second");
+        QCoreApplication::processEvents();
+        settings.setLastFolder("/third");
+        QTRY_VERIFY(inFile("folder=/third"));
+        settings.clearRecentFiles();
+        QVERIFY(settings.save());
+        QVERIFY(inFile("folder=/third") && inFile("saveFolder=/saved"));
+    }
+
+    void whatAnotherWindowWroteStaysAndIsSeen() {
+        Settings one(store()), other(store());
+        one.setLastFolder("/of/one");
+        QVERIFY(one.save());
+        other.setLastSaveFolder("/of/other");
+        QVERIFY(other.save());
+        QCOMPARE(other.lastFolder(), "/of/one");
+        QCOMPARE(Settings(store()).lastFolder(), "/of/one");
+        QCOMPARE(Settings(store()).lastSaveFolder(), "/of/other");
+    }
+
+    void whatCouldNotBeWrittenIsTriedAgain() {
+        const QString file = m_folder->filePath("plain/settings.ini");
+        fileNamed("plain");
+        Settings settings(file);
+        settings.setLastFolder("/kept");
+        QVERIFY(!settings.save());
+        QVERIFY(QFile::remove(m_folder->filePath("plain")));
+        settings.setLastSaveFolder("/saved");
+        QVERIFY(settings.save());
+        QCOMPARE(Settings(file).lastFolder(), "/kept");
+    }
+
 private:
     QString store() const { return m_folder->filePath("settings.ini"); }
 

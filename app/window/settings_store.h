@@ -1,0 +1,61 @@
+// Values by their keys in an INI file, read at once and written in a thread: a disc may take long to say that it is
+// done.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QVariant>
+#include <QVariantMap>
+#include <optional>
+
+#include "widgets/newest_wins_thread.h"
+
+namespace echolucent {
+
+/// What QSettings keeps, without its waiting for the disc in the thread that sets a value. A change is written once the
+/// event loop is reached; what other programs wrote meanwhile is read then.
+class SettingsStore : public QObject {
+    Q_OBJECT
+
+public:
+    /// Reads `file`; where it is not there, all keys are without a value.
+    explicit SettingsStore(const QString& file);
+    /// Waits until all is written.
+    ~SettingsStore() override;
+
+    [[nodiscard]] const QString& fileName() const { return m_file; }
+    [[nodiscard]] QVariant value(const QString& key, const QVariant& otherwise = {}) const;
+    [[nodiscard]] bool contains(const QString& key) const { return m_values.contains(key); }
+    void setValue(const QString& key, const QVariant& value);
+    /// Removes a key and all below it ("group/key").
+    void remove(const QString& key);
+
+    /// Writes all now and waits for it; false where that failed. What could not be written is tried again with the next
+    /// change.
+    bool save();
+
+private:
+    /// New values by their keys; a key without one is removed.
+    using Changes = QVariantMap;
+    /// What a file holds after changes were written to it; no value where they could not be.
+    struct Written {
+        bool whole = false;
+        QVariantMap values;
+    };
+    [[nodiscard]] static Written write(const QString& file, const Changes& changes);
+    static void apply(const Changes& changes, QVariantMap& values);
+    void change(const QString& key, const QVariant& value);
+    void writeSoon();
+    void writeNext();
+    void take(const Written& written);
+
+    QString m_file;
+    QVariantMap m_values;
+    Changes m_changes;       ///< not given to the thread yet
+    Changes m_beingWritten;  ///< by the thread, or not written when it failed
+    bool m_writesSoon = false;
+    // Last, so that its thread has ended before anything above is destroyed; made where there is something to write.
+    std::optional<NewestWinsThread> m_writing;
+};
+
+}  // namespace echolucent
