@@ -246,16 +246,16 @@ TEST(RestrictedReader, EndsInASentenceWhereMemoryRunsOut) {
     GTEST_SKIP() << "under a sanitizer the reader's memory is not limited";
 #endif
     const TemporaryFolder folder;
-    // A sparse file: it takes no room, and its voxels a gigabyte.
+    // A sparse file: it takes no room, and its voxels, which are not yet too many to be kept whole, half a gigabyte.
     const std::string path =
         folder.write("a.mha",
-                     "ObjectType = Image\nNDims = 3\nDimSize = 1024 1024 1024\nElementSpacing = 1 1 1\n"
+                     "ObjectType = Image\nNDims = 3\nDimSize = 800 800 800\nElementSpacing = 1 1 1\n"
                      "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n");
-    std::filesystem::resize_file(path, std::filesystem::file_size(path) + (std::uintmax_t{1} << 30));
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) + 800 * 800 * 800);
     const pid_t child = fork();
     if (child == 0) {
         // The reader inherits what its owner may use at the most.
-        const rlimit little{700u << 20, 700u << 20};
+        const rlimit little{500u << 20, 500u << 20};
         setrlimit(RLIMIT_AS, &little);
         const auto study = restricted::readStudy(path);
         _exit(!study && study.error().sentence().find("needs more memory than there is") != std::string::npos ? 0 : 1);
