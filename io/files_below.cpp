@@ -9,7 +9,6 @@
 
 #include "io/headers/header_text.h"
 #include "io/input_problems.h"
-#include "io/study_assembly.h"
 
 namespace echolucent {
 
@@ -129,7 +128,7 @@ std::string filesInWords(const std::vector<std::string>& paths) {
     constexpr std::size_t mostNames = 3;
     std::vector<std::string> names;
     for (const std::string& path : paths)
-        if (names.size() < mostNames) names.push_back(quotedText(nameFromPath(path)));
+        if (names.size() < mostNames) names.push_back(quotedText(std::filesystem::path(path).filename().string()));
     const std::size_t more = paths.size() - names.size();
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
