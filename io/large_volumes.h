@@ -37,7 +37,7 @@ struct DeclaredVoxels {
 /// How a volume is reduced, and why.
 struct ChosenReduction {
     Reduction reduction;
-    std::string reason;  ///< "more than 536870912 voxels", for the import report
+    std::string reason;  ///< "at most 536870912 voxels are kept of a phase", for the import report
 };
 
 /// How the voxels are to be reduced while they are read; no value where they are kept as they are. Fails (unreadable,

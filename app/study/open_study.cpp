@@ -1,7 +1,6 @@
 #include "app/study/open_study.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -52,34 +51,6 @@ OpenStudy::OpenStudy(QObject* parent)
     });
 }
 
-OpenStudy::Read OpenStudy::readerOf(const StudyFile& file) {
-    return [file](const Progress& progress) -> Result<Opening> {
-        if (!restricted::holdsSeries(file.path) || !file.options.series.empty()) {
-            auto study = restricted::readStudy(file.path, file.options, progress);
-            if (!study) return tl::unexpected(study.error());
-            return Opening{std::move(*study), nullptr};
-        }
-        auto listed = restricted::listSeries(file.path, progress);
-        if (!listed) return tl::unexpected(listed.error());
-        const auto list = std::make_shared<const SeriesList>(std::move(*listed));
-        const auto isVolume = [](const SeriesEntry& entry) { return !entry.whyNot; };
-        const auto volumes = std::count_if(list->series.begin(), list->series.end(), isVolume);
-        // A single volume among pictures and cines is what a person means who opens the folder.
-        const bool clear = volumes == 1 || list->series.size() == 1;
-        if (!clear) return Opening{std::nullopt, list};
-        auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
-        if (chosen == list->series.end()) chosen = list->series.begin();
-        auto study = restricted::readSeries(*list, *chosen, file.options, progress);
-        if (study) return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
-        if (list->series.size() == 1 || study.error().kind == FailureKind::cancelled)
-            return tl::unexpected(study.error());
-        // The others stay within reach, beside the reason why this one does not open.
-        SeriesList told = *list;
-        told.series[static_cast<std::size_t>(chosen - list->series.begin())].whyNot = study.error();
-        return Opening{std::nullopt, std::make_shared<const SeriesList>(std::move(told))};
-    };
-}
-
 void OpenStudy::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
     load(file, [file, study = readerOf(file), saved = readerOfSaved(path, {})](const Progress& progress) {
@@ -87,7 +58,7 @@ void OpenStudy::open(const QString& path, const ReadOptions& options) {
     });
 }
 
-OpenStudy::Read OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
+StudyReader OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
     const StudySearch search = m_studySearch ? m_studySearch() : StudySearch{};
     return [file = file.toStdString(), answer, search](const Progress& progress) -> Result<Opening> {
         // A session says how its study is seen, so that it opens without a picture from elsewhere.
@@ -129,58 +100,34 @@ QString OpenStudy::path() const {
 
 void OpenStudy::cancelLoading() { m_loader.cancel(); }
 
-void OpenStudy::load(const StudyReference& reference, Read read) {
+void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
     m_loadingClock.start();
     emit loadingBegun();
     m_loader.submit([this, reference, path, options,
-                     read = std::move(read)](const Progress& progress) -> NewestWinsThread::Deliver {
-        std::vector<IntensityHistogram> histograms;
-        std::optional<OpeningFinds> finds;
-        Result<Opening> opening = [&]() -> Result<Opening> {
-            try {
-                bool coarseTold = false;
-                Progress telling = progress;
-                telling.coarse = [this, &coarseTold](const CoarseVolume& coarse) {
-                    coarseTold = true;
-                    tellCoarse(coarse);
-                };
-                Result<Opening> opened = read(telling);
-                if (!opened || !opened->study) return opened;
-                const auto& phases = opened->study->phases;
-                // What could not be read in part looks coarse at least until it is looked through.
-                if (!coarseTold && !opened->saved)
-                    if (const auto coarse = coarseVolumeOf(*phases.front())) tellCoarse(*coarse);
-                // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
-                for (const auto& phase : phases) histograms.push_back(intensityHistogram(*phase));
-                const bool simulated =
-                    opened->saved && std::holds_alternative<SimulatedScan>(opened->saved->session.document.study);
-                if (!path.isEmpty() && !simulated) finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});
-                return opened;
-            } catch (const std::bad_alloc&) {
-                return fail(FailureKind::unreadable, path.toStdString(), {}, "needs more memory than this machine has",
-                            "Close other programs, or reduce the volume.");
-            } catch (const std::filesystem::filesystem_error& problem) {
-                return fail(FailureKind::unreadable, path.toStdString(), {},
-                            "could not be read: " + problem.code().message());
-            }
-        }();
+                     reader = std::move(reader)](const Progress& progress) -> NewestWinsThread::Deliver {
+        Progress telling = progress;
+        telling.coarse = [this](const CoarseVolume& coarse) {
+            m_loader.deliverMeanwhile([this, coarse] { emit coarseVolumeRead(coarse); });
+        };
+        auto read = lookThrough(reader, path.toStdString(), telling);
         if (progress.cancelled()) return {};
-        if (!opening) {
-            return [this, path, options, failure = opening.error()] {
+        if (!read) {
+            return [this, path, options, failure = read.error()] {
                 if (failure.kind != FailureKind::cancelled) emit openFailed(path, failure, options);
             };
         }
-        if (opening->problem) return [this, problem = *opening->problem] { emit savedStudyAsked(problem); };
-        const auto series = opening->series;
-        if (!opening->study) return [this, series, options] { emit seriesFound(series, options); };
-        for (auto& phase : opening->study->phases) phase = freedElsewhere(std::move(phase));
-        auto shared = std::make_shared<const Study>(std::move(*opening->study));
-        auto saved = std::move(opening->saved);
-        return [this, reference, shared, series, saved = std::move(saved), finds = std::move(finds),
-                histograms = std::move(histograms)] {
+        Opening& opening = read->opening;
+        if (opening.problem) return [this, problem = *opening.problem] { emit savedStudyAsked(problem); };
+        const auto series = opening.series;
+        if (!opening.study) return [this, series, options] { emit seriesFound(series, options); };
+        for (auto& phase : opening.study->phases) phase = freedElsewhere(std::move(phase));
+        auto shared = std::make_shared<const Study>(std::move(*opening.study));
+        auto saved = std::move(opening.saved);
+        return [this, reference, shared, series, saved = std::move(saved), finds = std::move(read->finds),
+                histograms = std::move(read->histograms)] {
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
             m_reference = saved ? saved->session.document.study : reference;
             m_saved = saved;
@@ -201,11 +148,6 @@ void OpenStudy::load(const StudyReference& reference, Read read) {
             takeChecksum();
         };
     });
-}
-
-/// Called in the loader's thread.
-void OpenStudy::tellCoarse(const CoarseVolume& coarse) {
-    m_loader.deliverMeanwhile([this, coarse] { emit coarseVolumeRead(coarse); });
 }
 
 void OpenStudy::takeChecksum() {

@@ -12,6 +12,7 @@
 #include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
 #include "app/study/saved_study.h"
+#include "app/study/study_loading.h"
 #include "io/output/overwriting.h"
 #include "io/series_list.h"
 #include "io/study.h"
@@ -191,20 +192,10 @@ signals:
     void nearCutFound(const echolucent::NearCutFinding& finding);
 
 private:
-    /// What reading gave: a study, with the series beside it where there are several, or a list to choose from.
-    struct Opening {
-        std::optional<Study> study{};
-        std::shared_ptr<const SeriesList> series{};
-        std::optional<OpenedSession> saved{};
-        std::optional<SavedStudyProblem> problem{};
-    };
-    using Read = std::function<Result<Opening>(const Progress&)>;
-    static Read readerOf(const StudyFile& file);
-    void tellCoarse(const CoarseVolume& coarse);
-    Read readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
+    [[nodiscard]] StudyReader readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
     void takeChecksum();
     [[nodiscard]] bool waitsForVoxels();
-    void load(const StudyReference& reference, Read read);
+    void load(const StudyReference& reference, StudyReader reader);
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);

@@ -202,6 +202,7 @@ Result<ReaderProcess::Answer> ReaderProcess::serve(FileBroker& broker, const std
             static_cast<void>(end(true));
             result.bytes = std::move(message.bytes);
             result.files = std::move(message.files);
+            result.asked = broker.asked();
             return result;
         }
         if (message.kind == MessageKind::progress) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "io/restricted/channel.h"
@@ -27,6 +28,7 @@ public:
     struct Answer {
         std::string bytes;
         std::vector<Descriptor> files;
+        std::set<std::string> asked;      ///< the names of files that the reader could have read (FileBroker::asked())
         bool systemCallsFiltered = true;  ///< whether the kernel held the reader to its filter
     };
     /// Answers the reader's questions until its result is there; the process has ended then. `file` is what the person

@@ -97,6 +97,7 @@ bool FileBroker::allowsName(const std::string& path) const {
 
 void FileBroker::open(const std::string& path, std::string& bytes, Descriptor& file) {
     const std::string resolved = fileAccess().resolved(path);
+    if (allows(resolved)) m_asked.insert(path);
     Result<int> opened = !allows(resolved)
                              ? fail(FailureKind::unreadable, path, "", "leads out of the folder that was opened",
                                     "Copy the file itself into that folder.")
@@ -128,7 +129,9 @@ bool FileBroker::answer(const Message& question, const Progress& progress, std::
     switch (question.kind) {
         case MessageKind::openFile: open(path, bytes, file); return true;
         case MessageKind::fileKind: {
-            const FileKind kind = allowsName(path) ? files.kindOf(path) : FileKind::missing;
+            const bool allowed = allowsName(path);
+            if (allowed) m_asked.insert(path);
+            const FileKind kind = allowed ? files.kindOf(path) : FileKind::missing;
             MessageWriter writer;
             writer.choice(kind, FileKind::other);
             bytes = writer.bytes();

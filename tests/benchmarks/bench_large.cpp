@@ -15,6 +15,7 @@
 
 #include "io/restricted/restricted_reader.h"
 #include "process_memory.h"
+#include "tests/io/temporary_folder.h"
 
 namespace {
 
@@ -112,18 +113,16 @@ int main(int argc, char** argv) {
         fmt::print("{:.2f} s, at most {:.0f} MiB\n", run.seconds, run.peakMebibytes);
         return 0;
     }
-    std::string folder = (std::filesystem::temp_directory_path() / "echolucent-large-XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) return 1;
+    const TemporaryFolder folder;
     if (options.files.empty()) {
-        options.files = {fmt::format("{}/{}-cube.nrrd", folder, options.edge),
-                         fmt::format("{}/{}-of-{}-cube.nrrd", folder, options.phases, options.phaseEdge)};
+        options.files = {folder.file(fmt::format("{}-cube.nrrd", options.edge)),
+                         folder.file(fmt::format("{}-of-{}-cube.nrrd", options.phases, options.phaseEdge))};
         writeSector(options.files[0], options.edge, 1);
         writeSector(options.files[1], options.phaseEdge, options.phases);
     }
     fmt::print("| volume | | s | MiB | times the file |\n|---|---|---|---|---|\n");
     bool all = true;
     for (const std::string& file : options.files)
-        all = measure(std::filesystem::canonical("/proc/self/exe").string(), file, folder, options.runs) && all;
-    std::filesystem::remove_all(folder);
+        all = measure(std::filesystem::canonical("/proc/self/exe").string(), file, folder.path(), options.runs) && all;
     return all ? 0 : 1;
 }

@@ -43,10 +43,13 @@ protected:
         restricted::useReaderProgram("");
         unsetenv("ECHOLUCENT_FALSE_READER");
     }
-    Result<Study> readBy(const std::string& mode, unsigned seed = 1, const Progress& progress = {}) {
+    static void useMode(const std::string& mode, unsigned seed) {
         restricted::useReaderProgram(besideThisProgram("false-reader"));
         setenv("ECHOLUCENT_FALSE_READER", mode.c_str(), 1);
         setenv("ECHOLUCENT_FALSE_SEED", std::to_string(seed).c_str(), 1);
+    }
+    Result<Study> readBy(const std::string& mode, unsigned seed = 1, const Progress& progress = {}) {
+        useMode(mode, seed);
         return restricted::readStudy(m_file, {}, progress);
     }
     std::string sentenceBy(const std::string& mode) {
@@ -67,7 +70,7 @@ TEST_F(FalseReader, TellsTheTruthAsWell) {
 }
 
 TEST_F(FalseReader, IsNotBelieved) {
-    for (const char* mode : {"rubbish", "short-memory", "no-memory", "a-file-for-memory"})
+    for (const char* mode : {"rubbish", "short-memory", "no-memory", "a-file-for-memory", "names-another-file"})
         EXPECT_THAT(sentenceBy(mode),
                     HasSubstr("a.mha: was not read: the process that reads files answered what makes no "
                               "sense"))
@@ -108,7 +111,8 @@ TEST_F(FalseReader, ShowsItsCoarseVolumeBeforeTheStudy) {
 }
 
 TEST_F(FalseReader, IsNotBelievedCoarsely) {
-    for (const char* mode : {"coarse-rubbish", "coarse-without-memory", "coarse-too-large", "coarse-still-written"}) {
+    for (const char* mode :
+         {"coarse-rubbish", "coarse-without-memory", "coarse-too-large", "coarse-too-long", "coarse-still-written"}) {
         WithCoarse asked;
         const auto study = readBy(mode, 1000, asked.progress);
         ASSERT_FALSE(study) << mode;
@@ -148,6 +152,24 @@ TEST_F(FalseReader, IsEndedOnCancelAfterItsCoarseVolume) {
     const auto study = readBy("coarse-stays", 1, progress);
     ASSERT_FALSE(study);
     EXPECT_EQ(study.error().kind, FailureKind::cancelled);
+}
+
+/// What a list names is opened for later readers.
+TEST_F(FalseReader, ListsOnlyFilesThatItAskedForAndMaySee) {
+    const std::string folder = std::filesystem::path(file()).parent_path().string();
+    setenv("ECHOLUCENT_FALSE_FOLDER", folder.c_str(), 1);
+    const auto listBy = [&](const char* mode) {
+        useMode(mode, 1);
+        return restricted::listSeries(folder);
+    };
+    const auto honest = listBy("lists-its-own-file");
+    ASSERT_TRUE(honest) << honest.error().sentence() << ": the lies below would prove nothing";
+    EXPECT_EQ(honest->series.front().files.front().path, file());
+    for (const char* mode : {"lists-a-file-beside", "lists-what-it-did-not-ask-for"}) {
+        const auto list = listBy(mode);
+        ASSERT_FALSE(list) << mode;
+        EXPECT_THAT(list.error().sentence(), HasSubstr("answered what makes no sense")) << mode;
+    }
 }
 
 TEST_F(FalseReader, OpensNothingOutsideOfTheFolder) { EXPECT_THAT(sentenceBy("outside"), HasSubstr("was refused")); }

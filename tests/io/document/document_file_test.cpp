@@ -110,8 +110,8 @@ bool mayBeMissing(const std::string& place) {
     const std::string looks = "/looks/";
     if (place.starts_with(looks) && place.find('/', looks.size()) != std::string::npos) return !place.ends_with("/id");
     if (place.starts_with("/study/file/raw_layout/")) return !place.ends_with("/size");
-    for (const char* optional : {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes",
-                                 "/study/file/study_mebibytes"})
+    for (const char* optional :
+         {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes", "/study/file/study_mebibytes"})
         if (place == optional) return true;
     return place.starts_with("/method/parameters/");
 }

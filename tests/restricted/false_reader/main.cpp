@@ -35,7 +35,6 @@ std::string randomBytes(std::size_t count, unsigned seed) {
 Study smallStudy() {
     Study study;
     study.name = "false";
-    study.files = {"false"};
     VolumeGeometry geometry;
     geometry.size = {4, 4, 4};
     geometry.reduction = Reduction{{2, 2, 2}, {8, 8, 7}};
@@ -55,7 +54,14 @@ std::string withoutFailure(const std::string& study) {
 
 /// What a coarse grid shows, and what becomes of it afterwards.
 void lieCoarsely(Channel& channel, const std::string& mode, unsigned seed) {
-    auto shared = shareCoarse({smallStudy().phases.front(), 4.0});
+    auto voxels = smallStudy().phases.front();
+    if (mode == "coarse-too-long") {
+        VolumeGeometry geometry;
+        geometry.size = {1, 1, mostCoarseVoxels + 1};
+        voxels = std::make_shared<const Volume>(
+            geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(mostCoarseVoxels + 1), 7));
+    }
+    auto shared = shareCoarse({voxels, 4.0});
     const auto sendCoarse = [&](const std::string& bytes, int memory) {
         static_cast<void>(channel.send(MessageKind::coarse, bytes, {memory}));
     };
@@ -153,6 +159,24 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
             fail(FailureKind::unreadable, badWords(), badWords(), badWords() + std::string(100000, 'x'), badWords())
                 .value()));
         static_cast<void>(channel.send(MessageKind::result, report.bytes()));
+    } else if (mode == "names-another-file") {
+        Study study = smallStudy();
+        study.files = {"/etc/hostname"};
+        const auto named = shareStudy(study);
+        sendStudy(named->bytes, named->voxels.number());
+    } else if (mode.starts_with("lists-")) {
+        const std::string folder = std::getenv("ECHOLUCENT_FALSE_FOLDER");
+        const std::string file = mode == "lists-a-file-beside" ? "/etc/hostname" : folder + "/a.mha";
+        MessageWriter question;
+        question(file);
+        Message answer;
+        if (mode != "lists-what-it-did-not-ask-for" && channel.send(MessageKind::fileKind, question.bytes()))
+            static_cast<void>(channel.receive(answer, std::chrono::milliseconds(-1)));
+        SeriesEntry entry;
+        entry.files = {{.path = file}};
+        MessageWriter list;
+        list(std::optional<Failure>(), std::optional(SeriesList{folder, {entry}, {file}, {}}));
+        static_cast<void>(channel.send(MessageKind::result, list.bytes()));
     } else if (mode == "honest")
         sendStudy(shared->bytes, shared->voxels.number());
 }
