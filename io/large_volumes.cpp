@@ -14,6 +14,10 @@ std::uint64_t mostStudyBytes(const ReadOptions& options) {
     return machineMemoryBytes() / memoryPerVoxels;
 }
 
+std::int64_t mostVoxelsOfPhase(std::uint64_t machineBytes) {
+    return std::min(mostPhaseVoxels, static_cast<std::int64_t>(machineBytes / workingBytesPerVoxel));
+}
+
 std::int64_t mostKeptBytes(StoredType type, bool rescaled) {
     if (rescaled) return bytesOf(StoredType::float32);
     if (type == StoredType::uint8 || type == StoredType::uint16) return bytesOf(type);
@@ -27,7 +31,9 @@ Result<std::optional<ChosenReduction>> chooseReduction(const std::string& file, 
     const std::uint64_t bytes = mostStudyBytes(options);
     const auto keptBytes = static_cast<std::uint64_t>(mostKeptBytes(declared.type, declared.rescaled));
     const auto inMemory = static_cast<std::int64_t>(bytes / (keptBytes * static_cast<std::uint64_t>(declared.phases)));
-    const std::int64_t most = std::min(inMemory, mostPhaseVoxels);
+    // Whoever names a limit knows the machine.
+    const std::int64_t ofPhase = options.studyMebibytes ? mostPhaseVoxels : mostVoxelsOfPhase(machineMemoryBytes());
+    const std::int64_t most = std::min(inMemory, ofPhase);
     if (voxels && *voxels <= most) return std::optional<ChosenReduction>();
     const auto reduction = reductionTo(declared.size, most);
     if (!reduction)
@@ -36,10 +42,10 @@ Result<std::optional<ChosenReduction>> chooseReduction(const std::string& file, 
                                 "may take here",
                                 declared.phases, fmt::join(declared.size, " x "), bytes >> 20),
                     "Open it on a larger machine, or a smaller part of it.");
-    std::string reason = most == mostPhaseVoxels
-                             ? fmt::format("at most {} voxels are kept of a phase", mostPhaseVoxels)
-                             : fmt::format("the voxels of a study may take {} MiB {}", bytes >> 20,
-                                           options.studyMebibytes ? "as asked for" : "on this machine");
+    std::string reason = most == ofPhase ? fmt::format("at most {} voxels are kept of a phase{}", ofPhase,
+                                                       ofPhase < mostPhaseVoxels ? " on this machine" : "")
+                                         : fmt::format("the voxels of a study may take {} MiB {}", bytes >> 20,
+                                                       options.studyMebibytes ? "as asked for" : "on this machine");
     return std::optional(ChosenReduction{*reduction, std::move(reason)});
 }
 

@@ -15,13 +15,20 @@ namespace echolucent {
 
 /// A phase keeps no more voxels than this on any machine: 512 Mi, half of a cube of 1024.
 constexpr std::int64_t mostPhaseVoxels = std::int64_t{1} << 29;
-/// The window takes at most so many times the memory of a study's voxels: quiet voxels, masks, the voxels that the ray
-/// caster packs, and planes stand beside them.
+/// The window takes about so many times the memory of a study's voxels once it is at rest: quiet voxels, masks, the
+/// voxels that the ray caster packs, and planes stand beside them (docs/large-volumes.md).
 constexpr std::uint64_t memoryPerVoxels = 6;
+/// While speckle is taken away, the window takes about so many bytes for each voxel of the phase shown, most of them as
+/// floats (docs/large-volumes.md).
+constexpr std::uint64_t workingBytesPerVoxel = 18;
 
 /// The most bytes that the voxels of all phases may take: ReadOptions::studyMebibytes, else what fits into this
 /// machine's memory memoryPerVoxels times.
 [[nodiscard]] std::uint64_t mostStudyBytes(const ReadOptions& options);
+
+/// The most voxels that a phase may keep on a machine of so many bytes of memory: mostPhaseVoxels, or what can be
+/// worked on there.
+[[nodiscard]] std::int64_t mostVoxelsOfPhase(std::uint64_t machineBytes);
 
 /// What a file declares of its voxels.
 struct DeclaredVoxels {
@@ -37,7 +44,7 @@ struct DeclaredVoxels {
 /// How a volume is reduced, and why.
 struct ChosenReduction {
     Reduction reduction;
-    std::string reason;  ///< "at most 536870912 voxels are kept of a phase", for the import report
+    std::string reason;  ///< "at most 536870912 voxels are kept of a phase", for the report
 };
 
 /// How the voxels are to be reduced while they are read; no value where they are kept as they are. Fails (unreadable,

@@ -81,24 +81,15 @@ private:
 /// One pass over a volume of normalised intensities, whose voxels without data are 0.
 class JointBilateral {
 public:
-    JointBilateral(const Volume& volume, const Volume& guide, const JointBilateralPass& pass)
-        : m_geometry(volume.geometry()),
+    /// Volume and guide are given free on the way: large volumes are floats four times over otherwise.
+    JointBilateral(std::optional<Volume> volume, std::optional<Volume> guide, const JointBilateralPass& pass)
+        : m_geometry(volume->geometry()),
           m_grid(m_geometry, pass.radius),
           m_taps(tapsOf(m_grid, filterSpacing(m_geometry), pass)),
-          m_guide(m_grid.count(), noGuide),
-          m_values(m_grid.count(), 0.0F) {
-        const GuideScale scale(speckleLawOf(guide), pass.spreads);
-        const auto& values = std::get<std::vector<float>>(volume.voxels());
-        const auto& guides = std::get<std::vector<float>>(guide.voxels());
-        parallelFor<std::int64_t>(0, m_geometry.size[1] * m_geometry.size[2], [&](std::int64_t row) {
-            std::int64_t from = row * m_geometry.size[0];
-            std::int64_t to = m_grid.offset(0, row % m_geometry.size[1], row / m_geometry.size[1]);
-            for (std::int64_t x = 0; x < m_geometry.size[0]; ++x, ++from, ++to) {
-                if (!volume.hasData(from)) continue;
-                m_values[static_cast<std::size_t>(to)] = values[static_cast<std::size_t>(from)];
-                m_guide[static_cast<std::size_t>(to)] = scale.at(guides[static_cast<std::size_t>(from)]);
-            }
-        });
+          m_values(padded(*volume, 0.0F, [](float value) { return value; })) {
+        volume.reset();
+        const GuideScale scale(speckleLawOf(*guide), pass.spreads);
+        m_guide = padded(*guide, noGuide, [&](float intensity) { return scale.at(intensity); });
     }
 
     /// Writes slice z. It leaves off within the slice once the run is cancelled.
@@ -115,10 +106,25 @@ public:
     }
 
 private:
-    const VolumeGeometry& m_geometry;
+    /// What becomes of the voxels that hold data, and `rim` everywhere else.
+    template <typename Become>
+    [[nodiscard]] std::vector<float> padded(const Volume& volume, float rim, const Become& become) const {
+        std::vector<float> values(m_grid.count(), rim);
+        const auto& voxels = std::get<std::vector<float>>(volume.voxels());
+        parallelFor<std::int64_t>(0, m_geometry.size[1] * m_geometry.size[2], [&](std::int64_t row) {
+            std::int64_t from = row * m_geometry.size[0];
+            std::int64_t to = m_grid.offset(0, row % m_geometry.size[1], row / m_geometry.size[1]);
+            for (std::int64_t x = 0; x < m_geometry.size[0]; ++x, ++from, ++to)
+                if (volume.hasData(from))
+                    values[static_cast<std::size_t>(to)] = become(voxels[static_cast<std::size_t>(from)]);
+        });
+        return values;
+    }
+
+    VolumeGeometry m_geometry;
     PaddedGrid m_grid;
     std::vector<BilateralTap> m_taps;
-    std::vector<float> m_guide, m_values;
+    std::vector<float> m_values, m_guide;
 };
 
 /// What runs from one share of the whole to another.
@@ -127,11 +133,13 @@ Progress partOf(const Progress& progress, double from, double to) {
     return {[&progress, from, to](double share) { progress.at(from + share * (to - from)); }, progress.cancel};
 }
 
-std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& pass, const Progress& progress) {
-    const auto guide = gaussianFiltered(volume, pass.guideSigma, partOf(progress, 0.0, 0.1));
+std::optional<Volume> filtered(Volume volume, const JointBilateralPass& pass, const Progress& progress) {
+    auto guide = gaussianFiltered(volume, pass.guideSigma, partOf(progress, 0.0, 0.1));
     if (!guide) return std::nullopt;
-    const VolumeGeometry& geometry = volume.geometry();
-    const JointBilateral bilateral(volume, *guide, pass);
+    const VolumeGeometry geometry = volume.geometry();
+    const double whiteLevel = volume.whiteLevel();
+    std::vector<std::uint8_t> mask = volume.dataMask();
+    const JointBilateral bilateral(std::move(volume), std::move(guide), pass);
     std::vector<float> results(static_cast<std::size_t>(geometry.voxelCount()));
     const Progress rest = partOf(progress, 0.1, 1.0);
     ProgressCount count(rest, static_cast<std::size_t>(geometry.size[2]));
@@ -141,7 +149,7 @@ std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& p
         count.oneDone();
     });
     if (progress.cancelled()) return std::nullopt;
-    return Volume(geometry, std::move(results), volume.whiteLevel()).withDataMask(volume.dataMask());
+    return Volume(geometry, std::move(results), whiteLevel).withDataMask(std::move(mask));
 }
 
 /// The volume as normalised intensities, as a picture shows them, 0 where it has no data: neither very large nor very
@@ -191,7 +199,7 @@ std::optional<Volume> jointBilateralFiltered(const Volume& volume, std::span<con
     const double share = 1.0 / static_cast<double>(passes.size());
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const double from = share * static_cast<double>(i);
-        auto next = filtered(floats, passes[i], partOf(progress, from, from + share));
+        auto next = filtered(std::move(floats), passes[i], partOf(progress, from, from + share));
         if (!next) return std::nullopt;
         floats = *std::move(next);
     }

@@ -23,7 +23,7 @@ struct JointBilateralPass {
 /// 2004; Eisemann and Durand 2004), by Tukey's biweight (Black et al. 1998), on a scale on which the guide's speckle is
 /// equally strong everywhere: so that the mean of a membrane is taken within it, bright or dark. Whole numbers are
 /// rounded after the last pass only. The rest is as quietVolume() says. Throws std::invalid_argument for a pass that
-/// makes no sense. It takes about 20 bytes a voxel while it runs.
+/// makes no sense. It takes about 12 bytes a voxel while it runs.
 [[nodiscard]] std::optional<Volume> jointBilateralFiltered(const Volume& volume,
                                                            std::span<const JointBilateralPass> passes,
                                                            const Progress& progress = {});

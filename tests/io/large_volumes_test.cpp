@@ -73,6 +73,12 @@ TEST(LargeVolumes, AStudyMayTakeASixthOfTheMachinesMemory) {
     EXPECT_EQ(mostStudyBytes(mebibytes(3)), std::uint64_t{3} << 20);
 }
 
+TEST(LargeVolumes, APhaseKeepsNoMoreVoxelsThanTheMachineCanWorkOn) {
+    EXPECT_EQ(mostVoxelsOfPhase(std::uint64_t{64} << 30), std::int64_t{1} << 29);
+    EXPECT_EQ(mostVoxelsOfPhase(std::uint64_t{9} << 30), std::int64_t{1} << 29);
+    EXPECT_EQ(mostVoxelsOfPhase(std::uint64_t{9} << 29), std::int64_t{1} << 28);
+}
+
 TEST(LargeVolumes, WhatCannotBeReducedIsRefused) {
     const auto refused =
         chooseReduction("v.mha", "DimSize", {{2, 2, 2}, 4096, StoredType::float32}, [] { return mebibytes(0); }());
