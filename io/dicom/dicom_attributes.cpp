@@ -77,6 +77,13 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
     return anew != nullptr ? anew : element;
 }
 
+/// An element with a value; null for a sequence, as whose text DCMTK takes memory for its declared length, 4 GiB where
+/// that is undefined.
+DcmElement* valueOf(DcmItem& item, DicomTag tag) {
+    DcmElement* element = elementOf(item, tag);
+    return element != nullptr && element->isLeaf() ? element : nullptr;
+}
+
 DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {
     DcmElement* element = elementOf(item, tag);
     return element != nullptr && element->ident() == EVR_SQ ? static_cast<DcmSequenceOfItems*>(element) : nullptr;
@@ -114,7 +121,7 @@ bool isFinite(const std::optional<double>& value) { return value && std::isfinit
 std::string tagText(DicomTag tag) { return fmt::format("({:04x},{:04x})", tag.group, tag.element); }
 
 std::string dicomText(DcmItem& item, DicomTag tag) {
-    DcmElement* element = elementOf(item, tag);
+    DcmElement* element = valueOf(item, tag);
     if (element == nullptr) return {};
     if (auto stored = storedText(*element)) {
         std::string text;
@@ -131,7 +138,7 @@ std::string dicomText(DcmItem& item, DicomTag tag) {
 }
 
 std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count) {
-    DcmElement* element = elementOf(item, tag);
+    DcmElement* element = valueOf(item, tag);
     if (element == nullptr || count == 0) return {};
     std::vector<double> values;
     if (auto stored = storedText(*element)) {
@@ -156,7 +163,7 @@ std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count)
 }
 
 std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag) {
-    DcmElement* element = elementOf(item, tag);
+    DcmElement* element = valueOf(item, tag);
     if (element == nullptr) return std::nullopt;
     if (holdsBytes(element->getVR()) || element->getVM() != 1) return std::nullopt;
     auto stored = storedText(*element);
@@ -202,7 +209,7 @@ std::vector<std::uint32_t> dicomLongWords(DcmItem& item, DicomTag tag) {
 }
 
 std::optional<DicomTag> dicomPointer(DcmItem& item, DicomTag tag) {
-    DcmElement* element = elementOf(item, tag);
+    DcmElement* element = valueOf(item, tag);
     DcmTagKey named;
     if (element == nullptr || element->ident() != EVR_AT || element->getTagVal(named, 0).bad()) return std::nullopt;
     return DicomTag{named.getGroup(), named.getElement()};

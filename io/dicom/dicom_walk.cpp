@@ -87,6 +87,7 @@ void DicomWalk::measureEnd(bool enough) {
     if (m_stream.inflates() && !m_stream.inflatesToItsEnd()) {
         m_scan.end = DicomScanEnd::deflate;
         m_scan.endPosition = m_stream.inflated();
+        measureWhatLacks();
         return;
     }
     if (enough) return;
@@ -94,18 +95,14 @@ void DicomWalk::measureEnd(bool enough) {
         m_scan.end = DicomScanEnd::damaged;
     else if (m_stepStart != m_stream.end() || !closeAtEnd())
         m_scan.end = DicomScanEnd::cut;
-    if (m_scan.end == DicomScanEnd::cut && !m_lastIsPixels) refuseHugeLast();
+    if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
 }
 
-/// The library takes memory for what an element declares before it looks at what is there. An element that lacks more
-/// than this is no file that was cut in its last few bytes.
-void DicomWalk::refuseHugeLast() {
-    constexpr std::uint64_t mostMissing = std::uint64_t{1} << 20;
-    const bool wouldOpen = m_scan.pixelsEnd || m_scan.sopClass == directorySopClass;
+/// Whether the library would take much memory for an element that the file does not hold.
+void DicomWalk::measureWhatLacks() {
+    constexpr std::uint64_t little = std::uint64_t{1} << 20;
     const std::uint64_t held = m_stream.position() - m_lastStart;
-    if (!wouldOpen || m_lastLength == undefinedLength || m_lastLength <= held + mostMissing) return;
-    m_harm = Harm{fmt::format("({:04x},{:04x})", m_lastTag >> 16, m_lastTag & 0xffff),
-                  fmt::format("declares {} bytes, of which the file holds {}", m_lastLength, held), doNotOpen};
+    m_scan.lacksMuch = !m_lastIsPixels && m_lastLength != undefinedLength && m_lastLength > held + little;
 }
 
 std::optional<DicomWalk::Harm> DicomWalk::harm() const {
@@ -341,10 +338,11 @@ bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t 
 
 bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
     const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
-    m_lastTag = tag;
     m_lastLength = length;
     m_lastStart = m_stream.position();
     m_lastIsPixels = pixels;
+    refuseLongRecordType(tag, length);
+    if (m_harm) return true;
     m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
     if (m_levels.size() == 1 && tag >> 16 == kretzGroup && readKretz(tag, vr, length)) return true;
     if (pixels) notePixelData(length);

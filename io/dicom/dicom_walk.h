@@ -61,7 +61,8 @@ private:
     void countElement(std::uint32_t tag);
     bool describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed);
     void measureEnd(bool enough);
-    void refuseHugeLast();
+    void measureWhatLacks();
+    void refuseLongRecordType(std::uint32_t tag, std::uint32_t length);
     [[nodiscard]] bool isBigEndian() const { return m_levels.empty() ? m_bigEndian : m_levels.back().bigEndian; }
     bool readDelimiter(std::uint32_t tag);
     bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
@@ -97,8 +98,7 @@ private:
     bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
     std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator has reserved; 0: none
     std::uint64_t m_stepStart = 0;               // where the last step began
-    std::uint32_t m_lastTag = 0;                 // of the element whose value was entered last
-    std::uint32_t m_lastLength = 0;              // that it declares
+    std::uint32_t m_lastLength = 0;              // that the element declares whose value was entered last
     std::uint64_t m_lastStart = 0;               // where its value begins
     bool m_lastIsPixels = false;
 };

@@ -42,6 +42,16 @@ bool describesPicture(std::uint32_t tag) {
 
 }  // namespace
 
+/// DCMTK 3.6.7 throws over a longer type while it reads a directory record, and loses what it had read.
+void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
+    constexpr std::uint32_t recordTypeTag = 0x00041430, longestCodeString = 16;
+    if (tag != recordTypeTag || length <= longestCodeString) return;
+    m_harm =
+        Harm{nameOf(tag),
+             fmt::format("is {} bytes long, and a directory record's type has at most {}", length, longestCodeString),
+             doNotOpen};
+}
+
 /// Counts an element, and what DCMTK takes to sort it in. One that stands twice is dropped there.
 void DicomWalk::countElement(std::uint32_t tag) {
     Level& level = m_levels.back();

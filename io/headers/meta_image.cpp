@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -328,7 +329,9 @@ Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& wo
         if (!number) return wrong("ElementDataFile", "must count with whole numbers, not " + quotedText(words[i]));
         *places[i - 1] = *number;
     }
-    if (words.size() == 2) numbers.last = numbers.first + slowestSize() - 1;
+    // Where the sum overflowed, the first number alone is refused.
+    if (words.size() == 2 && numbers.first <= std::numeric_limits<std::int64_t>::max() - slowestSize())
+        numbers.last = numbers.first + slowestSize() - 1;
     const auto names = namesOfPattern({m_path, "ElementDataFile"}, words.front(), numbers);
     if (!names) return tl::unexpected(names.error());
     return setDataFiles(*names, slowestSize());

@@ -156,12 +156,13 @@ std::vector<HostileFile> hostileFolders() {
 }
 
 /// A DICOMDIR whose records name these files; each record links to the first.
-std::string directory(const std::vector<std::string>& names, std::uint16_t inUse = 0xffff) {
+std::string directory(const std::vector<std::string>& names, std::uint16_t inUse = 0xffff,
+                      const std::string& type = "IMAGE") {
     std::vector<DicomBytes> records;
     for (const std::string& name : names) {
         DicomBytes record;
         record.put(0x0004, 0x1400, "UL", std::string("\x90\1\0\0", 4)).word(0x0004, 0x1410, inUse);
-        record.put(0x0004, 0x1420, "UL", std::string("\x90\1\0\0", 4)).text(0x0004, 0x1430, "CS", "IMAGE");
+        record.put(0x0004, 0x1420, "UL", std::string("\x90\1\0\0", 4)).text(0x0004, 0x1430, "CS", type);
         if (!name.empty()) record.text(0x0004, 0x1500, "CS", name);
         records.push_back(record);
     }
@@ -212,6 +213,8 @@ std::vector<HostileFile> hostileDirectories() {
                          {"1 of 4 files that the DICOMDIR names are not in its folder or below it, \"GONE\""}),
         hostileDirectory("with-nothing-but-missing-files", directory(many), Outcome::refused,
                          {"none of the 3000 " + none}),
+        hostileDirectory("with-a-record-type-of-40-letters", directory(all, 0xffff, std::string(40, 'I')),
+                         Outcome::refused, {"(0004,1430) Directory Record Type", "is 40 bytes long"}),
         hostileDirectory("without-records", directory({}), Outcome::refused, {"names no files"}),
         hostileDirectory("with-records-without-files", directory({"", ""}), Outcome::refused, {"names no files"}),
         hostileDirectory("with-records-out-of-use", directory(all, 0), Outcome::refused, {"names no files"}),

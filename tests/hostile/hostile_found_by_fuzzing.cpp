@@ -41,7 +41,18 @@ HostileFile hugeLastElement() {
     DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
     file.put(0x7fe0, 0x0010, "OW", pixels).put(0xfffc, 0xfffc, "OB", "rest", 0xf0000000);
     return hostileFile("found-by-fuzzing/4-gigabytes-declared-behind-the-pixels", "v.dcm", file.file(cineClass),
-                       {"(fffc,fffc)", "declares 4026531840 bytes, of which the file holds 4"});
+                       {"in the middle of an element"});
+}
+
+/// Rows that are a sequence of undefined length: as its text the library takes 4 GiB.
+HostileFile rowsThatAreASequence() {
+    DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").word(0x0028, 0x0002, 1);
+    file.sequence(0x0028, 0x0010, {DicomBytes().text(0x0008, 0x0060, "CS", "US")}, 0xffffffff)
+        .put(0xfffe, 0xe0dd, "", std::string(2, '\0'), 0)
+        .word(0x0028, 0x0011, 4);
+    file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
+    file.put(0x7fe0, 0x0010, "OW", pixels);
+    return hostileFile("found-by-fuzzing/rows-that-are-a-sequence", "v.dcm", file.file(cineClass), {"Rows", "missing"});
 }
 
 }  // namespace
@@ -52,7 +63,10 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
         metaImage("a-data-file-with-a-name-of-2000-letters", "ElementDataFile = " + longName + "\n",
                   {"2000 letters long"}),
         metaImage("a-key-of-2000-letters", longSweepKeys(), {"tracked 2D sweep"}),
+        metaImage("a-pattern-that-counts-from-the-largest-number", "ElementDataFile = v%d.raw 9223372036854775807\n",
+                  {"counts with 9223372036854775807"}),
         hugeLastElement(),
+        rowsThatAreASequence(),
         cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
         cine("a-manufacturer-of-20000-letters",
              DicomBytes().text(0x0008, 0x0070, "LO", std::string(20000, 'm')).picture(4, 2, 2), {"mmmm"}),

@@ -34,7 +34,11 @@ bool StillPicture::eventFilter(QObject* watched, QEvent* event) {
 void StillPicture::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(rect(), m_image);
+    // The view may have another shape than when the image was made; what is round stays round.
+    QRect place(QPoint(), m_image.size().scaled(size(), Qt::KeepAspectRatio));
+    place.moveCenter(rect().center());
+    painter.fillRect(rect(), Qt::black);
+    painter.drawImage(place, m_image);
 }
 
 }  // namespace echolucent

@@ -6,7 +6,7 @@
 
 namespace echolucent {
 
-/// Covers a view with an image, stretched to its size. What the view shows goes on below it, out of sight. The mouse
+/// Covers a view with an image, as large as fits into it in its own proportions, on black. What the view shows goes on below it, out of sight. The mouse
 /// does nothing over it.
 class StillPicture : public QWidget {
     Q_OBJECT

@@ -128,6 +128,21 @@ private slots:
         QVERIFY(still()->isHidden());
     }
 
+    void keepsItsProportionsInAViewOfAnotherShape() {
+        QWidget view;
+        view.resize(200, 100);
+        StillPicture picture(view);
+        QImage image(50, 50, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        view.show();
+        picture.showImage(image);
+        const QImage seen = picture.grab().toImage().scaled(200, 100);
+        QCOMPARE(seen.pixelColor(20, 50), QColor(Qt::black));
+        QCOMPARE(seen.pixelColor(180, 50), QColor(Qt::black));
+        for (const QPoint place : {QPoint(60, 5), QPoint(140, 5), QPoint(100, 50), QPoint(60, 95), QPoint(140, 95)})
+            QCOMPARE(seen.pixelColor(place), QColor(Qt::white));
+    }
+
 private:
     StillPicture* still() { return window().findChild<StillPicture*>("view3d.coarse"); }
     QImage picture() { return window().volumeView().screenImage(); }
