@@ -46,8 +46,8 @@ public:
     [[nodiscard]] bool answer(const Message& question, const Progress& progress, std::string& bytes, Descriptor& file);
     /// How many bytes the files opened so far have together; a file that was opened twice counts once.
     [[nodiscard]] std::uint64_t openedBytes() const { return m_openedBytes; }
-    /// The names, as the reader spelt them, of the files that it asked for and may see. What it names as read or listed
-    /// is among them, or was made up.
+    /// The names, as the reader spelt them, of the files that it asked for and may see, or may speak of. What it names
+    /// as read or listed is among them, or was made up.
     [[nodiscard]] const std::set<std::string>& asked() const { return m_asked; }
 
 private:
