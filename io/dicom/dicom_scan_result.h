@@ -30,8 +30,8 @@ struct DicomScan {
     bool hasPixelData = false;   ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 where it is encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
-    std::uint64_t pixelStart = 0;      ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
-    bool pixelsEnd = false;            ///< whether the walk came to the end of (7FE0,0010)
+    std::uint64_t pixelStart = 0;  ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
+    bool pixelsEnd = false;        ///< whether the walk came to the end of (7FE0,0010)
     /// Whether the element in which the walk ended lacks more than a MiB. The library takes memory for what an element
     /// declares before it looks at what is there, so that it is given no such file.
     bool lacksMuch = false;

@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// Covers a view with an image, as large as fits into it in its own proportions, on black. What the view shows goes on below it, out of sight. The mouse
-/// does nothing over it.
+/// Covers a view with an image, as large as fits into it in its own proportions, on black. What the view shows goes on
+/// below it, out of sight. The mouse does nothing over it.
 class StillPicture : public QWidget {
     Q_OBJECT
 
