@@ -77,11 +77,12 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
     return anew != nullptr ? anew : element;
 }
 
-/// An element with a value; null for a sequence, as whose text DCMTK takes memory for its declared length, 4 GiB where
-/// that is undefined.
+/// An element with a value; null for a sequence and for a value longer than any that is read here: DCMTK takes memory
+/// for the declared length, 4 GiB where that is undefined, also where a damaged file holds less.
 DcmElement* valueOf(DcmItem& item, DicomTag tag) {
+    constexpr Uint32 longest = Uint32{1} << 26;
     DcmElement* element = elementOf(item, tag);
-    return element != nullptr && element->isLeaf() ? element : nullptr;
+    return element != nullptr && element->isLeaf() && element->getLengthField() <= longest ? element : nullptr;
 }
 
 DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {
