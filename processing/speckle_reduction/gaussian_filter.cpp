@@ -20,7 +20,7 @@ namespace {
 class Taps {
 public:
     Taps(double sigma, std::int64_t size)
-        : m_size(size), m_reach(std::min(size - 1, static_cast<std::int64_t>(std::ceil(3.0 * sigma)))) {
+        : m_size(size), m_reach(std::min(size - 1, static_cast<std::int64_t>(std::ceil(gaussianReach * sigma)))) {
         std::vector<double> exact;
         for (std::int64_t i = -m_reach; i <= m_reach; ++i)
             exact.push_back(std::exp(-0.5 * static_cast<double>(i * i) / (sigma * sigma)));

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "processing/parallel.h"
+#include "processing/speckle_reduction/filter_slabs.h"
 #include "processing/speckle_reduction/filter_spacing.h"
 #include "processing/speckle_reduction/gaussian_filter.h"
 #include "processing/speckle_reduction/joint_bilateral_row.h"
@@ -78,22 +80,22 @@ private:
     std::array<float, intervals + 1> m_scaled{};
 };
 
-/// One pass over a volume of normalised intensities, whose voxels without data are 0.
+/// One pass over normalised intensities, whose voxels without data are 0.
 class JointBilateral {
 public:
-    /// Volume and guide are given free on the way: large volumes are floats four times over otherwise.
-    JointBilateral(std::optional<Volume> volume, std::optional<Volume> guide, const JointBilateralPass& pass)
+    /// Volume and guide are given free on the way.
+    JointBilateral(std::optional<Volume> volume, std::optional<Volume> guide, const GuideScale& scale,
+                   const JointBilateralPass& pass)
         : m_geometry(volume->geometry()),
           m_grid(m_geometry, pass.radius),
           m_taps(tapsOf(m_grid, filterSpacing(m_geometry), pass)),
           m_values(padded(*volume, 0.0F, [](float value) { return value; })) {
         volume.reset();
-        const GuideScale scale(speckleLawOf(*guide), pass.spreads);
         m_guide = padded(*guide, noGuide, [&](float intensity) { return scale.at(intensity); });
     }
 
-    /// Writes slice z. It leaves off within the slice once the run is cancelled.
-    void filter(std::int64_t z, std::vector<float>& results, const Progress& progress) const {
+    /// Writes slice z to `results`. It leaves off within the slice once the run is cancelled.
+    void filter(std::int64_t z, float* results, const Progress& progress) const {
         // Parts of rows, so that what the taps of a part reach stays in the nearest cache from row to row.
         constexpr std::int64_t part = 64;
         for (std::int64_t x = 0; x < m_geometry.size[0]; x += part)
@@ -101,7 +103,7 @@ public:
                 const auto count = static_cast<std::size_t>(std::min(part, m_geometry.size[0] - x));
                 const std::int64_t from = m_grid.offset(x, y, z);
                 bilateralRow(m_guide.data() + from, m_values.data() + from, m_taps, count,
-                             results.data() + m_geometry.offset(x, y, z));
+                             results + m_geometry.offset(x, y, 0));
             }
     }
 
@@ -133,77 +135,136 @@ Progress partOf(const Progress& progress, double from, double to) {
     return {[&progress, from, to](double share) { progress.at(from + share * (to - from)); }, progress.cancel};
 }
 
-std::optional<Volume> filtered(Volume volume, const JointBilateralPass& pass, const Progress& progress) {
-    auto guide = gaussianFiltered(volume, pass.guideSigma, partOf(progress, 0.0, 0.1));
-    if (!guide) return std::nullopt;
-    const VolumeGeometry geometry = volume.geometry();
-    const double whiteLevel = volume.whiteLevel();
-    std::vector<std::uint8_t> mask = volume.dataMask();
-    const JointBilateral bilateral(std::move(volume), std::move(guide), pass);
-    std::vector<float> results(static_cast<std::size_t>(geometry.voxelCount()));
-    const Progress rest = partOf(progress, 0.1, 1.0);
-    ProgressCount count(rest, static_cast<std::size_t>(geometry.size[2]));
-    parallelFor<std::int64_t>(0, geometry.size[2], [&](std::int64_t z) {
-        if (progress.cancelled()) return;
-        bilateral.filter(z, results, progress);
-        count.oneDone();
+/// Where the means of a slice go: its place along z, and the means, x fastest. It is called from several threads.
+using SliceTaker = std::function<void(std::int64_t z, std::span<const float> means)>;
+
+/// One pass over a volume of any size, slab by slab.
+class Pass {
+public:
+    Pass(const Volume& volume, const JointBilateralPass& pass, std::int64_t mostVoxels, const Progress& progress)
+        : m_volume(volume),
+          m_pass(pass),
+          m_progress(progress),
+          m_measurement(volume.geometry()),
+          m_slabs(filterSlabs(volume.geometry(), reach(), mostVoxels)) {}
+
+    /// False where the run was cancelled.
+    [[nodiscard]] bool run(const SliceTaker& take) {
+        constexpr double shareOfMeasuring = 0.1;
+        const auto shareAt = [&](std::size_t slab, double from, double to) {
+            return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
+        };
+        // The speckle's law is the whole volume's, so that every guide is made twice; a single one is kept.
+        std::optional<Volume> guide;
+        for (std::size_t i = 0; i < m_slabs.size(); ++i) {
+            guide.reset();
+            guide = guideOf(intensitiesOf(m_volume, m_slabs[i]), shareAt(i, 0.0, shareOfMeasuring),
+                            shareAt(i + 1, 0.0, shareOfMeasuring));
+            if (!guide) return false;
+            m_measurement.add(*guide, m_slabs[i]);
+        }
+        const GuideScale scale(m_measurement.law(), m_pass.spreads);
+        if (m_slabs.size() > 1) guide.reset();
+        for (std::size_t i = 0; i < m_slabs.size(); ++i) {
+            const double from = shareAt(i, shareOfMeasuring, 1.0), to = shareAt(i + 1, shareOfMeasuring, 1.0);
+            Volume intensities = intensitiesOf(m_volume, m_slabs[i]);
+            if (!guide) guide = guideOf(intensities, from, from);
+            if (!guide) return false;
+            const JointBilateral bilateral(std::move(intensities), std::exchange(guide, std::nullopt), scale, m_pass);
+            if (!filter(bilateral, m_slabs[i], partOf(m_progress, from, to), take)) return false;
+        }
+        return true;
+    }
+
+private:
+    /// How many slices away a voxel lies, at most, that has a part in another's mean, its guide or the measurement.
+    [[nodiscard]] std::int64_t reach() const {
+        const double spacing = filterSpacing(m_volume.geometry())[2];
+        const auto taps = static_cast<std::int64_t>(m_pass.radius / spacing + 1e-9);
+        const auto guide = static_cast<std::int64_t>(std::ceil(gaussianReach * m_pass.guideSigma / spacing));
+        return guide + std::max(taps, m_measurement.reach());
+    }
+    [[nodiscard]] std::optional<Volume> guideOf(const Volume& intensities, double from, double to) const {
+        return gaussianFiltered(intensities, m_pass.guideSigma, partOf(m_progress, from, to));
+    }
+    [[nodiscard]] bool filter(const JointBilateral& bilateral, const FilterSlab& slab, const Progress& progress,
+                              const SliceTaker& take) const {
+        const auto& size = m_volume.geometry().size;
+        PerThread<std::vector<float>> slices(
+            [&] { return std::vector<float>(static_cast<std::size_t>(size[0] * size[1])); });
+        ProgressCount count(progress, static_cast<std::size_t>(slab.end - slab.first));
+        parallelFor<std::int64_t>(slab.first, slab.end, [&](std::int64_t z) {
+            if (progress.cancelled()) return;
+            std::vector<float>& means = slices.local();
+            bilateral.filter(z - slab.firstHeld, means.data(), progress);
+            take(z, means);
+            count.oneDone();
+        });
+        return !progress.cancelled();
+    }
+
+    const Volume& m_volume;
+    const JointBilateralPass& m_pass;
+    const Progress& m_progress;
+    SpeckleLawMeasurement m_measurement;
+    std::vector<FilterSlab> m_slabs;
+};
+
+/// The intensities of the volume after a pass that another follows.
+std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& pass, std::int64_t mostVoxels,
+                               const Progress& progress) {
+    std::vector<float> results(static_cast<std::size_t>(volume.geometry().voxelCount()));
+    const bool done = Pass(volume, pass, mostVoxels, progress).run([&](std::int64_t z, std::span<const float> means) {
+        std::ranges::copy(means, results.begin() + volume.geometry().offset(0, 0, z));
     });
-    if (progress.cancelled()) return std::nullopt;
-    return Volume(geometry, std::move(results), whiteLevel).withDataMask(std::move(mask));
+    if (!done) return std::nullopt;
+    return Volume(volume.geometry(), std::move(results), 1.0).withDataMask(volume.dataMask());
 }
 
-/// The volume as normalised intensities, as a picture shows them, 0 where it has no data: neither very large nor very
-/// small stored values leave what a float can hold.
-Volume asIntensities(const Volume& volume) {
-    std::vector<float> floats(static_cast<std::size_t>(volume.geometry().voxelCount()));
-    const double white = volume.whiteLevel();
-    std::visit(
-        [&](const auto& voxels) {
-            for (std::size_t i = 0; i < voxels.size(); ++i)
-                if (volume.hasData(static_cast<std::int64_t>(i)))
-                    floats[i] = static_cast<float>(std::clamp(static_cast<double>(voxels[i]) / white, 0.0, 1.0));
-        },
-        volume.voxels());
-    return Volume(volume.geometry(), std::move(floats), 1.0).withDataMask(volume.dataMask());
-}
-
-/// The results in the volume's own type and between its bounds.
-Volume stored(const Volume& volume, const Volume& results) {
-    const auto& means = std::get<std::vector<float>>(results.voxels());
+/// The last pass over `from`, in the type of `volume` and between its bounds.
+std::optional<Volume> stored(const Volume& volume, const Volume& from, const JointBilateralPass& pass,
+                             std::int64_t mostVoxels, const Progress& progress) {
     const StoredBounds bounds = storedBounds(volume);
-    Voxels quiet = std::visit(
-        [&]<typename Voxel>(std::vector<Voxel> voxels) -> Voxels {
-            for (std::size_t i = 0; i < voxels.size(); ++i) {
-                if (!volume.hasData(static_cast<std::int64_t>(i))) continue;
-                const double mean =
-                    std::clamp(static_cast<double>(means[i]) * volume.whiteLevel(), bounds.lowest, bounds.highest);
-                if constexpr (std::is_floating_point_v<Voxel>)
-                    voxels[i] = static_cast<Voxel>(mean);
-                else
-                    voxels[i] = static_cast<Voxel>(mean + 0.5);
-            }
-            return voxels;
+    std::optional<Voxels> quiet = std::visit(
+        [&]<typename Voxel>(std::vector<Voxel> voxels) -> std::optional<Voxels> {
+            const bool done =
+                Pass(from, pass, mostVoxels, progress).run([&](std::int64_t z, std::span<const float> means) {
+                    const std::int64_t first = volume.geometry().offset(0, 0, z);
+                    for (std::size_t i = 0; i < means.size(); ++i) {
+                        const std::int64_t at = first + static_cast<std::int64_t>(i);
+                        if (!volume.hasData(at)) continue;
+                        const double mean = std::clamp(static_cast<double>(means[i]) * volume.whiteLevel(),
+                                                       bounds.lowest, bounds.highest);
+                        voxels[static_cast<std::size_t>(at)] =
+                            static_cast<Voxel>(std::is_floating_point_v<Voxel> ? mean : mean + 0.5);
+                    }
+                });
+            return done ? std::optional<Voxels>(std::move(voxels)) : std::nullopt;
         },
         volume.voxels());
-    return Volume(volume.geometry(), std::move(quiet), volume.whiteLevel()).withDataMask(volume.dataMask());
+    if (!quiet) return std::nullopt;
+    return Volume(volume.geometry(), *std::move(quiet), volume.whiteLevel()).withDataMask(volume.dataMask());
 }
 
 }  // namespace
 
 std::optional<Volume> jointBilateralFiltered(const Volume& volume, std::span<const JointBilateralPass> passes,
-                                             const Progress& progress) {
+                                             const Progress& progress, std::int64_t mostVoxelsAtOnce) {
+    if (passes.empty()) throw std::invalid_argument("jointBilateralFiltered: there must be a pass");
     for (const JointBilateralPass& pass : passes)
         if (!(pass.guideSigma > 0.0 && pass.spreads > 0.0 && pass.radius > 0.0 && pass.sigma > 0.0))
             throw std::invalid_argument("jointBilateralFiltered: every value of a pass must be above 0");
-    Volume floats = asIntensities(volume);
     const double share = 1.0 / static_cast<double>(passes.size());
-    for (std::size_t i = 0; i < passes.size(); ++i) {
+    std::optional<Volume> between;
+    for (std::size_t i = 0; i + 1 < passes.size(); ++i) {
         const double from = share * static_cast<double>(i);
-        auto next = filtered(std::move(floats), passes[i], partOf(progress, from, from + share));
+        auto next =
+            filtered(between ? *between : volume, passes[i], mostVoxelsAtOnce, partOf(progress, from, from + share));
         if (!next) return std::nullopt;
-        floats = *std::move(next);
+        between = std::move(next);
     }
-    return stored(volume, floats);
+    return stored(volume, between ? *between : volume, passes.back(), mostVoxelsAtOnce,
+                  partOf(progress, 1.0 - share, 1.0));
 }
 
 }  // namespace echolucent

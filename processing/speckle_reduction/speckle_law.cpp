@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "processing/speckle_reduction/filter_spacing.h"
@@ -11,30 +12,12 @@ namespace echolucent {
 
 namespace {
 
-constexpr int intensityBins = 64;
 constexpr double apart = 3.0;  // mean voxels
 constexpr std::int64_t mostPairs = 200'000;
 /// Rarer intensities are those of boundaries, whose differences are not speckle.
 constexpr double leastShare = 0.002;
 constexpr std::size_t leastPairs = 32;
 constexpr double leastSpread = 0.25 / 255.0;
-
-using Differences = std::array<std::vector<double>, intensityBins>;
-
-/// Adds the differences of every `stride`-th voxel and the one that many places behind it along an axis.
-void addPairs(const Volume& volume, int axis, std::int64_t places, std::int64_t stride, Differences& differences) {
-    const VolumeGeometry& geometry = volume.geometry();
-    const auto a = static_cast<std::size_t>(axis);
-    const std::array<std::int64_t, 3> strides{1, geometry.size[0], geometry.size[0] * geometry.size[1]};
-    for (std::int64_t first = axis; first < geometry.voxelCount(); first += stride) {
-        const std::int64_t second = first + places * strides[a];
-        if (first / strides[a] % geometry.size[a] + places >= geometry.size[a]) continue;
-        if (!volume.hasData(first) || !volume.hasData(second)) continue;
-        const double one = volume.normalisedIntensity(first), other = volume.normalisedIntensity(second);
-        const int bin = std::min(intensityBins - 1, static_cast<int>((one + other) / 2.0 * intensityBins));
-        differences[static_cast<std::size_t>(bin)].push_back(std::abs(one - other));
-    }
-}
 
 /// The standard deviation that has this median of |a - b| in normal noise.
 double spreadOf(std::vector<double>& differences) {
@@ -43,13 +26,54 @@ double spreadOf(std::vector<double>& differences) {
     return std::max(leastSpread, *middle / 0.9539);
 }
 
+}  // namespace
+
+double SpeckleLaw::spreadAt(double intensity) const { return factor * std::pow(intensity + offset, exponent); }
+
+double SpeckleLaw::scaled(double intensity) const {
+    const double lifted = intensity + offset;
+    constexpr double nearlyOne = 1.0 - 1e-6;
+    if (exponent > nearlyOne) return std::log(lifted) / factor;
+    return std::pow(lifted, 1.0 - exponent) / (factor * (1.0 - exponent));
+}
+
+SpeckleLawMeasurement::SpeckleLawMeasurement(VolumeGeometry geometry)
+    : m_geometry(std::move(geometry)), m_spacing(filterSpacing(m_geometry)) {}
+
+std::int64_t SpeckleLawMeasurement::placesAlong(int axis) const {
+    return std::max<std::int64_t>(1, std::llround(apart / m_spacing[axis]));
+}
+
+std::int64_t SpeckleLawMeasurement::reach() const { return placesAlong(2); }
+
+void SpeckleLawMeasurement::add(const Volume& held, const FilterSlab& slab) {
+    const auto& size = m_geometry.size;
+    const std::array<std::int64_t, 3> steps{1, size[0], size[0] * size[1]};
+    const std::int64_t stride = std::max<std::int64_t>(1, 3 * m_geometry.voxelCount() / mostPairs);
+    const std::int64_t begin = slab.first * steps[2], end = slab.end * steps[2], heldFrom = slab.firstHeld * steps[2];
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const std::int64_t places = placesAlong(axis);
+        // Every stride-th voxel of the whole volume, and the one that many places behind it.
+        const std::int64_t passed = begin > axis ? (begin - axis + stride - 1) / stride : 0;
+        for (std::int64_t first = axis + passed * stride; first < end; first += stride) {
+            if (first / steps[a] % size[a] + places >= size[a]) continue;
+            const std::int64_t one = first - heldFrom, other = one + places * steps[a];
+            if (!held.hasData(one) || !held.hasData(other)) continue;
+            const double here = held.normalisedIntensity(one), there = held.normalisedIntensity(other);
+            const int bin = std::min(intensityBins - 1, static_cast<int>((here + there) / 2.0 * intensityBins));
+            m_differences[static_cast<std::size_t>(bin)].push_back(std::abs(here - there));
+        }
+    }
+}
+
 /// The line through the bins in logarithms, each counting as much as it has pairs.
-SpeckleLaw fitted(Differences& differences) {
+SpeckleLaw SpeckleLawMeasurement::law() {
     std::size_t pairs = 0;
-    for (const auto& bin : differences) pairs += bin.size();
+    for (const auto& bin : m_differences) pairs += bin.size();
     double weights = 0, x1 = 0, y1 = 0, xx = 0, xy = 0;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        auto& bin = differences[i];
+    for (std::size_t i = 0; i < m_differences.size(); ++i) {
+        auto& bin = m_differences[i];
         if (bin.size() < leastPairs || static_cast<double>(bin.size()) < leastShare * static_cast<double>(pairs))
             continue;
         const double x = std::log((static_cast<double>(i) + 0.5) / intensityBins + SpeckleLaw::offset);
@@ -67,27 +91,11 @@ SpeckleLaw fitted(Differences& differences) {
     return {std::exp((y1 - exponent * x1) / weights), exponent};
 }
 
-}  // namespace
-
-double SpeckleLaw::spreadAt(double intensity) const { return factor * std::pow(intensity + offset, exponent); }
-
-double SpeckleLaw::scaled(double intensity) const {
-    const double lifted = intensity + offset;
-    constexpr double nearlyOne = 1.0 - 1e-6;
-    if (exponent > nearlyOne) return std::log(lifted) / factor;
-    return std::pow(lifted, 1.0 - exponent) / (factor * (1.0 - exponent));
-}
-
 SpeckleLaw speckleLawOf(const Volume& volume) {
-    const VolumeGeometry& geometry = volume.geometry();
-    const Vec3 spacing = filterSpacing(geometry);
-    const std::int64_t stride = std::max<std::int64_t>(1, 3 * geometry.voxelCount() / mostPairs);
-    Differences differences;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto places = std::max<std::int64_t>(1, std::llround(apart / spacing[axis]));
-        addPairs(volume, axis, places, stride, differences);
-    }
-    return fitted(differences);
+    const std::int64_t slices = volume.geometry().size[2];
+    SpeckleLawMeasurement measurement(volume.geometry());
+    measurement.add(volume, {0, slices, 0, slices});
+    return measurement.law();
 }
 
 }  // namespace echolucent

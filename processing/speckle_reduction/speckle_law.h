@@ -1,6 +1,11 @@
 // How strong speckle is at an intensity, measured on the volume itself.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "processing/speckle_reduction/filter_slabs.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -21,7 +26,29 @@ struct SpeckleLaw {
 };
 
 /// Measures the law on pairs of voxels that are a few mean voxels apart (filterSpacing()), too far for one speckle, and
-/// mostly of one tissue: medians of their differences at like intensities. It is the same for the same volume.
+/// mostly of one tissue: medians of their differences at like intensities. It is the same for the same volume, however
+/// that is cut into slabs.
+class SpeckleLawMeasurement {
+public:
+    /// The grid of the whole volume.
+    explicit SpeckleLawMeasurement(VolumeGeometry geometry);
+    /// How many slices behind a slab's own a pair's second voxel lies, at most.
+    [[nodiscard]] std::int64_t reach() const;
+    /// Takes the pairs whose first voxel lies in the slices of a slab; `held` are the voxels of those that it holds.
+    void add(const Volume& held, const FilterSlab& slab);
+    /// The law of the pairs taken so far; without any, the law that SpeckleLaw begins with.
+    [[nodiscard]] SpeckleLaw law();
+
+private:
+    static constexpr int intensityBins = 64;
+    [[nodiscard]] std::int64_t placesAlong(int axis) const;
+
+    VolumeGeometry m_geometry;
+    Vec3 m_spacing;
+    std::array<std::vector<double>, intensityBins> m_differences;  // of the pairs of like intensities
+};
+
+/// The law of a volume that is taken at once.
 [[nodiscard]] SpeckleLaw speckleLawOf(const Volume& volume);
 
 }  // namespace echolucent
