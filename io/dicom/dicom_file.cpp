@@ -7,6 +7,7 @@
 
 #include <mutex>
 
+#include "io/dicom/dicom_attributes.h"
 #include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_parse.h"
 #include "io/input_problems.h"
@@ -36,7 +37,13 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
     // The lengths that QLAB declares are often false; its reader looks at what the file holds.
     if (qlab && scan.hasPixelData) return std::nullopt;
     // The list of a DICOMDIR says itself which of its files are there.
-    if (scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut && !scan.lacksMuch) return std::nullopt;
+    if (scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut && !scan.lacking) return std::nullopt;
+    if (const auto& lacking = scan.lacking)
+        return fail(FailureKind::unreadable, path, tagText(lacking->tag),
+                    fmt::format("declares {} bytes where the file holds only {}", lacking->bytesDeclared,
+                                lacking->bytesHeld),
+                    incomplete)
+            .value();
     switch (scan.end) {
         case DicomScanEnd::inMeta:
             return refuse(fmt::format("ends after {} bytes, before its data set begins", scan.fileBytes), incomplete);
@@ -45,7 +52,7 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                       scan.endPosition),
                           incomplete);
         case DicomScanEnd::cut:
-            if (scan.pixelsEnd && !scan.lacksMuch) return std::nullopt;
+            if (scan.pixelsEnd && !scan.lacking) return std::nullopt;
             return refuse(fmt::format("ends after {} bytes in the middle of an element", scan.fileBytes), incomplete);
         case DicomScanEnd::damaged:
             if (scan.pixelsEnd) return std::nullopt;
@@ -137,7 +144,7 @@ Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& pr
         return fail(FailureKind::unreadable, input.path(), "", "does not begin as a DICOM file does", copyAgain);
     auto scan = scanDicom(input, progress, true);
     if (!scan) return tl::unexpected(scan.error());
-    if (scan->lacksMuch)
+    if (scan->lacking)
         if (auto refused = whereItEnds(input.path(), *scan, false)) return tl::unexpected(*refused);
     DicomFile file(input.path(), *scan);
     const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);

@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "io/dicom/dicom_attributes.h"
 
 namespace echolucent {
 
@@ -23,6 +26,13 @@ enum class DicomScanEnd {
     deflate,  ///< its deflated data are cut or damaged
 };
 
+/// An element that declares more than the file holds.
+struct LackingElement {
+    DicomTag tag;
+    std::uint64_t bytesDeclared = 0;
+    std::uint64_t bytesHeld = 0;
+};
+
 /// What the walk has seen.
 struct DicomScan {
     std::string transferSyntax;  ///< UID from the meta header; empty where it has none
@@ -32,9 +42,9 @@ struct DicomScan {
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
     std::uint64_t pixelStart = 0;  ///< where the value of (7FE0,0010) begins in the file; 0 where it is deflated
     bool pixelsEnd = false;        ///< whether the walk came to the end of (7FE0,0010)
-    /// Whether the element in which the walk ended lacks more than a MiB. The library takes memory for what an element
-    /// declares before it looks at what is there, so that it is given no such file.
-    bool lacksMuch = false;
+    /// The element in which the walk ended, where it lacks more than a MiB. The library takes memory for what an
+    /// element declares before it looks at what is there, so that it is given no such file.
+    std::optional<LackingElement> lacking;
     bool holdsKretz = false;           ///< whether a volume of GE's (kretzVolumeIn()) stands behind the pixels
     std::uint64_t kretzBytesHeld = 0;  ///< how many bytes of it the file holds
     DicomScanEnd end = DicomScanEnd::whole;

@@ -102,7 +102,9 @@ void DicomWalk::measureEnd(bool enough) {
 void DicomWalk::measureWhatLacks() {
     constexpr std::uint64_t little = std::uint64_t{1} << 20;
     const std::uint64_t held = m_stream.position() - m_lastStart;
-    m_scan.lacksMuch = !m_lastIsPixels && m_lastLength != undefinedLength && m_lastLength > held + little;
+    if (m_lastIsPixels || m_lastLength == undefinedLength || m_lastLength <= held + little) return;
+    const DicomTag tag{static_cast<std::uint16_t>(m_lastTag >> 16), static_cast<std::uint16_t>(m_lastTag & 0xffff)};
+    m_scan.lacking = LackingElement{tag, m_lastLength, held};
 }
 
 std::optional<DicomWalk::Harm> DicomWalk::harm() const {
@@ -338,6 +340,7 @@ bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t 
 
 bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
     const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
+    m_lastTag = tag;
     m_lastLength = length;
     m_lastStart = m_stream.position();
     m_lastIsPixels = pixels;

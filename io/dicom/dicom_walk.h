@@ -98,7 +98,8 @@ private:
     bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
     std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator has reserved; 0: none
     std::uint64_t m_stepStart = 0;               // where the last step began
-    std::uint32_t m_lastLength = 0;              // that the element declares whose value was entered last
+    std::uint32_t m_lastTag = 0;                 // of the element whose value was entered last
+    std::uint32_t m_lastLength = 0;              // that it declares
     std::uint64_t m_lastStart = 0;               // where its value begins
     bool m_lastIsPixels = false;
 };
