@@ -41,13 +41,13 @@ std::optional<CoarseGrid> coarseGridOf(const StoredVolume& stored) {
     return sensible ? coarseGridOf(stored.geometry) : std::nullopt;
 }
 
-Result<std::vector<std::uint8_t>> readCoarseBytes(const StoredVolume& stored, StoredBytes& source,
-                                                  const CoarseGrid& grid, const Progress& progress) {
+Result<VoxelBytes> readCoarseBytes(const StoredVolume& stored, StoredBytes& source, const CoarseGrid& grid,
+                                   const Progress& progress) {
     const std::int64_t voxelBytes = bytesOf(stored.type) * stored.channels;
     const std::int64_t rowBytes = grid.full.size[0] * voxelBytes;
     const std::int64_t rows = grid.geometry.size[1];
     const std::int64_t rowsAtOnce = std::clamp<std::int64_t>(pieceBytes / (rowBytes * grid.stride[1]), 1, rows);
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(grid.geometry.voxelCount() * voxelBytes));
+    VoxelBytes bytes(static_cast<std::size_t>(grid.geometry.voxelCount() * voxelBytes));
     std::vector<std::uint8_t> piece(static_cast<std::size_t>(((rowsAtOnce - 1) * grid.stride[1] + 1) * rowBytes));
     std::uint8_t* to = bytes.data();
     for (std::int64_t z = 0; z < grid.geometry.size[2]; ++z) {

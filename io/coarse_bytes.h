@@ -7,6 +7,7 @@
 
 #include "io/stored_bytes.h"
 #include "io/stored_volume.h"
+#include "io/voxel_bytes.h"
 #include "processing/progress.h"
 #include "processing/volume/coarse_grid.h"
 
@@ -18,7 +19,7 @@ namespace echolucent {
 
 /// The bytes of the first phase's voxels on a coarse grid, as they are stored. No more is read than the slices that the
 /// grid takes. Fails (unreadable) where a file cannot be read, (cancelled) where the person ended it.
-[[nodiscard]] Result<std::vector<std::uint8_t>> readCoarseBytes(const StoredVolume& stored, StoredBytes& source,
-                                                                const CoarseGrid& grid, const Progress& progress);
+[[nodiscard]] Result<VoxelBytes> readCoarseBytes(const StoredVolume& stored, StoredBytes& source,
+                                                 const CoarseGrid& grid, const Progress& progress);
 
 }  // namespace echolucent

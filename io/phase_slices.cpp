@@ -12,7 +12,7 @@ struct PhaseSlices::Means {
     Means(const Means&) = delete;
     Means& operator=(const Means&) = delete;
     virtual ~Means() = default;
-    virtual void add(const std::vector<std::uint8_t>& slice) = 0;
+    virtual void add(const VoxelBytes& slice) = 0;
     virtual void skip() = 0;
 
     static std::unique_ptr<Means> make(StoredType type, const Reduction& reduction, std::span<std::uint8_t> reduced);
@@ -25,7 +25,7 @@ struct PhaseSlices::Means::Of : Means {
     // Vectors of bytes begin where any value may.
     Of(const Reduction& reduction, std::span<std::uint8_t> reduced)
         : mean(reduction, {reinterpret_cast<T*>(reduced.data()), reduced.size() / sizeof(T)}) {}
-    void add(const std::vector<std::uint8_t>& slice) override {
+    void add(const VoxelBytes& slice) override {
         mean.add({reinterpret_cast<const T*>(slice.data()), slice.size() / sizeof(T)});
     }
     void skip() override { mean.skip(); }

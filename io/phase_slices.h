@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "io/voxel_bytes.h"
 #include "io/voxel_types.h"
 #include "processing/volume/reduction.h"
 
@@ -32,15 +33,15 @@ public:
     void skipSlice();
 
     /// What was gathered, when every slice has come: the bytes of the volume, or of its means, of the same type.
-    [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(m_bytes); }
+    [[nodiscard]] VoxelBytes take() { return std::move(m_bytes); }
 
 private:
     struct Means;
     std::size_t m_sliceBytes;
-    std::size_t m_slice = 0;             // slices that came by
-    std::vector<std::uint8_t> m_bytes;   // what is kept
-    std::vector<std::uint8_t> m_stored;  // one slice, where the volume is reduced
-    std::unique_ptr<Means> m_means;      // null where it is not
+    std::size_t m_slice = 0;         // slices that came by
+    VoxelBytes m_bytes;              // what is kept
+    VoxelBytes m_stored;             // one slice, where the volume is reduced
+    std::unique_ptr<Means> m_means;  // null where it is not
 };
 
 }  // namespace echolucent

@@ -135,7 +135,7 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     parts.geometry = grid.geometry;
     if (parts.phasesSource.empty()) parts.phasesSource = parts.sizeSource;
     parts.sizeSource = "scan conversion: the smallest grid around the insonified region";
-    parts.dataMask = std::make_shared<const std::vector<std::uint8_t>>(conversion.mask(tables));
+    parts.dataMask = std::make_shared<const DataMask>(conversion.mask(tables));
     if (progress.cancelled()) return cancelled();
     parts.dataMaskSource = "geometry of the beams";
     StatedProbe probe;

@@ -22,10 +22,10 @@ public:
         m_steps = stored.geometry.size[2] * (stored.phasesFastest ? 1 : stored.phases);
     }
 
-    Result<std::vector<std::vector<std::uint8_t>>> read() {
+    Result<std::vector<VoxelBytes>> read() {
         for (std::int64_t step = 0; step < m_steps; ++step)
             if (auto done = readStep(step); !done) return tl::unexpected(done.error());
-        std::vector<std::vector<std::uint8_t>> phases;
+        std::vector<VoxelBytes> phases;
         for (PhaseSlices& slices : m_phases) phases.push_back(slices.take());
         return phases;
     }
@@ -69,13 +69,13 @@ private:
     std::size_t m_voxelBytes = 0;  // all channels
     std::size_t m_together = 1;    // phases whose voxels are interleaved
     std::int64_t m_steps = 0;      // reads of the whole file
-    std::vector<std::uint8_t> m_bytes;
+    VoxelBytes m_bytes;
 };
 
 }  // namespace
 
-Result<std::vector<std::vector<std::uint8_t>>> readReducedPhases(const StoredVolume& stored, StoredBytes& source,
-                                                                 const Reduction& reduction, const Progress& progress) {
+Result<std::vector<VoxelBytes>> readReducedPhases(const StoredVolume& stored, StoredBytes& source,
+                                                  const Reduction& reduction, const Progress& progress) {
     const auto slice =
         checkedProduct(bytesOf(stored.type) * stored.channels * (stored.phasesFastest ? stored.phases : 1),
                        stored.geometry.size[0] * stored.geometry.size[1]);

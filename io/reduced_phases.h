@@ -6,6 +6,7 @@
 
 #include "io/stored_bytes.h"
 #include "io/stored_volume.h"
+#include "io/voxel_bytes.h"
 #include "processing/volume/reduction.h"
 
 namespace echolucent {
@@ -14,9 +15,7 @@ namespace echolucent {
 /// colour is reduced to luma. Beside the means, memory is taken for the slices at one place along z only: one, or as
 /// many as there are phases where these are interleaved. Fails as StoredBytes::read(), and (unreadable) where the
 /// machine has no memory for these slices.
-[[nodiscard]] Result<std::vector<std::vector<std::uint8_t>>> readReducedPhases(const StoredVolume& stored,
-                                                                               StoredBytes& source,
-                                                                               const Reduction& reduction,
-                                                                               const Progress& progress);
+[[nodiscard]] Result<std::vector<VoxelBytes>> readReducedPhases(const StoredVolume& stored, StoredBytes& source,
+                                                                const Reduction& reduction, const Progress& progress);
 
 }  // namespace echolucent

@@ -17,9 +17,8 @@ namespace echolucent {
 namespace {
 
 /// Takes apart phases that are interleaved voxel by voxel.
-std::vector<std::vector<std::uint8_t>> splitPhases(const std::vector<std::uint8_t>& all, std::size_t phases,
-                                                   std::size_t voxelBytes) {
-    std::vector<std::vector<std::uint8_t>> split(phases, std::vector<std::uint8_t>(all.size() / phases));
+std::vector<VoxelBytes> splitPhases(const VoxelBytes& all, std::size_t phases, std::size_t voxelBytes) {
+    std::vector<VoxelBytes> split(phases, VoxelBytes(all.size() / phases));
     const std::size_t voxels = all.size() / phases / voxelBytes;
     for (std::size_t voxel = 0; voxel < voxels; ++voxel)
         for (std::size_t phase = 0; phase < phases; ++phase)
@@ -42,17 +41,17 @@ Result<std::optional<ChosenReduction>> reductionOf(const StoredVolume& stored, c
     return std::optional<ChosenReduction>();
 }
 
-Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredVolume& stored, StoredBytes& source,
-                                                          const ByteCounts& counts, const Progress& progress) {
+Result<std::vector<VoxelBytes>> readPhases(const StoredVolume& stored, StoredBytes& source, const ByteCounts& counts,
+                                           const Progress& progress) {
     if (stored.phasesFastest) {
-        std::vector<std::uint8_t> all(static_cast<std::size_t>(counts.all));
+        VoxelBytes all(static_cast<std::size_t>(counts.all));
         if (const auto read = source.read(all, progress, 0.0, 0.8); !read) return tl::unexpected(read.error());
         return splitPhases(all, static_cast<std::size_t>(stored.phases),
                            static_cast<std::size_t>(bytesOf(stored.type) * stored.channels));
     }
-    std::vector<std::vector<std::uint8_t>> phases;
+    std::vector<VoxelBytes> phases;
     for (std::int64_t phase = 0; phase < stored.phases; ++phase) {
-        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(counts.phase));
+        VoxelBytes bytes(static_cast<std::size_t>(counts.phase));
         const double share = 0.8 / static_cast<double>(stored.phases);
         const auto read =
             source.read(bytes, progress, share * static_cast<double>(phase), share * static_cast<double>(phase + 1));
@@ -82,7 +81,7 @@ void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
 }
 
 /// Turns voxels as they are stored into one value each, in this machine's byte order.
-void toValues(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>>& phases) {
+void toValues(const StoredVolume& stored, std::vector<VoxelBytes>& phases) {
     for (auto& bytes : phases) {
         toMachineByteOrder(bytes, stored.type, stored.bigEndian);
         if (stored.channels == 3) reduceToLuma(bytes, stored.type);
@@ -90,7 +89,7 @@ void toValues(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>>
 }
 
 /// The study that voxels make which are one value each, one vector a phase; `chosen` says how they were reduced.
-Result<Study> studyOf(const StoredVolume& stored, std::vector<std::vector<std::uint8_t>> phases,
+Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases,
                       const std::optional<ChosenReduction>& chosen, const std::vector<std::string>& warnings,
                       const ReadOptions& options, const Progress& progress) {
     if (const auto problem = problemOfFloats(phases, stored.type, stored.rescale.value_or(Rescale{})))
@@ -139,7 +138,7 @@ void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::opt
     StoredVolume coarse = stored;
     coarse.geometry = grid->geometry;
     coarse.phases = 1;
-    std::vector<std::vector<std::uint8_t>> phases;
+    std::vector<VoxelBytes> phases;
     phases.push_back(std::move(*bytes));
     toValues(coarse, phases);
     const auto study = studyOf(coarse, std::move(phases), {}, {}, options, Progress{{}, progress.cancel});

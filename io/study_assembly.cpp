@@ -48,7 +48,7 @@ ChosenWhite whiteFromData(const WhiteLevel& measured, std::vector<std::string>& 
 /// voxels, else what the voxels say.
 ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warnings) {
     if (parts.whiteLevel) return {parts.whiteLevel, parts.whiteLevelSource};
-    if (std::holds_alternative<std::vector<std::uint8_t>>(parts.voxels.phases.front()))
+    if (std::holds_alternative<VoxelArray<std::uint8_t>>(parts.voxels.phases.front()))
         return {std::nullopt, "8-bit voxels"};
     const WhiteLevel measured = whiteLevelOf(parts.voxels.phases);
     if (parts.window) {
@@ -65,7 +65,7 @@ ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warni
 Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
     if (parts.dataMask) {
         if (volume.dataMask().empty()) return volume.withDataMask(parts.dataMask);
-        std::vector<std::uint8_t> both = volume.dataMask();
+        std::vector<std::uint8_t> both = volume.dataMask().toVector();
         std::transform(both.begin(), both.end(), parts.dataMask->begin(), both.begin(), std::bit_and<>());
         return volume.withDataMask(std::move(both));
     }
@@ -84,11 +84,15 @@ void fillSlices(std::vector<T>& values, const std::vector<std::size_t>& slices, 
 /// The same where slices are missing.
 Volume withoutMissing(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
     // Zeros of a slice that is missing would join fluid to what lies outside.
-    Voxels filled = volume.voxels();
-    std::visit([&]<typename T>(std::vector<T>& all) { fillSlices(all, parts.missingSlices, parts.geometry, T{1}); },
-               filled);
+    Voxels filled = std::visit(
+        [&]<typename T>(const VoxelArray<T>& given) -> Voxels {
+            std::vector<T> all = given.toVector();
+            fillSlices(all, parts.missingSlices, parts.geometry, T{1});
+            return all;
+        },
+        volume.voxels());
     std::vector<std::uint8_t> mask =
-        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()), parts, options).dataMask();
+        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()), parts, options).dataMask().toVector();
     mask.resize(static_cast<std::size_t>(parts.geometry.voxelCount()), 1);
     fillSlices(mask, parts.missingSlices, parts.geometry, std::uint8_t{0});
     return volume.withDataMask(std::move(mask));

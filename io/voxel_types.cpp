@@ -32,7 +32,7 @@ constexpr std::array<TypeFacts, 10> typeFacts{{{StoredType::uint8, "uint8", 1},
                                                {StoredType::float32, "float32", 4},
                                                {StoredType::float64, "float64", 8}}};
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = VoxelBytes;
 
 template <typename T>
 T valueAt(const Bytes& bytes, std::size_t index) {
@@ -59,21 +59,36 @@ Range<T> rangeOf(const std::vector<Bytes>& phases) {
     return range;
 }
 
-template <typename From, typename To>
-std::vector<To> converted(const Bytes& bytes) {
-    std::vector<To> values(bytes.size() / sizeof(From));
-    if constexpr (std::is_same_v<From, To>)
-        std::memcpy(values.data(), bytes.data(), bytes.size());
-    else
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<To>(valueAt<From>(bytes, i));
-    return values;
+/// Puts each value through `become`, which gives a To. They stay where they are where a To is no larger.
+template <typename From, typename To, typename Become>
+VoxelArray<To> mapped(Bytes bytes, const Become& become) {
+    const std::size_t count = bytes.size() / sizeof(From);
+    const auto map = [&](const Bytes& from, Bytes& to) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const To value = become(valueAt<From>(from, i));
+            std::memcpy(to.data() + i * sizeof(To), &value, sizeof(To));
+        }
+    };
+    if constexpr (sizeof(To) > sizeof(From)) {
+        Bytes values(count * sizeof(To));
+        map(bytes, values);
+        return voxelsIn<To>(std::move(values));
+    } else {
+        map(bytes, bytes);
+        bytes.resize(count * sizeof(To));
+        bytes.shrink_to_fit();
+        return voxelsIn<To>(std::move(bytes));
+    }
 }
 
 template <typename From, typename To>
 void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
     for (Bytes& bytes : phases) {
-        result.phases.emplace_back(converted<From, To>(bytes));
-        Bytes().swap(bytes);
+        if constexpr (std::is_same_v<From, To>)
+            result.phases.emplace_back(voxelsIn<To>(std::move(bytes)));
+        else
+            result.phases.emplace_back(
+                mapped<From, To>(std::move(bytes), [](From value) { return static_cast<To>(value); }));
     }
 }
 
@@ -83,7 +98,7 @@ ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name
     ConvertedVoxels result;
     const Range<T> range = rangeOf<T>(phases);
     if (sizeof(T) == 1 && range.low >= 0) {
-        for (Bytes& bytes : phases) result.phases.emplace_back(std::move(bytes));
+        for (Bytes& bytes : phases) result.phases.emplace_back(voxelsIn<std::uint8_t>(std::move(bytes)));
         result.story = fmt::format("{}, kept as uint8", name);
     } else if (range.low >= 0 && static_cast<std::uint64_t>(range.high) <= 65535) {
         convertAll<T, std::uint16_t>(phases, result);
@@ -104,7 +119,7 @@ ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name
 std::string warningOfNegatives(const std::vector<Voxels>& phases) {
     float low = 0;
     for (const Voxels& voxels : phases)
-        for (const float value : std::get<std::vector<float>>(voxels))
+        for (const float value : std::get<VoxelArray<float>>(voxels))
             if (std::isfinite(value)) low = std::min(low, value);
     if (low >= 0) return {};
     return fmt::format("The voxels have negative values down to {}; these count as intensity 0.", low);
@@ -113,12 +128,9 @@ std::string warningOfNegatives(const std::vector<Voxels>& phases) {
 template <typename From>
 void rescaleAll(std::vector<Bytes>& phases, const Rescale& rescale, ConvertedVoxels& result) {
     for (Bytes& bytes : phases) {
-        std::vector<float> values(bytes.size() / sizeof(From));
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] =
-                static_cast<float>(rescale.slope * static_cast<double>(valueAt<From>(bytes, i)) + rescale.intercept);
-        result.phases.emplace_back(std::move(values));
-        Bytes().swap(bytes);
+        result.phases.emplace_back(mapped<From, float>(std::move(bytes), [&](From value) {
+            return static_cast<float>(rescale.slope * static_cast<double>(value) + rescale.intercept);
+        }));
     }
 }
 
@@ -203,7 +215,7 @@ std::array<double, 2> rangeOf(StoredType type) {
     return {-1.0, 1.0};
 }
 
-std::optional<std::string> problemOfFloats(const std::vector<std::vector<std::uint8_t>>& phases, StoredType type,
+std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases, StoredType type,
                                            const Rescale& rescale) {
     const bool isDouble = type == StoredType::float64;
     if (!isDouble && (type != StoredType::float32 || rescale.isIdentity())) return std::nullopt;
@@ -220,7 +232,7 @@ std::optional<std::string> problemOfFloats(const std::vector<std::vector<std::ui
                        rescale.of(high));
 }
 
-void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian) {
+void toMachineByteOrder(VoxelBytes& bytes, StoredType type, bool bigEndian) {
     const auto width = static_cast<std::size_t>(bytesOf(type));
     if (!bigEndian || width == 1) return;
     for (std::size_t i = 0; i + width <= bytes.size(); i += width)
@@ -228,18 +240,18 @@ void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool 
                      bytes.begin() + static_cast<std::ptrdiff_t>(i + width));
 }
 
-void reduceToLuma(std::vector<std::uint8_t>& bytes, StoredType type) {
+void reduceToLuma(VoxelBytes& bytes, StoredType type) {
     if (type == StoredType::uint16)
         reduceToLumaOf<std::uint16_t>(bytes);
     else
         reduceToLumaOf<std::uint8_t>(bytes);
 }
 
-ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type) {
+ConvertedVoxels convertVoxels(std::vector<VoxelBytes> phases, StoredType type) {
     ConvertedVoxels result;
     switch (type) {
         case StoredType::uint8:
-            for (Bytes& bytes : phases) result.phases.emplace_back(std::move(bytes));
+            for (Bytes& bytes : phases) result.phases.emplace_back(voxelsIn<std::uint8_t>(std::move(bytes)));
             result.story = "uint8";
             return result;
         case StoredType::uint16:
@@ -258,8 +270,7 @@ ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, Sto
     return result;
 }
 
-ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,
-                                      const Rescale& rescale) {
+ConvertedVoxels convertRescaledVoxels(std::vector<VoxelBytes> phases, StoredType type, const Rescale& rescale) {
     ConvertedVoxels result;
     switch (type) {
         case StoredType::uint8: rescaleAll<std::uint8_t>(phases, rescale, result); break;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/voxel_bytes.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -22,11 +23,11 @@ enum class StoredType { uint8, int8, uint16, int16, uint32, int32, uint64, int64
 [[nodiscard]] std::int64_t bytesOf(StoredType type);
 
 /// Swaps the bytes of every value of `bytes` in place where `bigEndian` is not this machine's order.
-void toMachineByteOrder(std::vector<std::uint8_t>& bytes, StoredType type, bool bigEndian);
+void toMachineByteOrder(VoxelBytes& bytes, StoredType type, bool bigEndian);
 
 /// Interleaved red, green, blue values reduced to luma (ITU-R BT.601: 0.299, 0.587, 0.114; rounded). `type` is
 /// uint8 or uint16. A grey pixel keeps its value.
-void reduceToLuma(std::vector<std::uint8_t>& bytes, StoredType type);
+void reduceToLuma(VoxelBytes& bytes, StoredType type);
 
 /// Voxels of all phases in one type, and what happened to them.
 struct ConvertedVoxels {
@@ -38,7 +39,7 @@ struct ConvertedVoxels {
 /// Turns the bytes of every phase (machine byte order) into voxels, all phases alike: uint8, uint16 and float32 stay;
 /// integers that fit become uint8 (from int8) or uint16, everything else becomes float32. The memory of `phases` is
 /// given free on the way.
-[[nodiscard]] ConvertedVoxels convertVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type);
+[[nodiscard]] ConvertedVoxels convertVoxels(std::vector<VoxelBytes> phases, StoredType type);
 
 /// A line by which stored values become the file's values: slope * stored + intercept.
 struct Rescale {
@@ -58,11 +59,11 @@ struct Rescale {
 /// What is wrong with keeping these values (machine byte order) of a float type as float32, on the line where there is
 /// one: finite ones become too large for it, or different ones become all the same. Lower case and without full stop;
 /// no value where all is well, as it always is of whole numbers.
-[[nodiscard]] std::optional<std::string> problemOfFloats(const std::vector<std::vector<std::uint8_t>>& phases,
-                                                         StoredType type, const Rescale& rescale);
+[[nodiscard]] std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases, StoredType type,
+                                                         const Rescale& rescale);
 
 /// As convertVoxels(), but every value is put on that line, in double, and kept as float32.
-[[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<std::vector<std::uint8_t>> phases, StoredType type,
+[[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<VoxelBytes> phases, StoredType type,
                                                     const Rescale& rescale);
 
 }  // namespace echolucent

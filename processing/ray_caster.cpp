@@ -118,9 +118,8 @@ private:
           m_reaching(volume) {}
 
     static Packed pack(const Volume& filled) {
-        return std::visit(
-            [&]<typename Voxel>(const std::vector<Voxel>&) { return Packed(PackedVoxels<Voxel>(filled)); },
-            filled.voxels());
+        return std::visit([&]<typename Voxel>(const VoxelArray<Voxel>&) { return Packed(PackedVoxels<Voxel>(filled)); },
+                          filled.voxels());
     }
 
     template <typename Voxel>

@@ -29,11 +29,11 @@ Result<void> writeRaw(const std::string& path, const PolarGeometry& polar, const
     RawLayout layout;
     layout.size = polar.size();
     layout.polar = polar;
-    if (const auto* small = std::get_if<std::vector<std::uint8_t>>(&voxels)) {
+    if (const auto* small = std::get_if<VoxelArray<std::uint8_t>>(&voxels)) {
         bytes.assign(small->begin(), small->end());
     } else {
         layout.type = "uint16";
-        for (const std::uint16_t value : std::get<std::vector<std::uint16_t>>(voxels)) {
+        for (const std::uint16_t value : std::get<VoxelArray<std::uint16_t>>(voxels)) {
             bytes.push_back(static_cast<char>(value & 0xFF));
             bytes.push_back(static_cast<char>(value >> 8));
         }
@@ -88,7 +88,7 @@ Result<void> writePolarPhantom(const std::string& path, const PolarGeometry& pol
     if (endingOf(path) == Ending::raw) return writeRaw(path, polar, voxels.front());
     std::vector<std::vector<std::uint8_t>> bytes;
     bytes.reserve(voxels.size());
-    for (Voxels& phase : voxels) bytes.push_back(std::move(std::get<std::vector<std::uint8_t>>(phase)));
+    for (Voxels& phase : voxels) bytes.push_back(std::move(std::get<VoxelArray<std::uint8_t>>(phase)));
     return writeKretz(path, polar, bytes);
 }
 

@@ -39,8 +39,7 @@ private:
     Result<FrameLayout> layOutAsSlices();
     [[nodiscard]] std::string formatInWords(const FrameLayout& layout) const;
     [[nodiscard]] Result<std::optional<ChosenReduction>> chooseReduction(const FrameLayout& layout) const;
-    Result<std::vector<std::vector<std::uint8_t>>> readPhases(const FrameLayout& layout,
-                                                              const std::optional<ChosenReduction>& chosen);
+    Result<std::vector<VoxelBytes>> readPhases(const FrameLayout& layout, const std::optional<ChosenReduction>& chosen);
 
     const DicomFile& m_file;
     DicomFrames& m_frames;
@@ -96,12 +95,12 @@ Result<std::optional<ChosenReduction>> MultiframeReader::chooseReduction(const F
         m_options);
 }
 
-Result<std::vector<std::vector<std::uint8_t>>> MultiframeReader::readPhases(
-    const FrameLayout& layout, const std::optional<ChosenReduction>& chosen) {
+Result<std::vector<VoxelBytes>> MultiframeReader::readPhases(const FrameLayout& layout,
+                                                             const std::optional<ChosenReduction>& chosen) {
     const std::size_t slices = layout.phases[0].size();
     if (const auto checked = m_frames.check(m_progress); !checked) return tl::unexpected(checked.error());
     const auto reduction = chosen ? std::optional(chosen->reduction) : std::nullopt;
-    std::vector<std::vector<std::uint8_t>> phases;
+    std::vector<VoxelBytes> phases;
     std::size_t done = 0;
     for (const auto& order : layout.phases) {
         PhaseSlices voxels(m_frames.type(), {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(slices)},

@@ -220,7 +220,7 @@ Result<std::optional<PhilipsVolume>> scannerVolume(const DicomFile& file) {
 
 /// The voxels of all phases, and what is missing of them.
 struct PhilipsVoxels {
-    std::vector<std::vector<std::uint8_t>> phases;
+    std::vector<VoxelBytes> phases;
     StoredType type = StoredType::uint8;
     std::int64_t missing = 0;  ///< voxels at the end of the last phase that the file does not hold
 };
@@ -255,7 +255,7 @@ Result<PhilipsVoxels> qlabVoxels(const InputFile& input, const DicomFile& file, 
         !memory)
         return tl::unexpected(memory.error());
     for (std::int64_t phase = 0; phase < phases; ++phase) {
-        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(*one));
+        VoxelBytes bytes(static_cast<std::size_t>(*one));
         const auto there = static_cast<std::size_t>(std::min(*one, held - phase * *one));
         const auto read = readBytes(input, scan.pixelStart + static_cast<std::uint64_t>(phase * *one),
                                     std::span(bytes).first(there), progress);
@@ -319,9 +319,9 @@ Result<PhilipsVoxels> privateVoxels(const DicomFile& file, const PhilipsVolume& 
 /// Voxels that are missing hold 0, which the guess takes for outside: a mask from here would keep it from guessing.
 void markMissing(const PhilipsVoxels& voxels, const ReadOptions& options, StudyParts& parts) {
     if (voxels.missing == 0 || options.guessNoData) return;
-    auto mask = std::make_shared<std::vector<std::uint8_t>>(voxels.phases.front().size(), std::uint8_t{1});
-    std::fill(mask->end() - static_cast<std::ptrdiff_t>(voxels.missing), mask->end(), std::uint8_t{0});
-    parts.dataMask = std::move(mask);
+    std::vector<std::uint8_t> mask(voxels.phases.front().size(), std::uint8_t{1});
+    std::fill(mask.end() - static_cast<std::ptrdiff_t>(voxels.missing), mask.end(), std::uint8_t{0});
+    parts.dataMask = std::make_shared<const DataMask>(std::move(mask));
     parts.dataMaskSource = "the end of the file";
 }
 

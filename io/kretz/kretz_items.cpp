@@ -20,8 +20,7 @@ std::uint64_t littleEndian(std::span<const std::uint8_t> bytes) {
     return value;
 }
 
-std::vector<double> numbersIn(std::vector<std::uint8_t> bytes) {
-    toMachineByteOrder(bytes, StoredType::float64, false);
+std::vector<double> numbersIn(const std::vector<std::uint8_t>& bytes) {
     std::vector<double> numbers(bytes.size() / sizeof(double));
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
     return numbers;

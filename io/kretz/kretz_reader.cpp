@@ -43,7 +43,7 @@ private:
         return m_items.ended() ? "Copy or export it again."
                                : "The file is incomplete, since its items have no end: copy or export it again.";
     }
-    Result<std::vector<std::vector<std::uint8_t>>> readPhases(const StoredPhases& phases) const;
+    Result<std::vector<VoxelBytes>> readPhases(const StoredPhases& phases) const;
     Result<std::optional<PolarGeometry>> readGeometry(const Size& size) const;
     Result<double> needed(KretzTag tag) const;
     Result<void> setCartesian(const Size& size, StudyParts& parts) const;
@@ -129,13 +129,13 @@ Result<StoredPhases> KretzReader::findPhases(const Size& size) const {
     return phases;
 }
 
-Result<std::vector<std::vector<std::uint8_t>>> KretzReader::readPhases(const StoredPhases& phases) const {
+Result<std::vector<VoxelBytes>> KretzReader::readPhases(const StoredPhases& phases) const {
     const KretzSource& source = m_items.source();
     if (auto memory = requireMemory(source.path, phases.source, phases.bytes * phases.offsets.size()); !memory)
         return tl::unexpected(memory.error());
-    std::vector<std::vector<std::uint8_t>> all;
+    std::vector<VoxelBytes> all;
     for (const std::uint64_t offset : phases.offsets) {
-        std::vector<std::uint8_t> voxels(static_cast<std::size_t>(phases.bytes));
+        VoxelBytes voxels(static_cast<std::size_t>(phases.bytes));
         for (std::size_t done = 0; done < voxels.size(); done += pieceBytes) {
             if (m_progress.cancelled()) return fail(FailureKind::cancelled, source.path, "", "was not read: cancelled");
             const auto piece = std::span(voxels).subspan(done, std::min(pieceBytes, voxels.size() - done));

@@ -251,10 +251,10 @@ void EnhancedUsObject::putFrames() {
 }
 
 void EnhancedUsObject::putPixels() {
-    if (std::holds_alternative<std::vector<std::uint8_t>>(m_phases.front()->voxels())) {
+    if (std::holds_alternative<VoxelArray<std::uint8_t>>(m_phases.front()->voxels())) {
         std::vector<std::uint8_t> pixels;
         for (const auto& phase : m_phases) {
-            const auto& voxels = std::get<std::vector<std::uint8_t>>(phase->voxels());
+            const auto& voxels = std::get<VoxelArray<std::uint8_t>>(phase->voxels());
             pixels.insert(pixels.end(), voxels.begin(), voxels.end());
         }
         m_root.pixels(pixels);
@@ -262,7 +262,7 @@ void EnhancedUsObject::putPixels() {
     }
     std::vector<std::uint16_t> pixels;
     for (const auto& phase : m_phases) {
-        const auto& voxels = std::get<std::vector<std::uint16_t>>(phase->voxels());
+        const auto& voxels = std::get<VoxelArray<std::uint16_t>>(phase->voxels());
         pixels.insert(pixels.end(), voxels.begin(), voxels.end());
     }
     m_root.pixels(pixels);
@@ -293,7 +293,7 @@ Result<void> check(const std::string& path, const Phases& phases) {
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unwritable, path, "", problem, remedy);
     };
-    if (std::holds_alternative<std::vector<float>>(first.voxels()))
+    if (std::holds_alternative<VoxelArray<float>>(first.voxels()))
         return refuse("cannot hold float32 voxels: an Enhanced US Volume has 8 or 16 bits", "Write it as .mha.");
     if (!first.geometry().spacingKnown)
         return refuse("cannot hold a volume of unknown spacing: an Enhanced US Volume states it", "Write it as .mha.");

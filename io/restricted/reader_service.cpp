@@ -26,6 +26,7 @@
 #include "io/restricted/remote_files.h"
 #include "io/restricted/request.h"
 #include "io/restricted/shared_study.h"
+#include "io/voxel_bytes.h"
 
 namespace echolucent::restricted {
 
@@ -73,8 +74,8 @@ bool sendOutcome(Channel& channel, const Result<Value>& done) {
     return channel.send(MessageKind::result, writer.bytes());
 }
 
-bool sendStudy(Channel& channel, const Result<Study>& read) {
-    const Result<SharedStudy> shared = read ? shareStudy(*read) : tl::unexpected(read.error());
+bool sendStudy(Channel& channel, Result<Study> read, SharedVoxelMemory& memory) {
+    const Result<SharedStudy> shared = read ? shareStudy(std::move(*read), memory) : tl::unexpected(read.error());
     MessageWriter writer;
     writer(shared ? std::optional<Failure>() : std::optional(shared.error()));
     if (!shared) return channel.send(MessageKind::result, writer.bytes());
@@ -87,11 +88,12 @@ void sendCoarse(Channel& channel, const CoarseVolume& coarse) {
     if (shared && !channel.send(MessageKind::coarse, shared->bytes, {shared->voxels.number()})) leave();
 }
 
-bool perform(Channel& channel, const Request& request, const Progress& progress) {
+bool perform(Channel& channel, const Request& request, SharedVoxelMemory& memory, const Progress& progress) {
     switch (request.task) {
-        case Task::readStudy: return sendStudy(channel, readStudy(request.path, request.options, progress));
+        case Task::readStudy: return sendStudy(channel, readStudy(request.path, request.options, progress), memory);
         case Task::readSeries:
-            return sendStudy(channel, readSeries(request.list, request.list.series.front(), request.options, progress));
+            return sendStudy(channel, readSeries(request.list, request.list.series.front(), request.options, progress),
+                             memory);
         case Task::listSeries: return sendOutcome(channel, listSeries(request.path, progress));
         case Task::holdsSeries: return sendOutcome(channel, Result<bool>(holdsSeries(request.path)));
         case Task::middlePicture:
@@ -130,12 +132,14 @@ int serveReader(const ReaderStart& start) {
     useFileAccess(files);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(std::max(1, request.threads)));
+    SharedVoxelMemory memory;
+    setVoxelMemory(memory);
     ProgressSender sender(channel);
     bool sent = false;
     Progress progress{[&](double share) { sender.at(share); }, nullptr};
     if (request.wantsCoarse) progress.coarse = [&](const CoarseVolume& coarse) { sendCoarse(channel, coarse); };
     try {
-        sent = perform(channel, request, progress);
+        sent = perform(channel, request, memory, progress);
     } catch (const std::bad_alloc&) {
         sent = sendOutcome(channel, Result<bool>(tl::unexpected(tooLarge(request))));
     } catch (const std::length_error&) {

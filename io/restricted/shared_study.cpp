@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "io/input_file.h"
 #include "io/restricted/descriptions.h"
@@ -59,7 +60,7 @@ constexpr std::uint64_t pageBytes = 4096;
 // No volume is longer, in units, and a coarse grid has at least one voxel.
 constexpr double mostUnitsOfCoarse = 100'000;
 
-/// Memory that both processes see.
+/// Memory that both processes see. Voxels that lie in it keep it.
 class Mapping {
 public:
     Mapping(int file, std::uint64_t bytes, int protection)
@@ -79,31 +80,43 @@ private:
     void* m_start;
 };
 
-/// Lays values out one after the other, each at the beginning of a page.
-class Layout {
+/// Lays values out in shared memory. Those that lie there already stay in their place.
+class Placing {
 public:
-    Extent place(std::int32_t type, std::uint64_t count, std::uint64_t valueBytes) {
-        const Extent extent{type, m_bytes, count};
-        m_bytes += (count * valueBytes + pageBytes - 1) / pageBytes * pageBytes;
-        return extent;
+    explicit Placing(SharedVoxelMemory& memory) : m_memory(memory) {}
+    /// Throws std::bad_alloc where there is no more memory.
+    template <typename Value>
+    Extent place(std::int32_t type, const VoxelArray<Value>& values) {
+        const std::size_t bytes = values.size() * sizeof(Value);
+        if (const auto offset = m_memory.offsetOf(values.data()); offset && *offset % pageBytes == 0)
+            return {type, *offset, values.size()};
+        void* const copy = m_memory.allocate(bytes);
+        std::memcpy(copy, values.data(), bytes);
+        m_copies.emplace_back(copy, bytes);
+        return {type, *m_memory.offsetOf(copy), values.size()};
     }
-    [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
+
+    /// Gives the copies back, when the memory is handed over.
+    void end() {
+        for (const auto& [copy, bytes] : std::exchange(m_copies, {})) m_memory.deallocate(copy, bytes);
+    }
 
 private:
-    std::uint64_t m_bytes = 0;
+    SharedVoxelMemory& m_memory;
+    std::vector<std::pair<void*, std::size_t>> m_copies;
 };
 
 /// The values at an extent; no value where they do not lie in the memory.
 template <typename Value>
-std::optional<std::vector<Value>> valuesAt(const Mapping& memory, const Extent& extent) {
-    if (extent.offset % pageBytes != 0 || extent.offset > memory.size() ||
-        extent.count > (memory.size() - extent.offset) / sizeof(Value))
+std::optional<VoxelArray<Value>> valuesAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
+    if (extent.offset % pageBytes != 0 || extent.offset > memory->size() ||
+        extent.count > (memory->size() - extent.offset) / sizeof(Value))
         return std::nullopt;
-    const auto* first = reinterpret_cast<const Value*>(memory.start() + extent.offset);
-    return std::vector<Value>(first, first + extent.count);
+    const auto* first = reinterpret_cast<const Value*>(memory->start() + extent.offset);
+    return VoxelArray<Value>(memory, std::span(first, static_cast<std::size_t>(extent.count)));
 }
 
-std::optional<Voxels> voxelsAt(const Mapping& memory, const Extent& extent) {
+std::optional<Voxels> voxelsAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
     const auto as = [&]<typename Value>(Value) -> std::optional<Voxels> {
         auto values = valuesAt<Value>(memory, extent);
         return values ? std::optional<Voxels>(std::move(*values)) : std::nullopt;
@@ -155,7 +168,7 @@ bool belongTogether(const std::vector<SharedVolume>& phases) {
 }
 
 /// Whether a mask marks no voxel as data that is not finite.
-bool marksFiniteOnly(const std::vector<std::uint8_t>& mask, const std::vector<std::uint8_t>& finite) {
+bool marksFiniteOnly(const DataMask& mask, const DataMask& finite) {
     return finite.empty() ||
            std::equal(mask.begin(), mask.end(), finite.begin(), finite.end(),
                       [](std::uint8_t marked, std::uint8_t isFinite) { return marked == 0 || isFinite != 0; });
@@ -163,48 +176,34 @@ bool marksFiniteOnly(const std::vector<std::uint8_t>& mask, const std::vector<st
 
 }  // namespace
 
-Result<SharedStudy> shareStudy(const Study& study) {
-    Layout layout;
+Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory) {
+    Placing placing(memory);
     SharedVolumes shared;
     std::map<const std::uint8_t*, std::int32_t> masks;
-    std::vector<const std::vector<std::uint8_t>*> maskBytes;
-    for (const auto& phase : study.phases) {
-        SharedVolume volume{phase->geometry(), {}, phase->whiteLevel(), -1, phase->dataBox()};
-        volume.voxels = std::visit(
-            [&](const auto& values) {
-                return layout.place(static_cast<std::int32_t>(phase->voxels().index()), values.size(),
-                                    sizeof(values[0]));
-            },
-            phase->voxels());
-        if (const auto& mask = phase->dataMask(); !mask.empty()) {
-            const auto [place, isNew] = masks.try_emplace(mask.data(), static_cast<std::int32_t>(shared.masks.size()));
-            if (isNew) {
-                shared.masks.push_back(layout.place(0, mask.size(), 1));
-                maskBytes.push_back(&mask);
+    try {
+        for (const auto& phase : study.phases) {
+            SharedVolume volume{phase->geometry(), {}, phase->whiteLevel(), -1, phase->dataBox()};
+            const auto type = static_cast<std::int32_t>(phase->voxels().index());
+            volume.voxels =
+                std::visit([&](const auto& values) { return placing.place(type, values); }, phase->voxels());
+            if (const DataMask& mask = phase->dataMask(); !mask.empty()) {
+                const auto [place, isNew] =
+                    masks.try_emplace(mask.data(), static_cast<std::int32_t>(shared.masks.size()));
+                if (isNew) shared.masks.push_back(placing.place(0, mask));
+                volume.mask = place->second;
             }
-            volume.mask = place->second;
+            shared.phases.push_back(volume);
         }
-        shared.phases.push_back(volume);
-    }
-    SharedStudy result;
-    result.voxels = sharedMemory(layout.bytes());
-    const Mapping memory(result.voxels.number(), result.voxels ? layout.bytes() : 0, PROT_READ | PROT_WRITE);
-    if (!memory.isOpen())
+    } catch (const std::bad_alloc&) {
         return fail(FailureKind::unreadable, study.files.empty() ? study.name : study.files.front(), "",
                     "needs more memory than there is", "Close other programs, or open it on a larger machine.");
-    for (std::size_t index = 0; index < study.phases.size(); ++index)
-        std::visit(
-            [&](const auto& values) {
-                std::memcpy(memory.start() + shared.phases[index].voxels.offset, values.data(),
-                            values.size() * sizeof(values[0]));
-            },
-            study.phases[index]->voxels());
-    for (std::size_t index = 0; index < maskBytes.size(); ++index)
-        std::memcpy(memory.start() + shared.masks[index].offset, maskBytes[index]->data(), maskBytes[index]->size());
+    }
     MessageWriter writer;
     writer(study, shared);
-    result.bytes = writer.bytes();
-    return result;
+    SharedStudy ready{writer.bytes(), memory.handOver()};
+    study.phases.clear();
+    placing.end();
+    return ready;
 }
 
 namespace {
@@ -224,13 +223,14 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     if (fcntl(voxels.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 ||
         fstat(voxels.number(), &status) != 0 || status.st_size <= 0 || status.st_size > mostBytes)
         return std::nullopt;
-    const Mapping memory(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
-    if (!memory.isOpen()) return std::nullopt;
+    const auto memory =
+        std::make_shared<const Mapping>(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
+    if (!memory->isOpen()) return std::nullopt;
     std::vector<Volume::SharedMask> masks;
     for (const Extent& extent : shared.masks) {
         auto mask = valuesAt<std::uint8_t>(memory, extent);
         if (!mask) return std::nullopt;
-        masks.push_back(std::make_shared<const std::vector<std::uint8_t>>(std::move(*mask)));
+        masks.push_back(std::make_shared<const DataMask>(std::move(*mask)));
     }
     for (const SharedVolume& phase : shared.phases) {
         auto values = isSensible(phase) ? voxelsAt(memory, phase.voxels) : std::nullopt;
@@ -240,7 +240,7 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
         Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
         if (phase.mask >= 0) {
             if (!marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
-            volume = volume.withDataMask(masks[mask]);
+            volume = volume.withDataMask(masks[mask], phase.box);
         }
         study.phases.push_back(std::make_shared<const Volume>(volume.withDataBox(phase.box)));
     }
@@ -258,7 +258,8 @@ Result<SharedStudy> shareCoarse(const CoarseVolume& coarse) {
     Study study;
     study.name = "coarse";
     study.phases = {coarse.voxels};
-    auto shared = shareStudy(study);
+    SharedVoxelMemory memory;
+    auto shared = shareStudy(std::move(study), memory);
     if (!shared) return shared;
     MessageWriter writer;
     writer(coarse.units);

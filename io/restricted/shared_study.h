@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/restricted/channel.h"
+#include "io/restricted/shared_voxel_memory.h"
 #include "io/study.h"
 #include "processing/volume/coarse_grid.h"
 
@@ -18,8 +19,10 @@ struct SharedStudy {
     Descriptor voxels;
 };
 
-/// Puts a study's voxels and masks into shared memory. Fails (unreadable) where the system has no more of it.
-[[nodiscard]] Result<SharedStudy> shareStudy(const Study& study);
+/// Puts those of a study's voxels and masks into shared memory that do not lie there yet, and hands the memory over.
+/// The study is gone then: the workstation takes no memory that anyone could still write to. Fails (unreadable) where
+/// the system has no more of it.
+[[nodiscard]] Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory);
 
 /// Takes a study out of what a reader sent, which may still run. Nobody trusts what it gave: memory that could still
 /// change, sizes that do not agree and numbers that no reader gives are refused. No value then.

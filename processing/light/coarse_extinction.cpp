@@ -86,7 +86,7 @@ std::uint8_t levelOf(Voxel value, float perWhite) {
 
 /// The levels of marked rows.
 template <typename Voxel>
-void fillLevels(const std::vector<Voxel>& voxels, const Volume& volume, const RowMarks& rows,
+void fillLevels(const VoxelArray<Voxel>& voxels, const Volume& volume, const RowMarks& rows,
                 std::vector<std::uint8_t>& levels) {
     const VolumeGeometry& geometry = volume.geometry();
     const auto perWhite = static_cast<float>(1.0 / volume.whiteLevel());

@@ -60,7 +60,7 @@ std::optional<Voxels> storedVoxels(const PhantomConfig& config, const std::array
 
 /// Brings values from the order of painting (lines, planes, samples) to that of a polar volume.
 template <typename Stored>
-std::vector<Stored> samplesFirst(const std::vector<Stored>& painted, const std::array<std::int64_t, 3>& size) {
+std::vector<Stored> samplesFirst(const VoxelArray<Stored>& painted, const std::array<std::int64_t, 3>& size) {
     std::vector<Stored> ordered(painted.size());
     const auto [samples, lines, planes] = size;
     parallelFor(std::int64_t{0}, planes, [&, samples = samples, lines = lines, planes = planes](std::int64_t plane) {

@@ -86,7 +86,7 @@ BrickRanges::BrickRanges(const Volume& filled, const PackedPresence& presence)
             std::clamp(static_cast<double>(value) * toTable, 0.0, static_cast<double>(TransferTable::intervals)));
     };
     std::visit(
-        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
             forEachBrick(m_grid, [&](const std::array<std::int64_t, 3>& at, std::size_t brick) {
                 const auto found = rangeOf(filled, voxels.data(), at);
                 const bool anyData = found.lowest <= found.highest;

@@ -39,7 +39,7 @@ float PackedVoxels<Voxel>::toTable(double whiteLevel) {
 template <typename Voxel>
 PackedVoxels<Voxel>::PackedVoxels(const Volume& filled) : m_order(filled.geometry().size) {
     const Packing<Voxel> packing{TransferTable::intervals / filled.whiteLevel()};
-    const Voxel* voxels = std::get<std::vector<Voxel>>(filled.voxels()).data();
+    const Voxel* voxels = std::get<VoxelArray<Voxel>>(filled.voxels()).data();
     m_cubes = std::make_unique_for_overwrite<Voxel[]>(m_order.stored());
     parallelFor(tbb::blocked_range<std::int64_t>(0, m_order.rows * m_order.slices, 64), [&](const auto& range) {
         for (std::int64_t each = range.begin(); each < range.end(); ++each) {

@@ -232,7 +232,7 @@ void forEachMarked(const VolumeGeometry& geometry, const RowMarks& rows, const V
     });
 }
 
-bool sameBytes(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) { return &a == &b || a == b; }
+bool sameBytes(const DataMask& a, const DataMask& b) { return &a == &b || a == b; }
 
 }  // namespace
 
@@ -292,28 +292,28 @@ bool ScalpelCuts::follow(std::span<const ScalpelStroke> strokes, const Progress&
 /// The mask of the first strokes of m_carried, of which there is one at least.
 Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes) const {
     const std::uint8_t last = numberOf(strokes - 1);
-    const std::vector<std::uint8_t>& scanned = scan.scannedMask();
+    const DataMask& scanned = scan.scannedMask();
     RowMarks rows(m_geometry.size, true);
-    std::shared_ptr<std::vector<std::uint8_t>> mask;
+    std::vector<std::uint8_t> mask;
     if (m_made && sameBytes(m_made->left.scannedMask(), scanned)) {
         rows = m_made->others;
         for (std::size_t i = std::min(strokes, m_made->strokes); i < std::max(strokes, m_made->strokes); ++i)
             rows.add(m_carried[i].rows);
         if (!rows.any()) return m_made->left.cut();
-        mask = std::make_shared<std::vector<std::uint8_t>>(*m_made->left.cut());
+        mask = m_made->left.cut()->toVector();
     } else {
-        mask = std::make_shared<std::vector<std::uint8_t>>(m_firstCut.size());
+        mask.resize(m_firstCut.size());
     }
     forEachMarked(m_geometry, rows, [&](std::int64_t start, std::int64_t count) {
         const std::uint8_t* __restrict first = m_firstCut.data() + start;
-        std::uint8_t* __restrict marks = mask->data() + start;
+        std::uint8_t* __restrict marks = mask.data() + start;
         // 0, which is cut by none, becomes the largest number.
         for (std::int64_t i = 0; i < count; ++i) marks[i] = static_cast<std::uint8_t>(first[i] - 1) >= last ? 1 : 0;
         if (scanned.empty()) return;
         const std::uint8_t* __restrict held = scanned.data() + start;
         for (std::int64_t i = 0; i < count; ++i) marks[i] = marks[i] != 0 && held[i] != 0 ? 1 : 0;
     });
-    return mask;
+    return std::make_shared<const DataMask>(std::move(mask));
 }
 
 std::optional<Volume> ScalpelCuts::cut(const Volume& scan, std::span<const ScalpelStroke> strokes,

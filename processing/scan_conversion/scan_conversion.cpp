@@ -156,7 +156,7 @@ std::vector<std::uint8_t> ScanConversion::mask(const Progress& progress) const {
 
 /// Copies a row whose voxels are samples; false where it must be interpolated.
 template <typename Value>
-bool ScanConversion::copyRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
+bool ScanConversion::copyRow(const VoxelArray<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
     if (!m_lattice.allLines) return false;
     const auto& size = m_grid.geometry.size;
     const std::int32_t plane = m_lattice.planes[static_cast<std::size_t>(index % size[1])];
@@ -172,7 +172,7 @@ bool ScanConversion::copyRow(const std::vector<Value>& polar, std::int64_t index
 }
 
 template <typename Value>
-void ScanConversion::convertRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
+void ScanConversion::convertRow(const VoxelArray<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
     if (copyRow(polar, index, out)) return;
     const Row& row = m_rows[static_cast<std::size_t>(index)];
     const auto [samples, lines, planes] = m_polar.size();
@@ -194,7 +194,7 @@ void ScanConversion::convertRow(const std::vector<Value>& polar, std::int64_t in
 }
 
 template <typename Value>
-std::optional<Voxels> ScanConversion::convertValues(const std::vector<Value>& polar, const Progress& progress) const {
+std::optional<Voxels> ScanConversion::convertValues(const VoxelArray<Value>& polar, const Progress& progress) const {
     const auto [samples, lines, planes] = m_polar.size();
     if (polar.size() != static_cast<std::size_t>(samples * lines * planes))
         throw std::invalid_argument("ScanConversion: the number of voxels does not match the geometry");

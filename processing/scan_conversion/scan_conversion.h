@@ -55,11 +55,11 @@ private:
     void setLattice();
     void setRow(std::int64_t y, std::int64_t z);
     template <typename Value>
-    bool copyRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
+    bool copyRow(const VoxelArray<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
     template <typename Value>
-    void convertRow(const std::vector<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
+    void convertRow(const VoxelArray<Value>& polar, std::int64_t index, std::vector<Value>& out) const;
     template <typename Value>
-    std::optional<Voxels> convertValues(const std::vector<Value>& polar, const Progress& progress) const;
+    std::optional<Voxels> convertValues(const VoxelArray<Value>& polar, const Progress& progress) const;
 
     PolarGeometry m_polar;
     ConversionGrid m_grid;

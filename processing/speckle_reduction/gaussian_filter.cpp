@@ -58,7 +58,7 @@ struct Scratch {
 template <typename Voxel>
 class Gaussian {
 public:
-    Gaussian(const Volume& volume, const std::vector<Voxel>& voxels, const StoredBounds& bounds, const Vec3& sigmas)
+    Gaussian(const Volume& volume, const VoxelArray<Voxel>& voxels, const StoredBounds& bounds, const Vec3& sigmas)
         : m_columns(volume.geometry().size[0]),
           m_rows(volume.geometry().size[1]),
           m_voxels(voxels.data()),
@@ -146,7 +146,7 @@ std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const
     const Volume within = withinWhite(volume);
     const StoredBounds bounds = storedBounds(volume);
     Voxels quiet = std::visit(
-        [&]<typename Voxel>(const std::vector<Voxel>& voxels) -> Voxels {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) -> Voxels {
             const Gaussian<Voxel> gaussian(within, voxels, bounds, sigmas);
             std::vector<Voxel> results(voxels.size());
             PerThread<Scratch> scratches([&] { return gaussian.scratch(); });

@@ -112,7 +112,7 @@ private:
     template <typename Become>
     [[nodiscard]] std::vector<float> padded(const Volume& volume, float rim, const Become& become) const {
         std::vector<float> values(m_grid.count(), rim);
-        const auto& voxels = std::get<std::vector<float>>(volume.voxels());
+        const auto& voxels = std::get<VoxelArray<float>>(volume.voxels());
         parallelFor<std::int64_t>(0, m_geometry.size[1] * m_geometry.size[2], [&](std::int64_t row) {
             std::int64_t from = row * m_geometry.size[0];
             std::int64_t to = m_grid.offset(0, row % m_geometry.size[1], row / m_geometry.size[1]);
@@ -226,7 +226,8 @@ std::optional<Volume> stored(const Volume& volume, const Volume& from, const Joi
                              std::int64_t mostVoxels, const Progress& progress) {
     const StoredBounds bounds = storedBounds(volume);
     std::optional<Voxels> quiet = std::visit(
-        [&]<typename Voxel>(std::vector<Voxel> voxels) -> std::optional<Voxels> {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& read) -> std::optional<Voxels> {
+            std::vector<Voxel> voxels = read.toVector();
             const bool done =
                 Pass(from, pass, mostVoxels, progress).run([&](std::int64_t z, std::span<const float> means) {
                     const std::int64_t first = volume.geometry().offset(0, 0, z);

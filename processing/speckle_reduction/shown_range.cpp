@@ -10,7 +10,7 @@ namespace echolucent {
 namespace {
 
 template <typename Voxel>
-StoredBounds boundsOf(const std::vector<Voxel>& voxels, const std::uint8_t* mask) {
+StoredBounds boundsOf(const VoxelArray<Voxel>& voxels, const std::uint8_t* mask) {
     Voxel lowest = std::numeric_limits<Voxel>::max(), highest = std::numeric_limits<Voxel>::lowest();
     for (std::size_t i = 0; i < voxels.size(); ++i) {
         if (mask != nullptr && mask[i] == 0) continue;
@@ -23,7 +23,7 @@ StoredBounds boundsOf(const std::vector<Voxel>& voxels, const std::uint8_t* mask
 
 /// The usual case, in which no pass over the voxels is needed.
 bool isBytesBelowWhite(const Volume& volume) {
-    return std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) && volume.whiteLevel() >= 255.0;
+    return std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels()) && volume.whiteLevel() >= 255.0;
 }
 
 }  // namespace
@@ -38,7 +38,8 @@ Volume withinWhite(const Volume& volume) {
     const StoredBounds bounds = storedBounds(volume);
     if (bounds.lowest >= 0.0 && bounds.highest <= volume.whiteLevel()) return volume;
     Voxels within = std::visit(
-        [&]<typename Voxel>(std::vector<Voxel> voxels) -> Voxels {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& given) -> Voxels {
+            std::vector<Voxel> voxels = given.toVector();
             const auto white = static_cast<Voxel>(
                 std::min(volume.whiteLevel(), static_cast<double>(std::numeric_limits<Voxel>::max())));
             for (std::size_t i = 0; i < voxels.size(); ++i)

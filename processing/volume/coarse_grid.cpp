@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -12,7 +13,7 @@ namespace {
 
 /// The values that a coarse grid takes of a volume's, which are not empty.
 template <typename Value>
-std::vector<Value> taken(const CoarseGrid& grid, const std::vector<Value>& values) {
+std::vector<Value> taken(const CoarseGrid& grid, std::span<const Value> values) {
     std::vector<Value> few;
     few.reserve(static_cast<std::size_t>(grid.geometry.voxelCount()));
     const auto& size = grid.geometry.size;
@@ -73,10 +74,13 @@ CoarseVolume coarseVolumeOf(const CoarseGrid& grid, const Volume& voxels) {
 std::optional<CoarseVolume> coarseVolumeOf(const Volume& volume) {
     const auto grid = coarseGridOf(volume.geometry());
     if (!grid) return std::nullopt;
-    Voxels few = std::visit([&](const auto& values) { return Voxels(taken(*grid, values)); }, volume.voxels());
+    Voxels few = std::visit(
+        [&](const auto& values) { return Voxels(VoxelArray(taken(*grid, std::span(values.data(), values.size())))); },
+        volume.voxels());
     const Volume voxels(grid->geometry, std::move(few), volume.whiteLevel());
     const auto& mask = volume.dataMask();
-    return coarseVolumeOf(*grid, mask.empty() ? voxels : voxels.withDataMask(taken(*grid, mask)));
+    return coarseVolumeOf(
+        *grid, mask.empty() ? voxels : voxels.withDataMask(taken(*grid, std::span(mask.data(), mask.size()))));
 }
 
 }  // namespace echolucent

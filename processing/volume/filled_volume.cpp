@@ -28,7 +28,7 @@ void forEachRow(const Size& size, const Visit& visit) {
 
 /// One byte a voxel, 1 where a mask (empty where all are) marks a voxel that is finite; empty where all voxels are.
 template <typename Voxel>
-Bytes dataOf(const VolumeGeometry& geometry, const Bytes& mask, const std::vector<Voxel>& voxels) {
+Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelArray<Voxel>& voxels) {
     if (mask.empty() && !std::is_same_v<Voxel, float>) return {};
     Bytes data(voxels.size());
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
@@ -150,11 +150,11 @@ void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGr
 }
 
 template <typename Voxel>
-Volume filled(const Volume& volume, const std::vector<Voxel>& given) {
+Volume filled(const Volume& volume, const VoxelArray<Voxel>& given) {
     const VolumeGeometry& geometry = volume.geometry();
     Bytes mask = dataOf(geometry, volume.scannedMask(), given);
     if (mask.empty()) return volume.withCut(nullptr);
-    std::vector<Voxel> voxels = given;
+    std::vector<Voxel> voxels = given.toVector();
     BitGrid known = bitsOf(geometry, mask);
     for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known, mask);
     forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {

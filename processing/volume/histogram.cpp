@@ -18,7 +18,7 @@ constexpr std::size_t pieces = 8;
 
 /// Counts the values of whole numbers, as they are stored, of data.
 template <typename Value>
-std::vector<std::uint64_t> countValues(const std::vector<Value>& voxels, const std::uint8_t* mask) {
+std::vector<std::uint64_t> countValues(const VoxelArray<Value>& voxels, const std::uint8_t* mask) {
     constexpr std::size_t values = std::size_t{std::numeric_limits<Value>::max()} + 1;
     // Neighbours often hold one byte, and a count cannot go on before the one before it is stored.
     constexpr std::size_t tables = sizeof(Value) == 1 ? 4 : 1;
@@ -51,7 +51,7 @@ IntensityHistogram intensityHistogram(const Volume& volume) {
     const double white = volume.whiteLevel();
     const std::uint8_t* mask = volume.dataMaskOrNull();
     std::visit(
-        [&]<typename Value>(const std::vector<Value>& voxels) {
+        [&]<typename Value>(const VoxelArray<Value>& voxels) {
             if constexpr (std::is_integral_v<Value>) {
                 const std::vector<std::uint64_t> counts = countValues(voxels, mask);
                 for (std::size_t value = 0; value < counts.size(); ++value)

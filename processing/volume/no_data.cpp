@@ -54,7 +54,7 @@ BitGrid blankVoxels(const Volume& volume) {
     BitGrid blank(geometry.size);
     const std::uint8_t* mask = volume.dataMaskOrNull();
     std::visit(
-        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
             parallelFor(
                 tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
                     for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
@@ -91,9 +91,9 @@ BitGrid solidPart(const BitGrid& outside) {
     return core;
 }
 
-std::vector<std::uint8_t> maskWithout(const BitGrid& region, const Volume& volume) {
+DataMask maskWithout(const BitGrid& region, const Volume& volume) {
     const VolumeGeometry& geometry = volume.geometry();
-    std::vector<std::uint8_t> mask = volume.dataMask();
+    std::vector<std::uint8_t> mask = volume.dataMask().toVector();
     if (mask.empty()) mask.assign(static_cast<std::size_t>(geometry.voxelCount()), 1);
     parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
         for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> maskWithout(const BitGrid& region, const Volume& volum
 
 }  // namespace
 
-std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
+DataMask guessDataMask(const Volume& volume) {
     const auto voxels = static_cast<double>(volume.geometry().voxelCount());
     const BitGrid blank = blankVoxels(volume);
     const BitGrid outside = blank.connectedToBorder();
@@ -131,9 +131,9 @@ std::vector<std::uint8_t> guessDataMask(const Volume& volume) {
     return maskWithout(closed & outside, volume);
 }
 
-std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume) {
-    std::vector<std::uint8_t> mask = volume.dataMask();
-    const std::vector<std::uint8_t>& scanned = volume.scannedMask();
+DataMask dataMaskWithoutGuess(const Volume& volume) {
+    std::vector<std::uint8_t> mask = volume.dataMask().toVector();
+    const DataMask& scanned = volume.scannedMask();
     std::visit(
         [&](const auto& voxels) {
             // What a scalpel cut was no guess.

@@ -53,7 +53,7 @@ KeptThin keptThinTable() {
 template <typename Voxel>
 class DataRows {
 public:
-    DataRows(const Volume& volume, const std::vector<Voxel>& voxels)
+    DataRows(const Volume& volume, const VoxelArray<Voxel>& voxels)
         : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
 
     /// A part of a row; `to` holds the part alone.
@@ -70,14 +70,14 @@ public:
 private:
     const VolumeGeometry& m_geometry;
     const std::uint8_t* m_mask;
-    const std::vector<Voxel>& m_voxels;
+    const VoxelArray<Voxel>& m_voxels;
 };
 
 /// Smooths slices that follow each other: the smoothed slices around the newest one are at hand.
 template <typename Voxel>
 class SliceSmoother {
 public:
-    SliceSmoother(const Volume& volume, const std::vector<Voxel>& voxels, const RowMarks& rows, const KeptThin& kept)
+    SliceSmoother(const Volume& volume, const VoxelArray<Voxel>& voxels, const RowMarks& rows, const KeptThin& kept)
         : m_data(volume, voxels),
           m_rows(rows),
           m_kept(kept),
@@ -180,16 +180,16 @@ private:
 }  // namespace
 
 bool lacksData(const Volume& volume) {
-    const std::vector<std::uint8_t>& mask = volume.dataMask();
+    const DataMask& mask = volume.dataMask();
     if (std::ranges::find(mask, std::uint8_t{0}) != mask.end()) return true;
-    const auto* floats = std::get_if<std::vector<float>>(&volume.voxels());
+    const auto* floats = std::get_if<VoxelArray<float>>(&volume.voxels());
     return floats != nullptr && !std::ranges::all_of(*floats, [](float value) { return std::isfinite(value); });
 }
 
 void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take) {
     const KeptThin kept = keptThinTable();
     std::visit(
-        [&]<typename Voxel>(const std::vector<Voxel>& voxels) {
+        [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
             // A part also smooths the slices around it.
             constexpr std::int64_t part = 16;
             parallelFor(tbb::blocked_range<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {

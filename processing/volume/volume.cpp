@@ -45,8 +45,8 @@ void requireValid(const VolumeGeometry& geometry, std::size_t voxels) {
         throw std::invalid_argument("Volume: the number of voxels does not match the size");
 }
 
-std::vector<std::uint8_t> finiteMask(const Voxels& voxels) {
-    const auto* values = std::get_if<std::vector<float>>(&voxels);
+DataMask finiteMask(const Voxels& voxels) {
+    const auto* values = std::get_if<VoxelArray<float>>(&voxels);
     if (values == nullptr || std::all_of(values->begin(), values->end(), [](float v) { return std::isfinite(v); }))
         return {};
     std::vector<std::uint8_t> mask(values->size());
@@ -62,11 +62,11 @@ Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whi
     requireValid(m_geometry, std::visit([](const auto& values) { return values.size(); }, *m_voxels));
     if (whiteLevel && std::isfinite(*whiteLevel) && *whiteLevel > 0)
         m_whiteLevel = *whiteLevel;
-    else if (std::holds_alternative<std::vector<std::uint8_t>>(*m_voxels))
+    else if (std::holds_alternative<VoxelArray<std::uint8_t>>(*m_voxels))
         m_whiteLevel = 255.0;
     else if (const double level = whiteLevelOf({m_voxels.get(), 1}).level; level > 0)
         m_whiteLevel = level;
-    m_dataMask = std::make_shared<const std::vector<std::uint8_t>>(finiteMask(*m_voxels));
+    m_dataMask = std::make_shared<const DataMask>(finiteMask(*m_voxels));
     m_scannedMask = m_dataMask;
     m_dataBox = dataBoxOf(m_geometry, *m_dataMask);
 }
@@ -86,17 +86,22 @@ double Volume::normalisedIntensity(std::int64_t offset) const {
     return value > 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
-Volume Volume::withDataMask(std::vector<std::uint8_t> mask) const {
-    return withDataMask(std::make_shared<const std::vector<std::uint8_t>>(std::move(mask)));
+Volume Volume::withDataMask(DataMask mask) const {
+    return withDataMask(std::make_shared<const DataMask>(std::move(mask)));
 }
 
 Volume Volume::withDataMask(SharedMask mask) const {
+    const DataBox box = dataBoxOf(m_geometry, *mask);
+    return withDataMask(std::move(mask), box);
+}
+
+Volume Volume::withDataMask(SharedMask mask, const DataBox& box) const {
     if (!mask->empty() && mask->size() != static_cast<std::size_t>(m_geometry.voxelCount()))
         throw std::invalid_argument("Volume: the data mask does not match the size");
     Volume marked = *this;
     marked.m_dataMask = std::move(mask);
     marked.m_scannedMask = marked.m_dataMask;
-    marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
+    marked.m_dataBox = box;
     return marked;
 }
 

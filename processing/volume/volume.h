@@ -94,14 +94,14 @@ public:
 
     /// One byte a voxel: 1 is data, 0 is no data (outside the scanned sector, or not finite). It is empty where all
     /// voxels are data.
-    [[nodiscard]] const std::vector<std::uint8_t>& dataMask() const { return *m_dataMask; }
+    [[nodiscard]] const DataMask& dataMask() const { return *m_dataMask; }
     /// The data mask's first byte, or null where all voxels are data.
     [[nodiscard]] const std::uint8_t* dataMaskOrNull() const {
         return m_dataMask->empty() ? nullptr : m_dataMask->data();
     }
     /// What dataMask() was before a scalpel cut: the scan's own mask. Voxels that it does not mark hold no echo; those
     /// that were cut still do.
-    [[nodiscard]] const std::vector<std::uint8_t>& scannedMask() const { return *m_scannedMask; }
+    [[nodiscard]] const DataMask& scannedMask() const { return *m_scannedMask; }
     /// Whether a scalpel cut (withCut()).
     [[nodiscard]] bool isCut() const { return m_dataMask != m_scannedMask; }
     [[nodiscard]] bool hasData(std::int64_t offset) const {
@@ -122,11 +122,13 @@ public:
 
     /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte a voxel.
     /// The data box is made anew, and no voxel counts as cut.
-    [[nodiscard]] Volume withDataMask(std::vector<std::uint8_t> mask) const;
+    [[nodiscard]] Volume withDataMask(DataMask mask) const;
     /// One byte a voxel, shared.
-    using SharedMask = std::shared_ptr<const std::vector<std::uint8_t>>;
+    using SharedMask = std::shared_ptr<const DataMask>;
     /// The same with a mask that the phases of a study share; it is not null.
     [[nodiscard]] Volume withDataMask(SharedMask mask) const;
+    /// The same where the box around what it marks is known.
+    [[nodiscard]] Volume withDataMask(SharedMask mask, const DataBox& box) const;
     /// A volume that shares these voxels, of which a scalpel left as data what the mask marks: one byte a voxel, and
     /// none marked that scannedMask() does not mark. Null takes the cut back. The scan's own mask and the data box
     /// stay, so that the picture keeps still.
@@ -151,10 +153,10 @@ private:
 /// A pool of fluid that is 0 throughout and touches the border is taken for outside too, where corners are free.
 /// Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such region, the volume's
 /// own mask.
-[[nodiscard]] std::vector<std::uint8_t> guessDataMask(const Volume& volume);
+[[nodiscard]] DataMask guessDataMask(const Volume& volume);
 
 /// The volume's mask with the guess taken back: every voxel that holds exactly 0 is data again, because a guess takes
 /// no other. What a scalpel cut stays cut. It is empty where all voxels are data then.
-[[nodiscard]] std::vector<std::uint8_t> dataMaskWithoutGuess(const Volume& volume);
+[[nodiscard]] DataMask dataMaskWithoutGuess(const Volume& volume);
 
 }  // namespace echolucent

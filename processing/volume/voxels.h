@@ -1,14 +1,64 @@
 // The voxels of a volume as values.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace echolucent {
 
+/// Values that lie one after the other and never change. Copies share them, across threads too; where they lie (in a
+/// vector, or in memory that another process filled) makes no difference.
+template <typename Value>
+class VoxelArray {
+public:
+    using value_type = Value;
+
+    VoxelArray() = default;
+    /// Takes a vector; it converts by itself, so that voxels can be computed in vectors.
+    VoxelArray(std::vector<Value> values) {
+        auto owner = std::make_shared<const std::vector<Value>>(std::move(values));
+        m_values = *owner;
+        m_owner = std::move(owner);
+    }
+    VoxelArray(std::initializer_list<Value> values) : VoxelArray(std::vector<Value>(values)) {}
+    /// Values in memory that `owner` keeps, and that nothing writes to from now on.
+    VoxelArray(std::shared_ptr<const void> owner, std::span<const Value> values)
+        : m_owner(std::move(owner)), m_values(values) {}
+
+    [[nodiscard]] std::size_t size() const { return m_values.size(); }
+    [[nodiscard]] bool empty() const { return m_values.empty(); }
+    [[nodiscard]] const Value* data() const { return m_values.data(); }
+    [[nodiscard]] const Value* begin() const { return m_values.data(); }
+    [[nodiscard]] const Value* end() const { return m_values.data() + m_values.size(); }
+    /// The value at an index below size().
+    [[nodiscard]] const Value& operator[](std::size_t index) const { return m_values[index]; }
+    [[nodiscard]] const Value& front() const { return m_values.front(); }
+    [[nodiscard]] const Value& back() const { return m_values.back(); }
+    /// A copy that can be changed.
+    [[nodiscard]] std::vector<Value> toVector() const { return {begin(), end()}; }
+
+    /// Whether the values are the same, wherever they lie.
+    friend bool operator==(const VoxelArray& one, const VoxelArray& other) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end());
+    }
+
+private:
+    std::shared_ptr<const void> m_owner;
+    std::span<const Value> m_values;
+};
+
 /// The voxel types kept in memory. Readers convert every other stored type without loss into one of them where
 /// possible (int8/int16 without negative values become unsigned) and say in the import report where it was not.
-using Voxels = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
+using Voxels = std::variant<VoxelArray<std::uint8_t>, VoxelArray<std::uint16_t>, VoxelArray<float>>;
+
+/// One byte a voxel: 1 is data, 0 is none. Where it is empty, all voxels are data.
+using DataMask = VoxelArray<std::uint8_t>;
 
 }  // namespace echolucent

@@ -110,7 +110,7 @@ WhiteLevel whiteLevelOf(std::span<const Voxels> phases) {
     const std::int64_t looked = counts.voxelsBelow(end);
     const std::size_t typical = counts.binOfRank(looked - 1 - mostHot(looked));
     const bool wholeNumbers = std::none_of(phases.begin(), phases.end(), [](const Voxels& voxels) {
-        return std::holds_alternative<std::vector<float>>(voxels);
+        return std::holds_alternative<VoxelArray<float>>(voxels);
     });
     measureAround(phases, beginOf(counts.lastWithoutGap(typical, end, wholeNumbers) + 1), white);
     return white;

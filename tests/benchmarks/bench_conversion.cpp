@@ -65,8 +65,8 @@ struct Error {
 };
 
 template <typename Value>
-Error errorOf(const Voxels& voxels, const std::vector<std::uint8_t>& mask, const ConversionGrid& grid) {
-    const auto& values = std::get<std::vector<Value>>(voxels);
+Error errorOf(const Voxels& voxels, const DataMask& mask, const ConversionGrid& grid) {
+    const auto& values = std::get<VoxelArray<Value>>(voxels);
     const auto& size = grid.geometry.size;
     Error error;
     double count = 0;

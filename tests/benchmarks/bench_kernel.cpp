@@ -30,7 +30,7 @@ std::shared_ptr<const Volume> volumeOf(Depth depth, bool masked = false) {
     config.size =
         depth == Depth::usual ? std::array<std::int64_t, 3>{128, 128, 128} : std::array<std::int64_t, 3>{256, 256, 32};
     const auto bytes = makePhantom(config);
-    const auto& from = std::get<std::vector<std::uint8_t>>(bytes->voxels());
+    const auto& from = std::get<VoxelArray<std::uint8_t>>(bytes->voxels());
     const double white = std::is_same_v<Voxel, std::uint8_t> ? 255.0 : std::is_same_v<Voxel, float> ? 1.0 : 65535.0;
     std::vector<Voxel> voxels(from.size());
     std::transform(from.begin(), from.end(), voxels.begin(),

@@ -108,7 +108,7 @@ std::vector<BenchVolume> benchVolumes(const std::string& folder, std::vector<Ski
 
 BenchVolume doubled(const BenchVolume& volume) {
     const VolumeGeometry& old = volume.volume->geometry();
-    const auto& voxels = std::get<std::vector<std::uint8_t>>(volume.volume->voxels());
+    const auto& voxels = std::get<VoxelArray<std::uint8_t>>(volume.volume->voxels());
     VolumeGeometry geometry = old;
     Vec3 scale;
     for (std::size_t axis = 0; axis < 3; ++axis) {

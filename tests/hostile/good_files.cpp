@@ -219,7 +219,7 @@ GoodFile enhancedUs() {
         throw std::runtime_error("a good file cannot be written");
     std::string voxels;
     for (const auto& phase : phases) {
-        const auto& bytes = std::get<std::vector<std::uint8_t>>(phase->voxels());
+        const auto& bytes = std::get<VoxelArray<std::uint8_t>>(phase->voxels());
         voxels.append(bytes.begin(), bytes.end());
     }
     return one("dicom-enhanced-us", "v.dcm", contentsOf(path), VoxelCoding::plain, voxels);

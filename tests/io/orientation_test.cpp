@@ -80,7 +80,7 @@ std::string nrrdOf(const Volume& volume, const std::string& space, const Vec3& s
     }
     const Vec3 origin = geometry.origin.mul(sign);
     text += fmt::format("\nspace origin: ({},{},{})\n\n", origin[0], origin[1], origin[2]);
-    const auto& voxels = std::get<std::vector<std::uint8_t>>(volume.voxels());
+    const auto& voxels = std::get<VoxelArray<std::uint8_t>>(volume.voxels());
     return text + std::string(voxels.begin(), voxels.end());
 }
 

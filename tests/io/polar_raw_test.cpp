@@ -42,9 +42,9 @@ void expectConverted(const std::string& type) {
         const auto study = readStudy(folder.write("v.raw", "HHH" + bytesFrom(values, sizeof(Value) > 1)), options);
         ASSERT_TRUE(study) << study.error().sentence();
         const ScanConversion conversion(*options.raw->polar, conversionGrid(*options.raw->polar));
-        const auto expected = std::get<std::vector<Value>>(*conversion.convert(values));
+        const auto expected = std::get<VoxelArray<Value>>(*conversion.convert(values));
         const Volume& volume = *study->phases.front();
-        EXPECT_EQ(std::get<std::vector<Value>>(volume.voxels()), expected) << nameOf(kind);
+        EXPECT_EQ(std::get<VoxelArray<Value>>(volume.voxels()), expected) << nameOf(kind);
         EXPECT_EQ(volume.dataMask(), conversion.mask());
         EXPECT_TRUE(volume.geometry().spacingKnown);
         ASSERT_TRUE(volume.geometry().probe);

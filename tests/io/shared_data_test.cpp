@@ -112,7 +112,7 @@ TEST(SharedVolumesAll, OutsideTheScanConeIsNoDataUnlessTheGuessIsOff) {
 std::int64_t echoesLost(const Study& study) {
     std::int64_t lost = 0;
     for (const auto& phase : study.phases) {
-        const std::vector<std::uint8_t>& mask = phase->dataMask();
+        const DataMask& mask = phase->dataMask();
         const auto count = [&](const auto& voxels) {
             for (std::size_t i = 0; i < mask.size(); ++i)
                 lost += mask[i] == 0 && voxels[i] != 0 && std::isfinite(static_cast<double>(voxels[i])) ? 1 : 0;

@@ -112,7 +112,7 @@ public:
             m_parts.warnings.emplace_back(
                 "The slices are rescaled by different slopes or intercepts; each by its own.");
         shareWindow();
-        std::vector<std::vector<std::uint8_t>> phases;
+        std::vector<VoxelBytes> phases;
         phases.push_back(m_slices->take());
         m_parts.voxels = convertVoxels(std::move(phases), m_type);
         return assembleStudy(std::move(m_parts), m_options, m_progress);

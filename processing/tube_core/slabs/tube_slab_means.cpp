@@ -227,7 +227,7 @@ std::vector<std::pair<SlabRange, bool>> piecesOf(const TubeSamples& tube, SlabRa
 }  // namespace
 
 double slabScale(const Volume& volume) {
-    if (!std::holds_alternative<std::vector<float>>(volume.voxels())) return 1.0;
+    if (!std::holds_alternative<VoxelArray<float>>(volume.voxels())) return 1.0;
     // 2^127 is the largest power of two in single precision, and its inverse is not 0.
     constexpr int largest = std::numeric_limits<float>::max_exponent - 1;
     return std::ldexp(1.0, std::clamp(-std::ilogb(volume.whiteLevel()), -largest, largest));
@@ -239,7 +239,7 @@ bool canMeanSlabs(const Volume& volume) {
     if (geometry.size[0] < 2 || geometry.size[0] * geometry.size[1] < 4) return false;
     if (*std::max_element(geometry.size.begin(), geometry.size.end()) > longestAxis) return false;
     if (geometry.size[0] * geometry.size[1] > largestSlice) return false;
-    return !std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) || volume.whiteLevel() >= 255.0;
+    return !std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels()) || volume.whiteLevel() >= 255.0;
 }
 
 void meanSlabs(const Volume& volume, Interpolation sampling, std::span<const TubeSamples> tubes,

@@ -306,8 +306,8 @@ void sumTurn(const VoxelGrid<std::uint16_t>& grid, const VoxelTube& tube, int be
 }  // namespace tube_slabs
 
 std::optional<std::uint32_t> exactStoredLimit(const Volume& volume) {
-    if (std::holds_alternative<std::vector<float>>(volume.voxels())) return std::nullopt;
-    const std::uint32_t largest = std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels()) ? 0xff : 0xffff;
+    if (std::holds_alternative<VoxelArray<float>>(volume.voxels())) return std::nullopt;
+    const std::uint32_t largest = std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels()) ? 0xff : 0xffff;
     if (volume.whiteLevel() >= largest) return largest;
     if (volume.whiteLevel() != std::floor(volume.whiteLevel())) return std::nullopt;
     return static_cast<std::uint32_t>(volume.whiteLevel());
@@ -326,7 +326,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
         if (count > 0) layout[t] = voxelTube(volume.geometry(), tubes[t]);
         longest = std::max(longest, tubes[t].slabs);
     }
-    const auto sum = [&]<typename Stored>(const std::vector<Stored>& voxels) {
+    const auto sum = [&]<typename Stored>(const VoxelArray<Stored>& voxels) {
         const VoxelGrid<Stored> grid{voxels.data(), volume.dataMaskOrNull(), volume.geometry().voxelCount(),
                                      static_cast<Stored>(storedLimit)};
         // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
@@ -337,10 +337,10 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
                         {slabs[t].counts.data(), slabs[t].sums.data(), slabs[t].sumsOfSquares.data()});
             }
     };
-    if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&volume.voxels()))
+    if (const auto* bytes = std::get_if<VoxelArray<std::uint8_t>>(&volume.voxels()))
         sum(*bytes);
     else
-        sum(std::get<std::vector<std::uint16_t>>(volume.voxels()));
+        sum(std::get<VoxelArray<std::uint16_t>>(volume.voxels()));
 }
 
 }  // namespace echolucent

@@ -14,7 +14,7 @@ namespace {
 
 /// A phantom's voxels stretched to 0 ... 158.
 std::vector<std::uint16_t> words(const Volume& phantom) {
-    const auto& bytes = std::get<std::vector<std::uint8_t>>(phantom.voxels());
+    const auto& bytes = std::get<VoxelArray<std::uint8_t>>(phantom.voxels());
     const double most = *std::max_element(bytes.begin(), bytes.end());
     std::vector<std::uint16_t> made;
     for (const std::uint8_t byte : bytes) made.push_back(static_cast<std::uint16_t>(std::lround(byte * 158.0 / most)));

@@ -28,7 +28,7 @@ struct Turn {
         return result;
     }
     template <typename Voxel>
-    [[nodiscard]] std::vector<Voxel> operator()(const std::vector<Voxel>& voxels) const {
+    [[nodiscard]] std::vector<Voxel> operator()(const VoxelArray<Voxel>& voxels) const {
         const auto to = size();
         std::vector<Voxel> result(voxels.size());
         std::size_t i = 0;
@@ -44,11 +44,11 @@ struct Turn {
 };
 
 /// The 8-bit volume (beam +z) with the probe on another side, its mask with it.
-inline Volume turnedTo(const Volume& volume, const std::vector<std::uint8_t>& mask, BeamAxis beam) {
+inline Volume turnedTo(const Volume& volume, const DataMask& mask, BeamAxis beam) {
     const Turn turn{volume.geometry().size, beam};
     VolumeGeometry geometry;
     geometry.size = turn.size();
-    const Volume turned(geometry, turn(std::get<std::vector<std::uint8_t>>(volume.voxels())), 255.0);
+    const Volume turned(geometry, turn(std::get<VoxelArray<std::uint8_t>>(volume.voxels())), 255.0);
     return mask.empty() ? turned : turned.withDataMask(turn(mask));
 }
 

@@ -149,10 +149,9 @@ TEST(PresetCaster, FollowsTheScalpelAndACancelledCall) {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
     config.size = {40, 38, 42};
     const auto volume = std::make_shared<const Volume>(*makePhantom(config));
-    auto mask =
-        std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
-    std::fill_n(mask->begin(), mask->size() / 2, 0);
-    const auto cut = std::make_shared<const Volume>(volume->withCut(mask));
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
+    std::fill_n(mask.begin(), mask.size() / 2, std::uint8_t{0});
+    const auto cut = std::make_shared<const Volume>(volume->withCut(std::make_shared<const DataMask>(std::move(mask))));
     const Document document = withPreset(Document{}, 1, standardPresets()[0]);
     const PresetCaster::Voxels before{volume, volume}, after{cut, cut};
     PresetCaster caster, fresh;

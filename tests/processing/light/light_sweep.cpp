@@ -161,7 +161,7 @@ TEST(LightSweep, ReadsEveryTypeOfVoxelAlike) {
     const auto bytes = phantom(30);
     std::vector<std::uint16_t> words;
     std::vector<float> floats;
-    for (const std::uint8_t byte : std::get<std::vector<std::uint8_t>>(bytes->voxels())) {
+    for (const std::uint8_t byte : std::get<VoxelArray<std::uint8_t>>(bytes->voxels())) {
         words.push_back(static_cast<std::uint16_t>(byte * 16));
         floats.push_back(static_cast<float>(byte) * 0.01f);
     }

@@ -23,7 +23,7 @@ TEST(PhantomPolar, EverySampleIsTheSceneAtItsPlace) {
         const ConversionGrid grid = conversionGrid(polar);
         const PhantomConfig config = plainScene(grid);
         const PhantomTruth truth(config);
-        const auto voxels = std::get<std::vector<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
+        const auto voxels = std::get<VoxelArray<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
         ASSERT_EQ(voxels.size(), 60U * 50U * 40U);
         std::size_t i = 0, off = 0;
         double least = 255, most = 0;
@@ -51,7 +51,7 @@ TEST(PhantomPolar, AttenuationFollowsTheBeam) {
     PhantomConfig config = plainScene(grid);
     config.scene = PhantomScene::empty;
     config.attenuation = 0.01;
-    const auto voxels = std::get<std::vector<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
+    const auto voxels = std::get<VoxelArray<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
     for (std::size_t sample = 0; sample < 60; ++sample) {
         const double units = static_cast<double>(sample) / grid.geometry.spacing[0];
         const double echo = config.tissue * std::exp(-0.01 * units);
@@ -65,7 +65,7 @@ TEST(PhantomPolar, WordsAreStoredAboveEightBits) {
     const ConversionGrid grid = conversionGrid(polar);
     PhantomConfig config = plainScene(grid);
     config.bits = 12;
-    const auto voxels = std::get<std::vector<std::uint16_t>>(*makePolarPhantom(config, polar, grid));
+    const auto voxels = std::get<VoxelArray<std::uint16_t>>(*makePolarPhantom(config, polar, grid));
     EXPECT_GT(*std::max_element(voxels.begin(), voxels.end()), 2000);
 }
 

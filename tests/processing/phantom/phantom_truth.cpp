@@ -244,8 +244,8 @@ TEST(PhantomMotion, IsPeriodicAndStillWhereNothingMoves) {
             ASSERT_NEAR(start[i].parameters[k], turn[i].parameters[k], 1e-9);
     PhantomConfig shapes = bare(PhantomScene::shapes), later = shapes;
     later.phase = 0.4;
-    EXPECT_EQ(std::get<std::vector<std::uint8_t>>(makePhantom(shapes)->voxels()),
-              std::get<std::vector<std::uint8_t>>(makePhantom(later)->voxels()));
+    EXPECT_EQ(std::get<VoxelArray<std::uint8_t>>(makePhantom(shapes)->voxels()),
+              std::get<VoxelArray<std::uint8_t>>(makePhantom(later)->voxels()));
 }
 
 }  // namespace

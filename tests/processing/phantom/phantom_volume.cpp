@@ -24,8 +24,8 @@ PhantomConfig bare(PhantomScene scene, std::int64_t edge = 120, double ramp = 0)
 }
 
 template <typename T = std::uint8_t>
-const std::vector<T>& voxelsOf(const Volume& volume) {
-    return std::get<std::vector<T>>(volume.voxels());
+const VoxelArray<T>& voxelsOf(const Volume& volume) {
+    return std::get<VoxelArray<T>>(volume.voxels());
 }
 
 TEST(Phantom, ShapesFillTheirClosedFormVolumes) {

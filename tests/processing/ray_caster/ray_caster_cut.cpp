@@ -151,7 +151,7 @@ TEST(RayCasterCut, AnyEditOfStrokesIsAsAllDoneAnew) {
     expectAllAnewAfterAnyEdit<std::uint8_t>(sectorOf(bytes), 2);
     expectAllAnewAfterAnyEdit<std::uint16_t>(sectorOf(speckledShell<std::uint16_t>(size, {1, 1, 1}, 5)), 3);
     const Volume floats = speckledShell<float>(size, {1, 1, 1}, 5);
-    auto voxels = std::get<std::vector<float>>(floats.voxels());
+    auto voxels = std::get<VoxelArray<float>>(floats.voxels()).toVector();
     for (std::size_t i = 20'000; i < 21'000; ++i) voxels[i] = std::numeric_limits<float>::quiet_NaN();
     expectAllAnewAfterAnyEdit<float>(Volume(floats.geometry(), std::move(voxels), floats.whiteLevel()), 4);
 }

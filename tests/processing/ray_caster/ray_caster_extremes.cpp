@@ -204,7 +204,7 @@ TEST(RayCasterExtremes, NotFiniteHugeAndTinyFloats) {
 TEST(RayCasterExtremes, WhiteLevelsOfAnyMagnitude) {
     for (const double white : {1e-42, 1e-36, 1e-20, 1e20, 3e38}) {
         const Volume unit = randomVolume<float>({12, 13, 11}, {1, 1, 1}, 7);
-        std::vector<float> voxels = std::get<std::vector<float>>(unit.voxels());
+        std::vector<float> voxels = std::get<VoxelArray<float>>(unit.voxels()).toVector();
         for (float& voxel : voxels) voxel = static_cast<float>(static_cast<double>(voxel) / 3.5 * white);
         const Volume volume(unit.geometry(), voxels, white);
         expectReference(volume, PowerCurve{2, 0.5}, settingsFor(volume, oblique, 21, 17), std::to_string(white));

@@ -184,7 +184,7 @@ TEST(RayCasterPlaces, OneVoxelIsOneBox) {
 
 TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
     const Volume random = randomVolume<float>({17, 12, 14}, {1, 1, 1}, 4);
-    auto voxels = std::get<std::vector<float>>(random.voxels());
+    auto voxels = std::get<VoxelArray<float>>(random.voxels()).toVector();
     std::mt19937 dice(9);
     for (float& voxel : voxels)
         if (const auto roll = dice() % 12; roll < 3)

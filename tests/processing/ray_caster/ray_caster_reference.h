@@ -23,7 +23,7 @@ namespace echolucent {
 using ReferencePixel = std::array<double, 4>;
 
 inline bool isOfBytes(const Volume& volume) {
-    return std::holds_alternative<std::vector<std::uint8_t>>(volume.voxels());
+    return std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels());
 }
 
 /// How far the kernel's pixels may be from the reference's in volumes whose neighbouring voxels have nothing to do with

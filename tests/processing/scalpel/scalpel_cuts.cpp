@@ -158,7 +158,7 @@ TEST(ScalpelCuts, StrokesTakenBackLeaveWhatWasBeforeAndCostNoPass) {
     }());
     const auto strokes = strokesUnder(cameraOf(volume, {.azimuthDegrees = 12}, Projection::parallel));
     ScalpelCuts cuts(volume.geometry());
-    std::vector<std::vector<std::uint8_t>> after;
+    std::vector<DataMask> after;
     for (std::size_t count = 0; count <= strokes.size(); ++count) {
         const auto cut = cuts.cut(volume, std::span(strokes).first(count));
         after.push_back(cut->dataMask());
@@ -253,8 +253,7 @@ TEST(ScalpelCuts, WithoutTheGuessWhatWasCutStaysCut) {
     VolumeGeometry geometry;
     geometry.size = {4, 1, 1};
     const Volume scan = Volume(geometry, std::vector<std::uint8_t>{0, 0, 7, 9}).withDataMask({0, 1, 1, 1});
-    const Volume cut =
-        scan.withCut(std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 0, 1, 0}));
+    const Volume cut = scan.withCut(std::make_shared<const DataMask>(std::vector<std::uint8_t>{0, 0, 1, 0}));
     EXPECT_EQ(dataMaskWithoutGuess(cut), (std::vector<std::uint8_t>{1, 0, 1, 0}));
 }
 

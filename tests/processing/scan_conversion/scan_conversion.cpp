@@ -21,7 +21,7 @@ void expectSameAsPlain(const NamedPolar& named, const ConversionGrid& grid, doub
     const double tolerance = rounding + (name == "uneven" ? 0.05 : 0.01);
     const auto values = sampledValues<Value>(polar, smoothAt);
     const ScanConversion conversion(polar, grid);
-    const auto converted = std::get<std::vector<Value>>(*conversion.convert(values));
+    const auto converted = std::get<VoxelArray<Value>>(*conversion.convert(values));
     const auto mask = conversion.mask();
     std::size_t insonified = 0, off = 0;
     forEachVoxel(conversion.grid(), [&](std::size_t offset, const Vec3& mm) {
@@ -61,7 +61,7 @@ TEST(ScanConversion, VoxelsOutsideAreZeroAndNoData) {
     const PolarGeometry polar = everyPolar()[3].polar;
     const auto values = sampledValues<std::uint8_t>(polar, [](const Vec3&) { return 77.0; });
     const ScanConversion conversion(polar, conversionGrid(polar));
-    const auto converted = std::get<std::vector<std::uint8_t>>(*conversion.convert(values));
+    const auto converted = std::get<VoxelArray<std::uint8_t>>(*conversion.convert(values));
     const auto mask = conversion.mask();
     for (std::size_t i = 0; i < mask.size(); ++i) ASSERT_EQ(converted[i], mask[i] != 0 ? 77 : 0);
     const auto share = static_cast<double>(std::count(mask.begin(), mask.end(), 1)) / static_cast<double>(mask.size());
@@ -78,7 +78,7 @@ TEST(ScanConversion, LinearProbeOnItsOwnGridKeepsEveryBit) {
     const ScanConversion conversion(polar, conversionGrid(polar));
     ASSERT_EQ(conversion.grid().geometry.size, (std::array<std::int64_t, 3>{17, 13, 20}));
     EXPECT_FALSE(conversion.grid().limitedByMemory);
-    const auto converted = std::get<std::vector<std::uint16_t>>(*conversion.convert(values));
+    const auto converted = std::get<VoxelArray<std::uint16_t>>(*conversion.convert(values));
     for (std::size_t plane = 0; plane < 13; ++plane)
         for (std::size_t line = 0; line < 17; ++line)
             for (std::size_t sample = 0; sample < 20; ++sample)
@@ -101,7 +101,7 @@ void expectEveryBitKept(const PolarGeometry& polar) {
     const ScanConversion conversion(polar, conversionGrid(polar));
     const auto& grid = conversion.grid().geometry.size;
     ASSERT_EQ(grid, (std::array<std::int64_t, 3>{size[1], size[2], size[0]}));
-    const auto converted = std::get<std::vector<Value>>(*conversion.convert(values));
+    const auto converted = std::get<VoxelArray<Value>>(*conversion.convert(values));
     std::size_t different = 0;
     for (std::int64_t z = 0; z < grid[2]; ++z)
         for (std::int64_t y = 0; y < grid[1]; ++y)
@@ -133,7 +133,7 @@ TEST(ScanConversion, ErrorAgainstAClosedFormIsThatOfLinearInterpolation) {
         if (name.find("turn") != std::string::npos || name == "to one side") continue;
         const auto values = sampledValues<float>(polar, smoothAt);
         const ScanConversion conversion(polar, conversionGrid(polar));
-        const auto converted = std::get<std::vector<float>>(*conversion.convert(values));
+        const auto converted = std::get<VoxelArray<float>>(*conversion.convert(values));
         const auto mask = conversion.mask();
         double largest = 0;
         forEachVoxel(conversion.grid(), [&](std::size_t offset, const Vec3& mm) {
@@ -159,7 +159,7 @@ TEST(ScanConversion, MarkedCornersKeepTheirPlaces) {
                     static_cast<std::uint8_t>(100 + 10 * corner);
             }
         const ScanConversion conversion(polar, conversionGridOf(polar, 0.7));
-        const auto converted = std::get<std::vector<std::uint8_t>>(*conversion.convert(values));
+        const auto converted = std::get<VoxelArray<std::uint8_t>>(*conversion.convert(values));
         const auto& geometry = conversion.grid().geometry;
         for (int corner = 0; corner < 8; ++corner) {
             Vec3 index(1, 1, 1);
@@ -282,7 +282,7 @@ TEST(ScanConversion, WhatIsNotFiniteStaysSo) {
     auto values = sampledValues<float>(polar, smoothAt);
     values[static_cast<std::size_t>(15 + 30 * (8 + 17 * 6))] = std::numeric_limits<float>::quiet_NaN();
     const ScanConversion conversion(polar, conversionGridOf(polar, 0.8));
-    const auto converted = std::get<std::vector<float>>(*conversion.convert(values));
+    const auto converted = std::get<VoxelArray<float>>(*conversion.convert(values));
     const auto lost = std::count_if(converted.begin(), converted.end(), [](float value) { return std::isnan(value); });
     EXPECT_GT(lost, 10);
     EXPECT_LT(lost, 1000);

@@ -67,13 +67,13 @@ TEST(SpeckleReduction, NoDataNeitherChangesNorMatters) {
         std::vector<Volume> results;
         for (const float outside :
              {0.0F, 250.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -3e38F}) {
-            auto voxels = std::get<std::vector<float>>(noisyVolume<float>(geometry, 0.4, slope).voxels());
+            auto voxels = std::get<VoxelArray<float>>(noisyVolume<float>(geometry, 0.4, slope).voxels()).toVector();
             for (std::size_t i = 0; i < voxels.size(); ++i)
                 if (mask[i] == 0) voxels[i] = outside;
             const Volume volume = Volume(geometry, voxels, 200.0).withDataMask(mask);
             results.push_back(*quietVolume(volume, reduction));
-            const auto& quiet = std::get<std::vector<float>>(results.back().voxels());
-            const auto& first = std::get<std::vector<float>>(results.front().voxels());
+            const auto& quiet = std::get<VoxelArray<float>>(results.back().voxels());
+            const auto& first = std::get<VoxelArray<float>>(results.front().voxels());
             for (std::size_t i = 0; i < voxels.size(); ++i) {
                 if (mask[i] != 0)
                     ASSERT_EQ(quiet[i], first[i]) << nameOf(reduction) << " with " << outside << " outside";
@@ -95,7 +95,7 @@ TEST(SpeckleReduction, AConstantStaysExactlyBesideOtherValuesWithoutData) {
             for (std::size_t i = 0; i < voxels.size(); ++i)
                 if (mask[i] != 0) voxels[i] = value;
             const Volume quiet = *quietVolume(Volume(geometry, voxels).withDataMask(mask), reduction);
-            EXPECT_EQ(std::get<std::vector<float>>(quiet.voxels()), voxels) << nameOf(reduction) << " " << value;
+            EXPECT_EQ(std::get<VoxelArray<float>>(quiet.voxels()), voxels) << nameOf(reduction) << " " << value;
         }
     for (const SpeckleReduction reduction : reductions)
         for (const int value : {0, 1, 200, 65535}) {
@@ -111,7 +111,7 @@ TEST(SpeckleReduction, AnAbsurdVoxelShinesNoFartherThanAWhiteOne) {
     for (const SpeckleReduction reduction : reductions) {
         std::vector<Volume> results;
         for (const float hot : {200.0F, 1e30F}) {
-            auto voxels = std::get<std::vector<float>>(noisyVolume<float>(geometry, 0.4, slope).voxels());
+            auto voxels = std::get<VoxelArray<float>>(noisyVolume<float>(geometry, 0.4, slope).voxels()).toVector();
             voxels[middle] = hot;
             results.push_back(*quietVolume(Volume(geometry, voxels, 200.0), reduction));
         }
@@ -127,7 +127,7 @@ TEST(SpeckleReduction, TakesAnySizeAndExtremes) {
             const Volume volume = noisyVolume<float>(
                 gridOf(size, {0.01, 1, 100}), 0.0, [](auto x, auto, auto z) { return x % 2 == z % 2 ? 3e38 : -3e38; });
             const Volume quiet = *quietVolume(volume, reduction);
-            for (const float value : std::get<std::vector<float>>(quiet.voxels())) EXPECT_TRUE(std::isfinite(value));
+            for (const float value : std::get<VoxelArray<float>>(quiet.voxels())) EXPECT_TRUE(std::isfinite(value));
         }
     const Volume nothing =
         Volume(gridOf({3, 3, 3}), std::vector<std::uint8_t>(27, 9)).withDataMask(std::vector<std::uint8_t>(27, 0));

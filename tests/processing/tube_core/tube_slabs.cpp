@@ -47,7 +47,7 @@ std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view,
 /// Sums by the definition.
 template <typename Stored>
 void expectSumsByDefinition(const Volume& volume, std::uint32_t limit, const TubeSamples& tube, const SlabSums& sums) {
-    const auto& voxels = std::get<std::vector<Stored>>(volume.voxels());
+    const auto& voxels = std::get<VoxelArray<Stored>>(volume.voxels());
     const auto& size = volume.geometry().size;
     const double half = (tube.cellSize - 1) / 2.0;
     ASSERT_EQ(sums.sums.size(), static_cast<std::size_t>(tube.slabs));

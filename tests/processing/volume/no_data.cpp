@@ -77,7 +77,7 @@ TYPED_TEST(NoDataOfType, FindsTheOutsideOfACone) {
 
 /// Voxels that hold an echo and are marked as no data.
 template <typename Voxel>
-std::int64_t echoesLost(const std::vector<Voxel>& voxels, const std::vector<std::uint8_t>& mask) {
+std::int64_t echoesLost(const std::vector<Voxel>& voxels, const DataMask& mask) {
     std::int64_t lost = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) lost += voxels[i] != 0 && mask[i] == 0;
     return lost;

@@ -66,7 +66,8 @@ void lieCoarsely(Channel& channel, const std::string& mode, unsigned seed) {
         static_cast<void>(channel.send(MessageKind::coarse, bytes, {memory}));
     };
     const auto sendResult = [&] {
-        const auto study = shareStudy(smallStudy());
+        SharedVoxelMemory memory;
+        const auto study = shareStudy(smallStudy(), memory);
         static_cast<void>(channel.send(MessageKind::result, withoutFailure(study->bytes), {study->voxels.number()}));
     };
     if (mode == "coarse-mutated") {
@@ -114,7 +115,8 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
     }
     static_cast<void>(channel.send(MessageKind::confined, saying(true)));
     if (mode.starts_with("coarse")) return lieCoarsely(channel, mode, seed);
-    auto shared = shareStudy(smallStudy());
+    SharedVoxelMemory memory;
+    auto shared = shareStudy(smallStudy(), memory);
     const auto sendStudy = [&](const std::string& bytes, int memory) {
         static_cast<void>(channel.send(MessageKind::result, withoutFailure(bytes), {memory}));
     };
@@ -151,7 +153,7 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
         study.name = badWords();
         study.facts = {{badWords(), badWords(), badWords()}};
         study.warnings.assign(5000, badWords() + std::string(3000, 'x'));
-        const auto spoken = shareStudy(study);
+        const auto spoken = shareStudy(study, memory);
         sendStudy(spoken->bytes, spoken->voxels.number());
     } else if (mode == "refuses-with-bad-words") {
         MessageWriter report;
@@ -162,7 +164,7 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
     } else if (mode == "names-another-file") {
         Study study = smallStudy();
         study.files = {"/etc/hostname"};
-        const auto named = shareStudy(study);
+        const auto named = shareStudy(study, memory);
         sendStudy(named->bytes, named->voxels.number());
     } else if (mode.starts_with("lists-")) {
         const std::string folder = std::getenv("ECHOLUCENT_FALSE_FOLDER");

@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> gridOf(const VolumeGeometry& geometry, bool cells)
 }
 
 template <typename Stored>
-vtkSmartPointer<ArrayOf<Stored>> arrayOn(const std::vector<Stored>& voxels) {
+vtkSmartPointer<ArrayOf<Stored>> arrayOn(const VoxelArray<Stored>& voxels) {
     auto array = vtkSmartPointer<ArrayOf<Stored>>::New();
     constexpr int keepMemory = 1;  // VTK does not free it
     array->SetArray(const_cast<Stored*>(voxels.data()), static_cast<vtkIdType>(voxels.size()), keepMemory);
@@ -48,7 +48,7 @@ vtkSmartPointer<ArrayOf<Stored>> arrayOn(const std::vector<Stored>& voxels) {
 
 /// The mean of the voxels with data among the 26 around one, 0 where there are none.
 template <typename Stored>
-Stored meanAround(const Volume& volume, const std::vector<Stored>& voxels, std::int64_t x, std::int64_t y,
+Stored meanAround(const Volume& volume, const VoxelArray<Stored>& voxels, std::int64_t x, std::int64_t y,
                   std::int64_t z) {
     const VolumeGeometry& geometry = volume.geometry();
     const auto range = [&](std::int64_t at, std::size_t axis) {
@@ -73,7 +73,7 @@ Stored meanAround(const Volume& volume, const std::vector<Stored>& voxels, std::
 }
 
 template <typename Stored>
-vtkSmartPointer<ArrayOf<Stored>> filledArray(const Volume& volume, const std::vector<Stored>& voxels) {
+vtkSmartPointer<ArrayOf<Stored>> filledArray(const Volume& volume, const VoxelArray<Stored>& voxels) {
     const VolumeGeometry& geometry = volume.geometry();
     auto array = vtkSmartPointer<ArrayOf<Stored>>::New();
     array->SetNumberOfValues(static_cast<vtkIdType>(voxels.size()));

@@ -1,0 +1,47 @@
+// Memory without a name that the reader process puts voxels into, so that the workstation sees them without a copy.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory_resource>
+#include <mutex>
+#include <optional>
+
+#include "io/restricted/channel.h"
+
+namespace echolucent::restricted {
+
+/// Pieces of one such memory, each at the beginning of a page and all 0. Any thread may take pieces and give them back.
+class SharedVoxelMemory : public std::pmr::memory_resource {
+public:
+    SharedVoxelMemory() = default;
+    /// Where pieces are mapped that nobody gave back.
+    ~SharedVoxelMemory() override;
+    SharedVoxelMemory(const SharedVoxelMemory&) = delete;
+    SharedVoxelMemory& operator=(const SharedVoxelMemory&) = delete;
+
+    /// Bytes from the beginning of the memory to `address`; no value where that lies in none of the pieces.
+    [[nodiscard]] std::optional<std::uint64_t> offsetOf(const void* address) const;
+    /// Bytes from its beginning to its end.
+    [[nodiscard]] std::uint64_t size() const;
+    /// The memory, to be sent to the workstation. What is given back from now on keeps what it holds. Not open where
+    /// no piece was taken.
+    [[nodiscard]] Descriptor handOver();
+
+private:
+    struct Piece {
+        std::uint64_t offset = 0, bytes = 0;
+    };
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override;
+    [[nodiscard]] bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+        return this == &other;
+    }
+
+    mutable std::mutex m_access;
+    Descriptor m_memory;
+    std::uint64_t m_size = 0;
+    std::map<const std::uint8_t*, Piece> m_pieces;  ///< by the address of their first byte
+};
+
+}  // namespace echolucent::restricted
