@@ -88,7 +88,7 @@ Result<void> writePolarPhantom(const std::string& path, const PolarGeometry& pol
     if (endingOf(path) == Ending::raw) return writeRaw(path, polar, voxels.front());
     std::vector<std::vector<std::uint8_t>> bytes;
     bytes.reserve(voxels.size());
-    for (Voxels& phase : voxels) bytes.push_back(std::move(std::get<VoxelArray<std::uint8_t>>(phase)));
+    for (const Voxels& phase : voxels) bytes.push_back(std::get<VoxelArray<std::uint8_t>>(phase).toVector());
     return writeKretz(path, polar, bytes);
 }
 

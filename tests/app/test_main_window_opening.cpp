@@ -21,7 +21,7 @@ std::shared_ptr<const Volume> walledSector() {
     const Volume volume = *makePhantom(config);
     const Volume turned = turnedTo(volume, sectorMask(Sector::pyramid, config.size), BeamAxis::plusY);
     // A file has no mask: what no sector reaches is 0.
-    auto voxels = std::get<VoxelArray<std::uint8_t>>(turned.voxels());
+    auto voxels = std::get<VoxelArray<std::uint8_t>>(turned.voxels()).toVector();
     for (std::size_t i = 0; i < voxels.size(); ++i)
         voxels[i] = turned.dataMask()[i] == 0 ? std::uint8_t{0} : std::max<std::uint8_t>(voxels[i], 1);
     VolumeGeometry geometry = turned.geometry();

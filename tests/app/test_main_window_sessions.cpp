@@ -155,7 +155,7 @@ private slots:
         work();
         const QString session = savedSession();
         QVERIFY(window().openStudy().volume()->isCut());
-        const std::vector<std::uint8_t> left = window().openStudy().volume()->dataMask();
+        const DataMask left = window().openStudy().volume()->dataMask();
         Document next = document();
         next.curves.linear.lower = 0.4;
         window().document().edit(next, "curve");

@@ -53,12 +53,12 @@ std::optional<BenchVolume> readRealVolume(const std::string& folder, const RealV
         return std::nullopt;
     }
     BenchVolume volume{real.name, study->phases.front(), nullptr, obliqueView(real.beamAxis)};
-    std::vector<std::uint8_t> mask = guessDataMask(*volume.volume);
+    DataMask mask = guessDataMask(*volume.volume);
     if (!mask.empty()) volume.masked = std::make_shared<const Volume>(volume.volume->withDataMask(std::move(mask)));
     return volume;
 }
 
-float trilinearAt(const std::vector<std::uint8_t>& voxels, const VolumeGeometry& geometry, const Vec3& position) {
+float trilinearAt(const VoxelArray<std::uint8_t>& voxels, const VolumeGeometry& geometry, const Vec3& position) {
     std::array<std::int64_t, 3> low{}, high{};
     std::array<float, 3> share{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

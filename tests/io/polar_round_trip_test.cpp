@@ -118,7 +118,7 @@ TEST(PolarRoundTrip, SurfacesAndMaskAreThoseOfTheScene) {
         const PolarGeometry polar = polarGeometry(even, {101, 121, 111});
         const ConversionGrid grid = conversionGrid(polar);
         const PhantomConfig config = configOnGrid(scene, grid);
-        const auto voxels = std::get<VoxelArray<std::uint8_t>>(*makePolarPhantom(config, polar, grid));
+        const auto voxels = std::get<VoxelArray<std::uint8_t>>(*makePolarPhantom(config, polar, grid)).toVector();
         const std::string name(nameOf(kind));
         RawLayout layout{.size = polar.size()};
         layout.polar = polar;

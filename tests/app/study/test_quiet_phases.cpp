@@ -38,7 +38,7 @@ public:
             m_changed.wait(lock, [this] { return m_released > 0; });
             --m_released;
             if (progress.cancelled()) return std::nullopt;
-            auto voxels = std::get<VoxelArray<std::uint8_t>>(volume.voxels());
+            auto voxels = std::get<VoxelArray<std::uint8_t>>(volume.voxels()).toVector();
             for (std::uint8_t& voxel : voxels) voxel = static_cast<std::uint8_t>(voxel + static_cast<int>(reduction));
             return Volume(volume.geometry(), Voxels(std::move(voxels)));
         };
