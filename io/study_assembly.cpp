@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "io/voxel_bytes.h"
 #include "processing/beam/probe_view.h"
 #include "processing/one_line.h"
 #include "processing/volume/white_level.h"
@@ -69,7 +70,7 @@ Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions
         std::transform(both.begin(), both.end(), parts.dataMask->begin(), both.begin(), std::bit_and<>());
         return volume.withDataMask(std::move(both));
     }
-    return options.guessNoData ? volume.withDataMask(guessDataMask(volume)) : volume;
+    return options.guessNoData ? volume.withDataMask(guessDataMask(volume, voxelMemory())) : volume;
 }
 
 /// Sets every voxel of some slices.

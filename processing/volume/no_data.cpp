@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <memory_resource>
+#include <vector>
 
 #include "processing/parallel.h"
 #include "processing/volume/bit_grid.h"
@@ -91,10 +94,12 @@ BitGrid solidPart(const BitGrid& outside) {
     return core;
 }
 
-DataMask maskWithout(const BitGrid& region, const Volume& volume) {
+DataMask maskWithout(const BitGrid& region, const Volume& volume, std::pmr::memory_resource& memory) {
     const VolumeGeometry& geometry = volume.geometry();
-    std::vector<std::uint8_t> mask = volume.dataMask().toVector();
-    if (mask.empty()) mask.assign(static_cast<std::size_t>(geometry.voxelCount()), 1);
+    const DataMask& own = volume.dataMask();
+    const auto owner = std::make_shared<std::pmr::vector<std::uint8_t>>(own.begin(), own.end(), &memory);
+    std::pmr::vector<std::uint8_t>& mask = *owner;
+    if (mask.empty()) mask.resize(static_cast<std::size_t>(geometry.voxelCount()), 1);
     parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
         for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
             const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
@@ -108,12 +113,12 @@ DataMask maskWithout(const BitGrid& region, const Volume& volume) {
             }
         }
     });
-    return mask;
+    return {owner, mask};
 }
 
 }  // namespace
 
-DataMask guessDataMask(const Volume& volume) {
+DataMask guessDataMask(const Volume& volume, std::pmr::memory_resource& memory) {
     const auto voxels = static_cast<double>(volume.geometry().voxelCount());
     const BitGrid blank = blankVoxels(volume);
     const BitGrid outside = blank.connectedToBorder();
@@ -128,7 +133,7 @@ DataMask guessDataMask(const Volume& volume) {
     const BitGrid closed = solid.dilated().eroded();
     if (static_cast<double>(closed.count()) == voxels) return volume.dataMask();
     // Frayed edges belong to it, echoes never do.
-    return maskWithout(closed & outside, volume);
+    return maskWithout(closed & outside, volume, memory);
 }
 
 DataMask dataMaskWithoutGuess(const Volume& volume) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <string>
@@ -152,8 +153,9 @@ private:
 /// midst of the outside stay data, as wires do that are thinner than they.
 /// A pool of fluid that is 0 throughout and touches the border is taken for outside too, where corners are free.
 /// Returns one byte a voxel (1 is data), joined with the volume's own mask; where there is no such region, the volume's
-/// own mask.
-[[nodiscard]] DataMask guessDataMask(const Volume& volume);
+/// own mask. What is returned lies in `memory`, which outlives it.
+[[nodiscard]] DataMask guessDataMask(const Volume& volume,
+                                     std::pmr::memory_resource& memory = *std::pmr::new_delete_resource());
 
 /// The volume's mask with the guess taken back: every voxel that holds exactly 0 is data again, because a guess takes
 /// no other. What a scalpel cut stays cut. It is empty where all voxels are data then.
