@@ -91,8 +91,10 @@ Volume Volume::withDataMask(DataMask mask) const {
 }
 
 Volume Volume::withDataMask(SharedMask mask) const {
-    const DataBox box = dataBoxOf(m_geometry, *mask);
-    return withDataMask(std::move(mask), box);
+    // The mask's size is asked before anything is read of it.
+    Volume marked = withDataMask(std::move(mask), m_dataBox);
+    marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
+    return marked;
 }
 
 Volume Volume::withDataMask(SharedMask mask, const DataBox& box) const {
