@@ -36,14 +36,14 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
     };
     // The lengths that QLAB declares are often false; its reader looks at what the file holds.
     if (qlab && scan.hasPixelData) return std::nullopt;
-    // The list of a DICOMDIR says itself which of its files are there.
-    if (scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut && !scan.lacking) return std::nullopt;
     if (const auto& lacking = scan.lacking)
         return fail(FailureKind::unreadable, path, tagText(lacking->tag),
                     fmt::format("declares {} bytes where the file holds only {}", lacking->bytesDeclared,
                                 lacking->bytesHeld),
                     incomplete)
             .value();
+    // The list of a DICOMDIR says itself which of its files are there.
+    if (scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
         case DicomScanEnd::inMeta:
             return refuse(fmt::format("ends after {} bytes, before its data set begins", scan.fileBytes), incomplete);
@@ -52,7 +52,7 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                       scan.endPosition),
                           incomplete);
         case DicomScanEnd::cut:
-            if (scan.pixelsEnd && !scan.lacking) return std::nullopt;
+            if (scan.pixelsEnd) return std::nullopt;
             return refuse(fmt::format("ends after {} bytes in the middle of an element", scan.fileBytes), incomplete);
         case DicomScanEnd::damaged:
             if (scan.pixelsEnd) return std::nullopt;

@@ -98,7 +98,7 @@ void DicomWalk::measureEnd(bool enough) {
     if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
 }
 
-/// Whether the library would take much memory for an element that the file does not hold.
+/// Notes the element for which the library would take much memory that the file does not hold.
 void DicomWalk::measureWhatLacks() {
     constexpr std::uint64_t little = std::uint64_t{1} << 20;
     const std::uint64_t held = m_stream.position() - m_lastStart;

@@ -56,7 +56,6 @@ void describe(Archive& archive, Value& volumes) {
     archive(volumes.phases, volumes.masks);
 }
 
-constexpr std::uint64_t pageBytes = 4096;
 // No volume is longer, in units, and a coarse grid has at least one voxel.
 constexpr double mostUnitsOfCoarse = 100'000;
 
@@ -88,7 +87,7 @@ public:
     template <typename Value>
     Extent place(std::int32_t type, const VoxelArray<Value>& values) {
         const std::size_t bytes = values.size() * sizeof(Value);
-        if (const auto offset = m_memory.offsetOf(values.data()); offset && *offset % pageBytes == 0)
+        if (const auto offset = m_memory.offsetOf(values.data()); offset && *offset % sharedPageBytes == 0)
             return {type, *offset, values.size()};
         void* const copy = m_memory.allocate(bytes);
         std::memcpy(copy, values.data(), bytes);
@@ -109,7 +108,7 @@ private:
 /// The values at an extent; no value where they do not lie in the memory.
 template <typename Value>
 std::optional<VoxelArray<Value>> valuesAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
-    if (extent.offset % pageBytes != 0 || extent.offset > memory->size() ||
+    if (extent.offset % sharedPageBytes != 0 || extent.offset > memory->size() ||
         extent.count > (memory->size() - extent.offset) / sizeof(Value))
         return std::nullopt;
     const auto* first = reinterpret_cast<const Value*>(memory->start() + extent.offset);
@@ -238,11 +237,9 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
         if (!values || (phase.mask >= 0 && (mask >= masks.size() || masks[mask]->size() != phase.voxels.count)))
             return std::nullopt;
         Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
-        if (phase.mask >= 0) {
-            if (!marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
-            volume = volume.withDataMask(masks[mask], phase.box);
-        }
-        study.phases.push_back(std::make_shared<const Volume>(volume.withDataBox(phase.box)));
+        if (phase.mask >= 0 && !marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
+        study.phases.push_back(std::make_shared<const Volume>(
+            phase.mask >= 0 ? volume.withDataMask(masks[mask], phase.box) : volume.withDataBox(phase.box)));
     }
     return study;
 }
@@ -273,7 +270,7 @@ std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, cons
     reader(coarse.units);
     // Voxels of any type and their mask, each at the beginning of a page.
     constexpr std::int64_t mostBytes =
-        mostCoarseVoxels * mostCoarseVoxels * mostCoarseVoxels * 5 + 2 * static_cast<std::int64_t>(pageBytes);
+        mostCoarseVoxels * mostCoarseVoxels * mostCoarseVoxels * 5 + 2 * static_cast<std::int64_t>(sharedPageBytes);
     if (!reader.good() || !(coarse.units >= 1.0 && coarse.units <= mostUnitsOfCoarse)) return std::nullopt;
     const auto study = takeStudyWithin(reader.rest(), voxels, mostBytes, mostCoarseVoxels);
     if (!study || study->phases.size() != 1) return std::nullopt;

@@ -10,8 +10,7 @@ namespace echolucent::restricted {
 
 namespace {
 
-constexpr std::uint64_t pageBytes = 4096;
-// Where the kernel gives pages so large, it gives them five hundred times as fast as those of 4 KiB.
+// Where the kernel gives pages so large, it gives one in place of 512.
 constexpr std::uint64_t largePageBytes = std::uint64_t{2} << 20;
 
 std::uint64_t roundedUp(std::uint64_t bytes, std::uint64_t unit) { return (bytes + unit - 1) / unit * unit; }
@@ -25,7 +24,8 @@ SharedVoxelMemory::~SharedVoxelMemory() {
 void* SharedVoxelMemory::do_allocate(std::size_t bytes, std::size_t) {
     const std::lock_guard alone(m_access);
     const bool isLarge = bytes >= 2 * largePageBytes;
-    Piece piece{isLarge ? roundedUp(m_size, largePageBytes) : m_size, roundedUp(bytes > 0 ? bytes : 1, pageBytes)};
+    Piece piece{isLarge ? roundedUp(m_size, largePageBytes) : m_size,
+                roundedUp(bytes > 0 ? bytes : 1, sharedPageBytes)};
     if (!m_memory) m_memory = sharedMemory(0);
     if (!m_memory || ftruncate(m_memory.number(), static_cast<off_t>(piece.offset + piece.bytes)) != 0)
         throw std::bad_alloc();

@@ -11,6 +11,9 @@
 
 namespace echolucent::restricted {
 
+/// Pieces begin at multiples of this many bytes.
+inline constexpr std::uint64_t sharedPageBytes = 4096;
+
 /// Pieces of one such memory, each at the beginning of a page and all 0. Any thread may take pieces and give them back.
 class SharedVoxelMemory : public std::pmr::memory_resource {
 public:

@@ -6,7 +6,6 @@ namespace echolucent {
 namespace {
 
 const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
 const std::string pixels = "ABCDEFGHIJKLMNOP";
 
 HostileFile metaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {
@@ -45,20 +44,6 @@ HostileFile hugeLastElement() {
                        {"(fffc,fffc)", "declares 4026531840 bytes where the file holds only 4"});
 }
 
-/// A Patient ID without a VR that declares 3.4 GB: nobody takes memory for it to list the slices.
-HostileFile hugePatient() {
-    DicomBytes slice;
-    slice.put(0x0010, 0x0020, "", std::string("\xe9\xc7") + "SECRET", 0xebf6).text(0x0018, 0x0088, "DS", "1");
-    slice.picture(4, 2, 1).put(0x7fe0, 0x0010, "OW", pixels.substr(0, 8));
-    return {"found-by-fuzzing/a-patient-id-of-3-gigabytes",
-            ".",
-            [bytes = slice.file(sliceClass)](const std::filesystem::path& folder) {
-                for (const char* name : {"1.dcm", "2.dcm"}) writeBytes(folder / name, bytes);
-            },
-            HostileOutcome::refused,
-            {"1.dcm", "in the middle of an element"}};
-}
-
 /// Rows that are a sequence of undefined length: as its text the library takes 4 GiB.
 HostileFile rowsThatAreASequence() {
     DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").word(0x0028, 0x0002, 1);
@@ -81,7 +66,6 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
         metaImage("a-pattern-that-counts-from-the-largest-number", "ElementDataFile = v%d.raw 9223372036854775807\n",
                   {"counts with 9223372036854775807"}),
         hugeLastElement(),
-        hugePatient(),
         rowsThatAreASequence(),
         cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
         cine("a-manufacturer-of-20000-letters",

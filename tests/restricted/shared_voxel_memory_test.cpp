@@ -14,8 +14,6 @@
 namespace echolucent::restricted {
 namespace {
 
-constexpr std::uint64_t pageBytes = 4096;
-
 class SharedVoxels : public testing::Test {
 protected:
     SharedVoxels() { setVoxelMemory(m_memory); }
@@ -36,7 +34,7 @@ TEST_F(SharedVoxels, PiecesBeginAtPagesAndAreZero) {
         EXPECT_TRUE(std::all_of(piece, piece + bytes, [](std::uint8_t byte) { return byte == 0; })) << bytes;
         const auto offset = memory().offsetOf(piece);
         ASSERT_TRUE(offset);
-        EXPECT_EQ(*offset % pageBytes, 0U);
+        EXPECT_EQ(*offset % sharedPageBytes, 0U);
         EXPECT_EQ(memory().offsetOf(piece + bytes - 1), *offset + bytes - 1);
         std::memset(piece, 9, bytes);
     }
@@ -51,7 +49,7 @@ TEST_F(SharedVoxels, WhatIsGivenBackIsNoLongerThere) {
     EXPECT_FALSE(memory().offsetOf(first));
     std::uint8_t* const second = taken(memory(), 100);
     EXPECT_EQ(second[0], 0);
-    EXPECT_EQ(memory().offsetOf(second), pageBytes);
+    EXPECT_EQ(memory().offsetOf(second), sharedPageBytes);
 }
 
 /// Two phases with one mask, in the memory that voxels are taken from.
