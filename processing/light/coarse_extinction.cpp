@@ -84,15 +84,21 @@ std::uint8_t levelOf(Voxel value, float perWhite) {
     return static_cast<std::uint8_t>(1.5f + inside * static_cast<float>(levelsAbove));
 }
 
+float perWhiteOf(const Volume& volume) { return static_cast<float>(1.0 / volume.whiteLevel()); }
+
+std::array<std::uint8_t, 256> levelsOfBytes(const Volume& volume) {
+    std::array<std::uint8_t, 256> levels{};
+    for (std::size_t byte = 0; byte < levels.size(); ++byte)
+        levels[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhiteOf(volume));
+    return levels;
+}
+
 /// The levels of marked rows.
 template <typename Voxel>
 void fillLevels(const VoxelArray<Voxel>& voxels, const Volume& volume, const RowMarks& rows,
-                std::vector<std::uint8_t>& levels) {
+                const std::array<std::uint8_t, 256>& levelOfByte, std::vector<std::uint8_t>& levels) {
     const VolumeGeometry& geometry = volume.geometry();
-    const auto perWhite = static_cast<float>(1.0 / volume.whiteLevel());
-    std::array<std::uint8_t, 256> levelOfByte{};
-    for (std::size_t byte = 0; byte < levelOfByte.size(); ++byte)
-        levelOfByte[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhite);
+    const float perWhite = perWhiteOf(volume);
     const auto fillRow = [&](std::int64_t first, std::int64_t count) {
         const Voxel* from = voxels.data() + first;
         std::uint8_t* to = levels.data() + first;
@@ -116,19 +122,27 @@ void fillLevels(const VoxelArray<Voxel>& voxels, const Volume& volume, const Row
 }  // namespace
 
 CoarseExtinction::CoarseExtinction(const Volume& volume)
-    : m_size(volume.geometry().size),
-      m_unit(volume.geometry().unit()),
-      m_levels(static_cast<std::size_t>(volume.geometry().voxelCount())) {
+    : m_size(volume.geometry().size), m_unit(volume.geometry().unit()), m_levelOfByte(levelsOfBytes(volume)) {
+    if (const auto* bytes = std::get_if<VoxelArray<std::uint8_t>>(&volume.voxels())) m_bytes = *bytes;
     setCut(volume, RowMarks(m_size, true));
 }
 
 void CoarseExtinction::setCut(const Volume& volume, const RowMarks& masked) {
-    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, masked, m_levels); }, volume.voxels());
+    const bool isFirst = m_levels.empty();
+    if (isFirst && !m_bytes.empty() && volume.dataMaskOrNull() == nullptr) return;
+    m_levels.resize(static_cast<std::size_t>(volume.geometry().voxelCount()));
+    const RowMarks rows = isFirst ? RowMarks(m_size, true) : masked;
+    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, rows, m_levelOfByte, m_levels); }, volume.voxels());
 }
 
 void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve,
                             const LightGrid& grid, const Progress& progress) const {
-    const LevelOpacities opacities = levelOpacities(curve);
+    LevelOpacities opacities = levelOpacities(curve);
+    if (m_levels.empty()) {
+        const LevelOpacities ofLevels = opacities;
+        std::ranges::transform(m_levelOfByte, opacities.begin(), [&](std::uint8_t level) { return ofLevels[level]; });
+    }
+    const std::uint8_t* const voxels = m_levels.empty() ? m_bytes.data() : m_levels.data();
     const ExtinctionTable table(m_unit);
     const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
     parallelFor(0, grid.size[2], [&](int z) {
@@ -148,7 +162,7 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
             std::fill_n(row, columns, 0.0f);
             for (std::int64_t k = firstZ; k < lastZ; ++k)
                 for (std::int64_t j = firstY; j < lastY; ++j)
-                    addRow(m_levels.data() + first + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(count),
+                    addRow(voxels + first + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(count),
                            static_cast<std::size_t>(grid.voxels[0]), opacities, row);
             for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
         }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <list>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -57,38 +59,46 @@ void check(const LightScene& scene) {
         throw std::invalid_argument("LightScene: coarseness must be within 1 and 16");
 }
 
-/// One light's bundles, and what each has swept.
-struct SweptLight {
-    std::vector<light::DirectionBundle> bundles;
-    std::vector<std::vector<std::uint16_t>> reaching;
-};
+/// One light: its bundles, and the sum of what they have swept so far. The sum fits: all light is 255 * 256, and a
+/// bundle rounds by half at most. Whole numbers are added, in whatever order the bundles end.
+class SweptLight {
+public:
+    SweptLight(std::vector<light::DirectionBundle> given, const light::LightGrid& grid)
+        : bundles(std::move(given)), m_grid(grid) {}
 
-/// The sum of what the bundles have swept, x fastest. It fits: all light is 255 * 256, and a bundle rounds by half at
-/// most. Sums of slices along x are turned once.
-std::vector<std::uint16_t> sumOf(const SweptLight& light, const light::LightGrid& grid) {
-    const auto columns = static_cast<std::size_t>(grid.size[0]), rows = static_cast<std::size_t>(grid.size[1]);
-    std::vector<std::uint16_t> sums(grid.places());
-    parallelFor(tbb::blocked_range<int>(0, grid.size[2]), [&](const auto& part) {
-        std::vector<std::uint16_t> turned(columns * rows);
-        for (int z = part.begin(); z < part.end(); ++z) {
-            const std::size_t plane = static_cast<std::size_t>(z) * columns * rows;
-            std::uint16_t* sum = sums.data() + plane;
-            bool anyTurned = false;
-            std::fill(turned.begin(), turned.end(), std::uint16_t{0});
-            for (std::size_t i = 0; i < light.bundles.size(); ++i) {
-                const std::uint16_t* swept = light.reaching[i].data() + plane;
-                std::uint16_t* into = light.bundles[i].alongX() ? turned.data() : sum;
-                anyTurned = anyTurned || light.bundles[i].alongX();
-                for (std::size_t at = 0; at < turned.size(); ++at)
-                    into[at] = static_cast<std::uint16_t>(into[at] + swept[at]);
-            }
-            for (std::size_t y = 0; y < rows && anyTurned; ++y)
-                for (std::size_t x = 0; x < columns; ++x)
-                    sum[y * columns + x] = static_cast<std::uint16_t>(sum[y * columns + x] + turned[x * rows + y]);
-        }
-    });
-    return sums;
-}
+    std::vector<light::DirectionBundle> bundles;
+
+    /// Adds what one of the bundles has swept. It may be called from several threads.
+    void add(const light::DirectionBundle& bundle, const std::vector<std::uint16_t>& swept) {
+        const std::lock_guard alone(*m_access);
+        std::vector<std::uint16_t>& sum = bundle.alongX() ? m_yFastest : m_xFastest;
+        if (sum.empty()) sum.resize(m_grid.places());
+        std::ranges::transform(sum, swept, sum.begin(), [](std::uint16_t whole, std::uint16_t part) {
+            return static_cast<std::uint16_t>(whole + part);
+        });
+    }
+    /// The sum over all bundles, x fastest.
+    [[nodiscard]] std::vector<std::uint16_t> takeSum() {
+        m_xFastest.resize(m_grid.places());
+        const auto columns = static_cast<std::size_t>(m_grid.size[0]), rows = static_cast<std::size_t>(m_grid.size[1]);
+        if (!m_yFastest.empty())
+            parallelFor(0, m_grid.size[2], [&](int z) {
+                const std::size_t plane = static_cast<std::size_t>(z) * columns * rows;
+                const std::uint16_t* turned = m_yFastest.data() + plane;
+                std::uint16_t* sum = m_xFastest.data() + plane;
+                for (std::size_t y = 0; y < rows; ++y)
+                    for (std::size_t x = 0; x < columns; ++x)
+                        sum[y * columns + x] = static_cast<std::uint16_t>(sum[y * columns + x] + turned[x * rows + y]);
+            });
+        m_yFastest = {};
+        return std::move(m_xFastest);
+    }
+
+private:
+    const light::LightGrid& m_grid;
+    std::unique_ptr<std::mutex> m_access = std::make_unique<std::mutex>();
+    std::vector<std::uint16_t> m_xFastest, m_yFastest;  ///< empty where no bundle was swept in that order
+};
 
 /// Both lights as bytes, rounded from 256ths.
 std::vector<std::uint8_t> bytesOf(const std::vector<std::uint16_t>& key, const std::vector<std::uint16_t>& around) {
@@ -125,20 +135,18 @@ public:
         aroundScene.keyHalfAngleDegrees = 0.0;
         aroundScene.keyDirections = light::DirectionRule::one;
         const bool keptAround = m_aroundScene == aroundScene;
-        std::vector<SweptLight> lights{
-            {light::DirectionBundle::of(
-                 light::directionsWithin(scene.towardsKey, scene.keyHalfAngleDegrees, scene.keyDirections), grid),
-             {}}};
-        if (!keptAround)
-            lights.push_back(
-                {light::DirectionBundle::of(
-                     light::directionsWithin(scene.towardsViewer, hemisphereDegrees, scene.aroundDirections), grid),
-                 {}});
+        std::vector<SweptLight> lights;
+        const auto add = [&](const Vec3& towards, double halfAngleDegrees, light::DirectionRule rule) {
+            const auto directions = light::directionsWithin(towards, halfAngleDegrees, rule);
+            lights.emplace_back(light::DirectionBundle::of(directions, grid), grid);
+        };
+        add(scene.towardsKey, scene.keyHalfAngleDegrees, scene.keyDirections);
+        if (!keptAround) add(scene.towardsViewer, hemisphereDegrees, scene.aroundDirections);
         sweepAll(lights, scene, grid, progress);
         if (progress.cancelled()) return std::nullopt;
-        if (!keptAround) m_around = sumOf(lights[1], grid);
+        if (!keptAround) m_around = lights[1].takeSum();
         m_aroundScene = aroundScene;
-        return LightVolume{grid.size, grid.firstMm, grid.spacingMm, bytesOf(sumOf(lights[0], grid), m_around)};
+        return LightVolume{grid.size, grid.firstMm, grid.spacingMm, bytesOf(lights[0].takeSum(), m_around)};
     }
 
 private:
@@ -178,20 +186,19 @@ private:
         const RenderedShares shares(scene.rendered, grid.spacingMm);
         std::vector<float>& whole = m_classified.front().extinctions;
         extinctions.xFastest = shares.everywhere() ? std::move(whole) : cut(shares, grid);
-        std::vector<std::pair<const light::DirectionBundle*, std::vector<std::uint16_t>*>> jobs;
+        std::vector<std::pair<const light::DirectionBundle*, SweptLight*>> jobs;
         bool alongX = false;
-        for (SweptLight& light : lights) {
-            light.reaching.resize(light.bundles.size());
-            for (std::size_t i = 0; i < light.bundles.size(); ++i) {
-                jobs.emplace_back(&light.bundles[i], &light.reaching[i]);
-                alongX = alongX || light.bundles[i].alongX();
+        for (SweptLight& light : lights)
+            for (const light::DirectionBundle& bundle : light.bundles) {
+                jobs.emplace_back(&bundle, &light);
+                alongX = alongX || bundle.alongX();
             }
-        }
         if (alongX) extinctions.yFastest = light::withYFastest(extinctions.xFastest, grid);
         ProgressCount count(progress, jobs.size());
         parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
             for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                *jobs[i].second = jobs[i].first->sweep(extinctions, scene.attenuation, progress);
+                const auto& [bundle, light] = jobs[i];
+                light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));
                 count.oneDone();
             }
         });

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "processing/light/light_directions.h"
 #include "processing/phantom/phantom.h"
+#include "processing/volume/row_marks.h"
 #include "tests/processing/light/lit_volumes.h"
 
 namespace echolucent {
@@ -173,6 +176,28 @@ TEST(LightSweep, ReadsEveryTypeOfVoxelAlike) {
     EXPECT_EQ(lightOf(*bytes), lightOf(asWords));
     const auto one = lightOf(*bytes), other = lightOf(asFloats);
     for (std::size_t i = 0; i < one.reaching.size(); ++i) EXPECT_NEAR(one.reaching[i], other.reaching[i], 1);
+}
+
+TEST(LightSweep, FollowsCutsOfBytes) {
+    // Whole, what bytes let through is told from the voxels themselves; cut, from levels that are kept beside them.
+    const auto whole = phantom(30);
+    const auto cutAt = [&](int edge) {
+        std::vector<std::uint8_t> mask(27000, 1);
+        for (std::size_t i = 0; i < mask.size(); ++i)
+            if (static_cast<int>(i % 30) < edge) mask[i] = 0;
+        return std::make_shared<const Volume>(whole->withCut(std::make_shared<const DataMask>(std::move(mask))));
+    };
+    LightSweep kept(whole);
+    auto shown = whole;
+    for (const auto& next :
+         {whole, cutAt(9), cutAt(15), std::make_shared<const Volume>(whole->withCut(nullptr)), cutAt(4)}) {
+        kept.setCut(next, rowsMaskedOtherwise(*shown, *next));
+        shown = next;
+        EXPECT_EQ(kept.lightVolume(PowerCurve{2, 0.5}, obliqueScene()),
+                  LightSweep(next).lightVolume(PowerCurve{2, 0.5}, obliqueScene()));
+    }
+    EXPECT_NE(LightSweep(whole).lightVolume(PowerCurve{2, 0.5}, obliqueScene()),
+              LightSweep(shown).lightVolume(PowerCurve{2, 0.5}, obliqueScene()));
 }
 
 TEST(LightSweep, RefusesAScene) {
