@@ -58,17 +58,17 @@ struct Scratch {
 template <typename Voxel>
 class Gaussian {
 public:
-    Gaussian(const Volume& volume, const VoxelArray<Voxel>& voxels, const StoredBounds& bounds, const Vec3& sigmas)
-        : m_columns(volume.geometry().size[0]),
-          m_rows(volume.geometry().size[1]),
-          m_voxels(voxels.data()),
-          m_mask(volume.dataMaskOrNull()),
-          m_range{static_cast<float>(bounds.lowest), static_cast<float>(bounds.highest)},
-          m_x(sigmas[0], m_columns),
-          m_y(sigmas[1], m_rows),
-          m_z(sigmas[2], volume.geometry().size[2]) {
-        for (std::int64_t x = 0; x < m_columns; ++x) m_weightsX.push_back(m_x.sumAt(x));
+    /// `mask` is that of the whole grid, null where all voxels are data.
+    Gaussian(const VolumeGeometry& geometry, const std::uint8_t* mask, const StoredBounds& bounds, double sigma)
+        : Gaussian(geometry, mask, bounds, sigmasOf(geometry, sigma)) {}
+
+    /// Slices from `firstSlice` on, x fastest: those that the slices asked for reach.
+    void hold(const Voxel* voxels, std::int64_t firstSlice) {
+        m_held = voxels;
+        m_heldFrom = offset(0, firstSlice);
     }
+    /// How many slices away a voxel lies, at most, that has a part in a mean.
+    [[nodiscard]] std::int64_t reach() const { return m_z.reach(); }
 
     [[nodiscard]] Scratch scratch() const {
         const std::size_t slice = count() * static_cast<std::size_t>(m_rows);
@@ -81,23 +81,40 @@ public:
         return scratch;
     }
 
-    /// Writes slice z of `results`. It leaves off within the slice once the run is cancelled.
-    void filter(std::int64_t z, Scratch& scratch, std::vector<Voxel>& results, const Progress& progress) const {
+    /// Writes slice z to `results`. It leaves off within the slice once the run is cancelled.
+    void filter(std::int64_t z, Scratch& scratch, Voxel* results, const Progress& progress) const {
         for (std::int64_t y = 0; y < m_rows && !progress.cancelled(); ++y) alongZ(y, z, scratch);
         for (std::int64_t y = 0; y < m_rows && !progress.cancelled(); ++y) {
             alongY(y, scratch);
             alongX(m_y.sumAt(y) * m_z.sumAt(z), scratch);
-            store(offset(y, z), scratch, results.data());
+            store(offset(y, z), scratch, results + offset(y, 0));
         }
     }
 
 private:
+    Gaussian(const VolumeGeometry& geometry, const std::uint8_t* mask, const StoredBounds& bounds, const Vec3& sigmas)
+        : m_columns(geometry.size[0]),
+          m_rows(geometry.size[1]),
+          m_mask(mask),
+          m_range{static_cast<float>(bounds.lowest), static_cast<float>(bounds.highest)},
+          m_x(sigmas[0], m_columns),
+          m_y(sigmas[1], m_rows),
+          m_z(sigmas[2], geometry.size[2]) {
+        for (std::int64_t x = 0; x < m_columns; ++x) m_weightsX.push_back(m_x.sumAt(x));
+    }
+    /// Standard deviations in voxels.
+    [[nodiscard]] static Vec3 sigmasOf(const VolumeGeometry& geometry, double sigma) {
+        if (!(sigma > 0.0)) throw std::invalid_argument("Gaussian: the standard deviation must be above 0");
+        const Vec3 spacing = filterSpacing(geometry);
+        return {sigma / spacing[0], sigma / spacing[1], sigma / spacing[2]};
+    }
     [[nodiscard]] std::int64_t offset(std::int64_t y, std::int64_t z) const { return m_columns * (y + m_rows * z); }
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(m_columns); }
 
     void alongZ(std::int64_t y, std::int64_t z, Scratch& scratch) const {
         const std::int64_t first = offset(y, m_z.firstAt(z));
-        const VoxelRows<Voxel> rows{m_voxels + first, m_mask ? m_mask + first : nullptr, m_columns * m_rows, count()};
+        const VoxelRows<Voxel> rows{m_held + (first - m_heldFrom), m_mask ? m_mask + first : nullptr,
+                                    m_columns * m_rows, count()};
         sumRows(rows, m_z.at(z), scratch.sums.data() + offset(y, 0),
                 scratch.weights.data() + (m_mask ? offset(y, 0) : 0));
     }
@@ -121,15 +138,17 @@ private:
         for (std::size_t x = 0; x < m_weightsX.size(); ++x) scratch.lastWeights[x] = weightYZ * m_weightsX[x];
     }
 
+    /// The row that begins at voxel `first`.
     void store(std::int64_t first, const Scratch& scratch, Voxel* results) const {
-        storeMeans(scratch.lastSums, scratch.lastWeights.data(), m_range, results + first);
+        storeMeans(scratch.lastSums, scratch.lastWeights.data(), m_range, results);
         if (m_mask == nullptr) return;
-        for (std::int64_t i = first; i < first + m_columns; ++i)
-            if (m_mask[i] == 0) results[i] = m_voxels[i];
+        for (std::int64_t x = 0; x < m_columns; ++x)
+            if (m_mask[first + x] == 0) results[x] = m_held[first + x - m_heldFrom];
     }
 
     std::int64_t m_columns, m_rows;
-    const Voxel* m_voxels;
+    const Voxel* m_held = nullptr;
+    std::int64_t m_heldFrom = 0;  ///< the voxel that the first one held is
     const std::uint8_t* m_mask;
     StoredRange m_range;
     Taps m_x, m_y, m_z;
@@ -138,22 +157,44 @@ private:
 
 }  // namespace
 
+/// A Gaussian and what its threads work in.
+struct GaussianSlices::Parts {
+    Gaussian<float> gaussian;
+    std::int64_t sliceVoxels;
+    PerThread<Scratch> scratches{[this] { return gaussian.scratch(); }};
+};
+
+GaussianSlices::GaussianSlices(const VolumeGeometry& geometry, const std::uint8_t* mask, double sigma)
+    : m_parts(new Parts{Gaussian<float>(geometry, mask, {0.0, 1.0}, sigma), geometry.size[0] * geometry.size[1]}) {}
+
+GaussianSlices::~GaussianSlices() = default;
+
+std::int64_t GaussianSlices::reach() const { return m_parts->gaussian.reach(); }
+
+bool GaussianSlices::make(const float* held, std::int64_t firstHeld, std::int64_t first, std::int64_t end,
+                          float* results, const Progress& progress) {
+    m_parts->gaussian.hold(held, firstHeld);
+    parallelFor(first, end, [&](std::int64_t z) {
+        if (progress.cancelled()) return;
+        m_parts->gaussian.filter(z, m_parts->scratches.local(), results + (z - first) * m_parts->sliceVoxels, progress);
+    });
+    return !progress.cancelled();
+}
+
 std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const Progress& progress) {
-    if (!(sigma > 0.0)) throw std::invalid_argument("gaussianFiltered: the standard deviation must be above 0");
     const VolumeGeometry& geometry = volume.geometry();
-    const Vec3 spacing = filterSpacing(geometry);
-    const Vec3 sigmas{sigma / spacing[0], sigma / spacing[1], sigma / spacing[2]};
     const Volume within = withinWhite(volume);
     const StoredBounds bounds = storedBounds(volume);
     Voxels quiet = std::visit(
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) -> Voxels {
-            const Gaussian<Voxel> gaussian(within, voxels, bounds, sigmas);
+            Gaussian<Voxel> gaussian(geometry, within.dataMaskOrNull(), bounds, sigma);
+            gaussian.hold(voxels.data(), 0);
             std::vector<Voxel> results(voxels.size());
             PerThread<Scratch> scratches([&] { return gaussian.scratch(); });
             ProgressCount count(progress, static_cast<std::size_t>(geometry.size[2]));
             parallelFor<std::int64_t>(0, geometry.size[2], [&](std::int64_t z) {
                 if (progress.cancelled()) return;
-                gaussian.filter(z, scratches.local(), results, progress);
+                gaussian.filter(z, scratches.local(), results.data() + geometry.offset(0, 0, z), progress);
                 count.oneDone();
             });
             return results;

@@ -1,6 +1,8 @@
 // The cheapest speckle reduction: a Gaussian.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "processing/progress.h"
@@ -15,5 +17,27 @@ inline constexpr double gaussianReach = 3.0;
 /// gaussianReach. It is a normalised convolution: voxels without data, and what lies outside the grid, have no weight
 /// (Knutsson and Westin 1993). The rest is as quietVolume() says.
 [[nodiscard]] std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const Progress& progress = {});
+
+/// The same of normalised intensities, a few slices at a time, in memory that is used again.
+class GaussianSlices {
+public:
+    /// For slices of a grid, of which `mask` is what is data, null where all is; it must outlive this. `sigma` as in
+    /// gaussianFiltered(). Throws std::invalid_argument where it makes no sense.
+    GaussianSlices(const VolumeGeometry& geometry, const std::uint8_t* mask, double sigma);
+    ~GaussianSlices();
+    GaussianSlices(const GaussianSlices&) = delete;
+    GaussianSlices& operator=(const GaussianSlices&) = delete;
+
+    /// How many slices away a voxel lies, at most, that has a part in a mean.
+    [[nodiscard]] std::int64_t reach() const;
+    /// Writes slices [first, end) of the grid to `results`, x fastest. `held` are intensities in [0,1] from slice
+    /// `firstHeld` on, as far as the slices asked for reach within the grid. False where the run was cancelled.
+    [[nodiscard]] bool make(const float* held, std::int64_t firstHeld, std::int64_t first, std::int64_t end,
+                            float* results, const Progress& progress);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
+};
 
 }  // namespace echolucent

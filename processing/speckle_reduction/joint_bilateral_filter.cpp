@@ -12,7 +12,7 @@
 #include "processing/parallel.h"
 #include "processing/speckle_reduction/filter_slabs.h"
 #include "processing/speckle_reduction/filter_spacing.h"
-#include "processing/speckle_reduction/gaussian_filter.h"
+#include "processing/speckle_reduction/guide_slices.h"
 #include "processing/speckle_reduction/joint_bilateral_row.h"
 #include "processing/speckle_reduction/shown_range.h"
 #include "processing/speckle_reduction/speckle_law.h"
@@ -24,19 +24,20 @@ namespace {
 /// Farther from every guide than any voxel that could take part; its square is a float.
 constexpr float noGuide = 1e18F;
 
-/// A rim around the grid, as wide as the taps reach, so that no voxel is special.
+/// A rim around slices of a grid, as wide as the taps reach, so that no voxel is special.
 struct PaddedGrid {
     std::array<std::int64_t, 3> rim{}, size{};
 
-    PaddedGrid(const VolumeGeometry& geometry, double radius) {
+    PaddedGrid(const VolumeGeometry& geometry, double radius, std::int64_t slices) {
         const Vec3 spacing = filterSpacing(geometry);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double reach = radius / spacing[static_cast<int>(axis)];
             rim[axis] = static_cast<std::int64_t>(std::min(reach + 1e-9, static_cast<double>(geometry.size[axis] - 1)));
-            size[axis] = geometry.size[axis] + 2 * rim[axis];
+            size[axis] = (axis == 2 ? slices : geometry.size[axis]) + 2 * rim[axis];
         }
     }
-    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(size[0] * size[1] * size[2]); }
+    [[nodiscard]] std::int64_t planeVoxels() const { return size[0] * size[1]; }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(planeVoxels() * size[2]); }
     /// From one voxel to another.
     [[nodiscard]] std::int64_t step(std::int64_t x, std::int64_t y, std::int64_t z) const {
         return x + size[0] * (y + size[1] * z);
@@ -80,53 +81,86 @@ private:
     std::array<float, intervals + 1> m_scaled{};
 };
 
-/// One pass over normalised intensities, whose voxels without data are 0.
+/// One pass over normalised intensities, a slab at a time: what the next slab reaches of this one is kept.
 class JointBilateral {
 public:
-    /// Volume and guide are given free on the way.
-    JointBilateral(std::optional<Volume> volume, std::optional<Volume> guide, const GuideScale& scale,
-                   const JointBilateralPass& pass)
-        : m_geometry(volume->geometry()),
-          m_grid(m_geometry, pass.radius),
+    /// `mostSlices` are those of the thickest slab.
+    JointBilateral(const Volume& volume, const GuideScale& scale, const JointBilateralPass& pass,
+                   std::int64_t mostSlices)
+        : m_geometry(volume.geometry()),
+          m_mask(volume.dataMaskOrNull()),
+          m_scale(scale),
+          m_grid(m_geometry, pass.radius, mostSlices),
           m_taps(tapsOf(m_grid, filterSpacing(m_geometry), pass)),
-          m_values(padded(*volume, 0.0F, [](float value) { return value; })) {
-        volume.reset();
-        m_guide = padded(*guide, noGuide, [&](float intensity) { return scale.at(intensity); });
+          m_values(m_grid.count(), 0.0F),
+          m_guide(m_grid.count(), noGuide) {}
+
+    /// The slices that the next slab needs and that no slab before it has taken.
+    [[nodiscard]] std::pair<std::int64_t, std::int64_t> missing(const FilterSlab& slab) const {
+        const std::int64_t end = std::min(m_geometry.size[2], slab.end + m_grid.rim[2]);
+        return {std::min(m_taken, end), end};
     }
 
-    /// Writes slice z to `results`. It leaves off within the slice once the run is cancelled.
+    /// Takes the next slab. `slices` has made those that are missing.
+    void take(const FilterSlab& slab, const GuideSlices& slices) {
+        const std::int64_t kept = m_taken > 0 ? 2 * m_grid.rim[2] : 0;
+        const std::int64_t plane = m_grid.planeVoxels(), moved = (slab.first - m_first) * plane;
+        for (std::vector<float>* floats : {&m_values, &m_guide})
+            if (kept > 0 && moved > 0)
+                std::copy(floats->begin() + moved, floats->begin() + moved + kept * plane, floats->begin());
+        m_first = slab.first;
+        const auto [begin, end] = missing(slab);
+        parallelFor(begin, slab.end + m_grid.rim[2], [&](std::int64_t z) {
+            if (z < end)
+                fill(z, slices.intensities(z), slices.guide(z));
+            else
+                leaveEmpty(z);
+        });
+        m_taken = std::max(m_taken, slab.end + m_grid.rim[2]);
+    }
+
+    /// Writes slice z of the slab that was taken last to `results`. It leaves off within the slice once the run is
+    /// cancelled.
     void filter(std::int64_t z, float* results, const Progress& progress) const {
         // Parts of rows, so that what the taps of a part reach stays in the nearest cache from row to row.
         constexpr std::int64_t part = 64;
         for (std::int64_t x = 0; x < m_geometry.size[0]; x += part)
             for (std::int64_t y = 0; y < m_geometry.size[1] && !progress.cancelled(); ++y) {
                 const auto count = static_cast<std::size_t>(std::min(part, m_geometry.size[0] - x));
-                const std::int64_t from = m_grid.offset(x, y, z);
+                const std::int64_t from = m_grid.offset(x, y, z - m_first);
                 bilateralRow(m_guide.data() + from, m_values.data() + from, m_taps, count,
                              results + m_geometry.offset(x, y, 0));
             }
     }
 
 private:
-    /// What becomes of the voxels that hold data, and `rim` everywhere else.
-    template <typename Become>
-    [[nodiscard]] std::vector<float> padded(const Volume& volume, float rim, const Become& become) const {
-        std::vector<float> values(m_grid.count(), rim);
-        const auto& voxels = std::get<VoxelArray<float>>(volume.voxels());
-        parallelFor<std::int64_t>(0, m_geometry.size[1] * m_geometry.size[2], [&](std::int64_t row) {
-            std::int64_t from = row * m_geometry.size[0];
-            std::int64_t to = m_grid.offset(0, row % m_geometry.size[1], row / m_geometry.size[1]);
-            for (std::int64_t x = 0; x < m_geometry.size[0]; ++x, ++from, ++to)
-                if (volume.hasData(from))
-                    values[static_cast<std::size_t>(to)] = become(voxels[static_cast<std::size_t>(from)]);
-        });
-        return values;
+    /// The plane of slice z. What holds no data is as what lies beyond the grid.
+    void fill(std::int64_t z, const float* intensities, const float* guide) {
+        const auto columns = m_geometry.size[0];
+        for (std::int64_t y = 0; y < m_geometry.size[1]; ++y) {
+            const std::int64_t from = columns * y, to = m_grid.offset(0, y, z - m_first);
+            const std::uint8_t* const mask = m_mask != nullptr ? m_mask + m_geometry.offset(0, y, z) : nullptr;
+            for (std::int64_t x = 0; x < columns; ++x) {
+                const bool isData = mask == nullptr || mask[x] != 0;
+                m_values[static_cast<std::size_t>(to + x)] = isData ? intensities[from + x] : 0.0F;
+                m_guide[static_cast<std::size_t>(to + x)] = isData ? m_scale.at(guide[from + x]) : noGuide;
+            }
+        }
+    }
+    void leaveEmpty(std::int64_t z) {
+        const std::int64_t from = (z - m_first + m_grid.rim[2]) * m_grid.planeVoxels();
+        std::fill_n(m_values.begin() + from, m_grid.planeVoxels(), 0.0F);
+        std::fill_n(m_guide.begin() + from, m_grid.planeVoxels(), noGuide);
     }
 
-    VolumeGeometry m_geometry;
+    const VolumeGeometry& m_geometry;
+    const std::uint8_t* m_mask;
+    const GuideScale& m_scale;
     PaddedGrid m_grid;
     std::vector<BilateralTap> m_taps;
     std::vector<float> m_values, m_guide;
+    std::int64_t m_first = 0;  ///< the slice behind the rim in front
+    std::int64_t m_taken = 0;  ///< the first slice of which there is no plane yet
 };
 
 /// What runs from one share of the whole to another.
@@ -146,57 +180,41 @@ public:
           m_pass(pass),
           m_progress(progress),
           m_measurement(volume.geometry()),
-          m_slabs(filterSlabs(volume.geometry(), reach(), mostVoxels)) {}
+          m_slabs(filterSlabs(volume.geometry(), m_measurement.reach(), mostVoxels)) {}
 
     /// False where the run was cancelled.
     [[nodiscard]] bool run(const SliceTaker& take) {
-        constexpr double shareOfMeasuring = 0.1;
+        constexpr double shareOfMeasuring = 0.2;
         const auto shareAt = [&](std::size_t slab, double from, double to) {
             return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
         };
         // The speckle's law is the whole volume's, so that every guide is made twice; a single one is kept.
-        std::optional<Volume> guide;
+        GuideSlices slices(m_volume, m_pass.guideSigma);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
-            guide.reset();
-            guide = guideOf(intensitiesOf(m_volume, m_slabs[i]), shareAt(i, 0.0, shareOfMeasuring),
-                            shareAt(i + 1, 0.0, shareOfMeasuring));
-            if (!guide) return false;
-            m_measurement.add(*guide, m_slabs[i]);
+            m_progress.at(shareAt(i, 0.0, shareOfMeasuring));
+            if (!slices.make(m_slabs[i].firstHeld, m_slabs[i].endHeld, m_progress)) return false;
+            m_measurement.add(slices.guideVolume(), m_slabs[i]);
         }
         const GuideScale scale(m_measurement.law(), m_pass.spreads);
-        if (m_slabs.size() > 1) guide.reset();
+        JointBilateral bilateral(m_volume, scale, m_pass, m_slabs.front().end);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
+            const auto [first, end] = bilateral.missing(m_slabs[i]);
+            if (m_slabs.size() > 1 && !slices.make(first, end, m_progress)) return false;
+            bilateral.take(m_slabs[i], slices);
             const double from = shareAt(i, shareOfMeasuring, 1.0), to = shareAt(i + 1, shareOfMeasuring, 1.0);
-            Volume intensities = intensitiesOf(m_volume, m_slabs[i]);
-            if (!guide) guide = guideOf(intensities, from, from);
-            if (!guide) return false;
-            const JointBilateral bilateral(std::move(intensities), std::exchange(guide, std::nullopt), scale, m_pass);
             if (!filter(bilateral, m_slabs[i], partOf(m_progress, from, to), take)) return false;
         }
         return true;
     }
 
 private:
-    /// How many slices away a voxel lies, at most, that has a part in another's mean, its guide or the measurement.
-    [[nodiscard]] std::int64_t reach() const {
-        const double spacing = filterSpacing(m_volume.geometry())[2];
-        const auto taps = static_cast<std::int64_t>(m_pass.radius / spacing + 1e-9);
-        const auto guide = static_cast<std::int64_t>(std::ceil(gaussianReach * m_pass.guideSigma / spacing));
-        return guide + std::max(taps, m_measurement.reach());
-    }
-    [[nodiscard]] std::optional<Volume> guideOf(const Volume& intensities, double from, double to) const {
-        return gaussianFiltered(intensities, m_pass.guideSigma, partOf(m_progress, from, to));
-    }
     [[nodiscard]] bool filter(const JointBilateral& bilateral, const FilterSlab& slab, const Progress& progress,
-                              const SliceTaker& take) const {
-        const auto& size = m_volume.geometry().size;
-        PerThread<std::vector<float>> slices(
-            [&] { return std::vector<float>(static_cast<std::size_t>(size[0] * size[1])); });
+                              const SliceTaker& take) {
         ProgressCount count(progress, static_cast<std::size_t>(slab.end - slab.first));
         parallelFor<std::int64_t>(slab.first, slab.end, [&](std::int64_t z) {
             if (progress.cancelled()) return;
-            std::vector<float>& means = slices.local();
-            bilateral.filter(z - slab.firstHeld, means.data(), progress);
+            std::vector<float>& means = m_means.local();
+            bilateral.filter(z, means.data(), progress);
             take(z, means);
             count.oneDone();
         });
@@ -208,6 +226,10 @@ private:
     const Progress& m_progress;
     SpeckleLawMeasurement m_measurement;
     std::vector<FilterSlab> m_slabs;
+    PerThread<std::vector<float>> m_means{[this] {
+        const auto& size = m_volume.geometry().size;
+        return std::vector<float>(static_cast<std::size_t>(size[0] * size[1]));
+    }};
 };
 
 /// The intensities of the volume after a pass that another follows.
@@ -250,7 +272,7 @@ std::optional<Volume> stored(const Volume& volume, const Volume& from, const Joi
 }  // namespace
 
 std::optional<Volume> jointBilateralFiltered(const Volume& volume, std::span<const JointBilateralPass> passes,
-                                             const Progress& progress, std::int64_t mostVoxelsAtOnce) {
+                                             const Progress& progress, std::int64_t mostVoxels) {
     if (passes.empty()) throw std::invalid_argument("jointBilateralFiltered: there must be a pass");
     for (const JointBilateralPass& pass : passes)
         if (!(pass.guideSigma > 0.0 && pass.spreads > 0.0 && pass.radius > 0.0 && pass.sigma > 0.0))
@@ -259,13 +281,11 @@ std::optional<Volume> jointBilateralFiltered(const Volume& volume, std::span<con
     std::optional<Volume> between;
     for (std::size_t i = 0; i + 1 < passes.size(); ++i) {
         const double from = share * static_cast<double>(i);
-        auto next =
-            filtered(between ? *between : volume, passes[i], mostVoxelsAtOnce, partOf(progress, from, from + share));
+        auto next = filtered(between ? *between : volume, passes[i], mostVoxels, partOf(progress, from, from + share));
         if (!next) return std::nullopt;
         between = std::move(next);
     }
-    return stored(volume, between ? *between : volume, passes.back(), mostVoxelsAtOnce,
-                  partOf(progress, 1.0 - share, 1.0));
+    return stored(volume, between ? *between : volume, passes.back(), mostVoxels, partOf(progress, 1.0 - share, 1.0));
 }
 
 }  // namespace echolucent

@@ -25,12 +25,12 @@ struct JointBilateralPass {
 /// 2004; Eisemann and Durand 2004), by Tukey's biweight (Black et al. 1998), on a scale on which the guide's speckle is
 /// equally strong everywhere: so that the mean of a membrane is taken within it, bright or dark. Whole numbers are
 /// rounded after the last pass only. The rest is as quietVolume() says. Throws std::invalid_argument for a pass that
-/// makes no sense, and where there is none. Volumes of more than `mostVoxelsAtOnce` pass slab by slab: beside the
-/// result, that takes some 16 bytes for each voxel of a slab, and, where there are several passes, 4 bytes for each of
-/// the volume.
+/// makes no sense, and where there is none. Volumes of more than `mostVoxels` pass slab by slab (filterSlabs()): beside
+/// the result, that takes some 16 bytes for each voxel of a slab and of what it reaches, and, where there are several
+/// passes, 4 bytes for each of the volume.
 [[nodiscard]] std::optional<Volume> jointBilateralFiltered(const Volume& volume,
                                                            std::span<const JointBilateralPass> passes,
                                                            const Progress& progress = {},
-                                                           std::int64_t mostVoxelsAtOnce = mostVoxelsOfOneSlab);
+                                                           std::int64_t mostVoxels = mostVoxelsAtOnce);
 
 }  // namespace echolucent
