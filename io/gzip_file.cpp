@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -73,7 +73,9 @@ Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) 
     VoxelSource source(packed, {.offset = 0, .length = packed.size(), .encoding = VoxelEncoding::zlib, .skipBytes = 0},
                        StoredType::uint8);
     MemoryFile memory;
-    std::vector<std::uint8_t> piece(pieceBytes);
+    // What is not written is not cleared either: most packed files are far smaller.
+    const auto memoryOfPiece = std::make_unique_for_overwrite<std::uint8_t[]>(pieceBytes);
+    const std::span piece(memoryOfPiece.get(), pieceBytes);
     for (std::uint64_t given = 0; true;) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, packed.path(), "", "was not read: cancelled");
         progress.at(source.shareTaken());
@@ -85,7 +87,7 @@ Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) 
             return wrong(
                 fmt::format("unpacks to more than {} bytes out of {}, which no volume does", most, packed.size()),
                 "Unpack it with gunzip if you trust it, and open what comes out.");
-        if (!memory.write(std::span(piece).first(*count)))
+        if (!memory.write(piece.first(*count)))
             return wrong("needs more memory than there is to be unpacked",
                          "Unpack it with gunzip and open what comes out.");
     }
