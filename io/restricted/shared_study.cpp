@@ -73,6 +73,9 @@ public:
     [[nodiscard]] bool isOpen() const { return m_start != MAP_FAILED; }
     [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
     [[nodiscard]] std::uint64_t size() const { return m_bytes; }
+    /// Has the kernel map all pages at once, which takes less time than to map them as they are touched. Pages that
+    /// are not there yet would take memory.
+    void mapAll() const { madvise(m_start, m_bytes, MADV_POPULATE_READ); }
 
 private:
     std::size_t m_bytes;
@@ -225,6 +228,8 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     const auto memory =
         std::make_shared<const Mapping>(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
     if (!memory->isOpen()) return std::nullopt;
+    constexpr std::int64_t blockBytes = 512;
+    if (status.st_blocks * blockBytes >= status.st_size) memory->mapAll();
     std::vector<Volume::SharedMask> masks;
     for (const Extent& extent : shared.masks) {
         auto mask = valuesAt<std::uint8_t>(memory, extent);
