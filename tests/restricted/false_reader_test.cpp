@@ -195,7 +195,8 @@ TEST(TakenWords, OfSeriesAndPatientsAreLines) {
     SeriesEntry entry;
     entry.uid = entry.object = entry.description = entry.modality = entry.distinction = "\x1b]0;a\x07";
     entry.whyNot = fail(FailureKind::unreadable, "/a\nb", "\t", "\x7f", "\u202e").value();
-    entry.files.push_back({.path = "/a\nb", .damage = entry.whyNot});
+    entry.files.emplace_back().path = "/a\nb";
+    entry.files.back().damage = entry.whyNot;
     SeriesList list{"/a\nb", {entry}, {"/a\nb"}, {"\x1b"}};
     restricted::makeHarmless(list);
     const SeriesEntry& taken = list.series.front();

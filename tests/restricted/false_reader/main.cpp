@@ -117,8 +117,8 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
     if (mode.starts_with("coarse")) return lieCoarsely(channel, mode, seed);
     SharedVoxelMemory memory;
     auto shared = shareStudy(smallStudy(), memory);
-    const auto sendStudy = [&](const std::string& bytes, int memory) {
-        static_cast<void>(channel.send(MessageKind::result, withoutFailure(bytes), {memory}));
+    const auto sendStudy = [&](const std::string& bytes, int voxels) {
+        static_cast<void>(channel.send(MessageKind::result, withoutFailure(bytes), {voxels}));
     };
     if (mode == "rubbish")
         static_cast<void>(channel.send(MessageKind::result, randomBytes(seed % 4096, seed)));
@@ -175,7 +175,7 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
         if (mode != "lists-what-it-did-not-ask-for" && channel.send(MessageKind::fileKind, question.bytes()))
             static_cast<void>(channel.receive(answer, std::chrono::milliseconds(-1)));
         SeriesEntry entry;
-        entry.files = {{.path = file}};
+        entry.files.emplace_back().path = file;
         MessageWriter list;
         list(std::optional<Failure>(), std::optional(SeriesList{folder, {entry}, {file}, {}}));
         static_cast<void>(channel.send(MessageKind::result, list.bytes()));
