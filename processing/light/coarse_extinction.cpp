@@ -15,14 +15,12 @@ namespace {
 
 constexpr double levelsAbove = 254.0;
 
-/// Opacity per unit of each level.
-using LevelOpacities = std::array<float, 256>;
+/// Opacity per unit of each byte that stands for a voxel, and 256 times nothing for those that are no data.
+using ByteOpacities = std::array<float, 512>;
 
-LevelOpacities levelOpacities(const OpacityCurve& curve) {
-    LevelOpacities opacities{};
-    for (std::size_t level = 1; level < opacities.size(); ++level)
-        opacities[level] = static_cast<float>(opacityAt(curve, static_cast<double>(level - 1) / levelsAbove));
-    return opacities;
+/// Opacity per unit of a level: 0 is no data.
+float levelOpacity(const OpacityCurve& curve, std::uint8_t level) {
+    return level == 0 ? 0.0f : static_cast<float>(opacityAt(curve, static_cast<double>(level - 1) / levelsAbove));
 }
 
 /// Extinction per mm over opacity per unit, linear between entries. Opacity 1 counts as a little less: a place of it
@@ -47,33 +45,48 @@ private:
     std::array<float, intervals + 2> m_entries{};  ///< the last one once more
 };
 
+/// A row of bytes that stand for voxels.
+struct ByteRow {
+    const std::uint8_t* bytes;
+    const std::uint8_t* mask;  ///< 0 is no data; null where all are data, or where bytes say so themselves
+};
+
+template <bool isMasked>
+float opacityOf(const ByteRow& row, std::size_t at, const ByteOpacities& opacities) {
+    if constexpr (isMasked)
+        return opacities[row.bytes[at] + (row.mask[at] == 0 ? 256U : 0U)];
+    else
+        return opacities[row.bytes[at]];
+}
+
 /// Adds the opacities of a row of voxels to the sums of its places. A whole place of few voxels is added up in
 /// registers.
-template <int voxels>
-void addWholePlaces(const std::uint8_t* row, std::size_t places, const LevelOpacities& opacities, float* sums) {
-    for (std::size_t place = 0; place < places; ++place, row += voxels) {
-        float sum = opacities[row[0]];
-        for (int i = 1; i < voxels; ++i) sum += opacities[row[i]];
+template <int voxels, bool isMasked>
+void addWholePlaces(const ByteRow& row, std::size_t places, const ByteOpacities& opacities, float* sums) {
+    for (std::size_t place = 0; place < places; ++place) {
+        const std::size_t first = place * voxels;
+        float sum = opacityOf<isMasked>(row, first, opacities);
+        for (std::size_t i = 1; i < voxels; ++i) sum += opacityOf<isMasked>(row, first + i, opacities);
         sums[place] += sum;
     }
 }
 
-void addRow(const std::uint8_t* row, std::size_t count, std::size_t voxels, const LevelOpacities& opacities,
-            float* sums) {
+template <bool isMasked>
+void addRow(const ByteRow& row, std::size_t count, std::size_t voxels, const ByteOpacities& opacities, float* sums) {
     const std::size_t whole = count / voxels;
     std::size_t done = whole * voxels;
     switch (voxels) {
-        case 1: addWholePlaces<1>(row, whole, opacities, sums); break;
-        case 2: addWholePlaces<2>(row, whole, opacities, sums); break;
-        case 3: addWholePlaces<3>(row, whole, opacities, sums); break;
-        case 4: addWholePlaces<4>(row, whole, opacities, sums); break;
-        case 5: addWholePlaces<5>(row, whole, opacities, sums); break;
-        case 6: addWholePlaces<6>(row, whole, opacities, sums); break;
-        case 7: addWholePlaces<7>(row, whole, opacities, sums); break;
-        case 8: addWholePlaces<8>(row, whole, opacities, sums); break;
+        case 1: addWholePlaces<1, isMasked>(row, whole, opacities, sums); break;
+        case 2: addWholePlaces<2, isMasked>(row, whole, opacities, sums); break;
+        case 3: addWholePlaces<3, isMasked>(row, whole, opacities, sums); break;
+        case 4: addWholePlaces<4, isMasked>(row, whole, opacities, sums); break;
+        case 5: addWholePlaces<5, isMasked>(row, whole, opacities, sums); break;
+        case 6: addWholePlaces<6, isMasked>(row, whole, opacities, sums); break;
+        case 7: addWholePlaces<7, isMasked>(row, whole, opacities, sums); break;
+        case 8: addWholePlaces<8, isMasked>(row, whole, opacities, sums); break;
         default: done = 0;
     }
-    for (std::size_t x = done; x < count; ++x) sums[x / voxels] += opacities[row[x]];
+    for (std::size_t x = done; x < count; ++x) sums[x / voxels] += opacityOf<isMasked>(row, x, opacities);
 }
 
 template <typename Voxel>
@@ -86,28 +99,16 @@ std::uint8_t levelOf(Voxel value, float perWhite) {
 
 float perWhiteOf(const Volume& volume) { return static_cast<float>(1.0 / volume.whiteLevel()); }
 
-std::array<std::uint8_t, 256> levelsOfBytes(const Volume& volume) {
-    std::array<std::uint8_t, 256> levels{};
-    for (std::size_t byte = 0; byte < levels.size(); ++byte)
-        levels[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhiteOf(volume));
-    return levels;
-}
-
 /// The levels of marked rows.
 template <typename Voxel>
 void fillLevels(const VoxelArray<Voxel>& voxels, const Volume& volume, const RowMarks& rows,
-                const std::array<std::uint8_t, 256>& levelOfByte, std::vector<std::uint8_t>& levels) {
+                std::vector<std::uint8_t>& levels) {
     const VolumeGeometry& geometry = volume.geometry();
     const float perWhite = perWhiteOf(volume);
     const auto fillRow = [&](std::int64_t first, std::int64_t count) {
         const Voxel* from = voxels.data() + first;
         std::uint8_t* to = levels.data() + first;
-        for (std::int64_t i = 0; i < count; ++i) {
-            if constexpr (std::is_same_v<Voxel, std::uint8_t>)
-                to[i] = levelOfByte[from[i]];
-            else
-                to[i] = levelOf(from[i], perWhite);
-        }
+        for (std::int64_t i = 0; i < count; ++i) to[i] = levelOf(from[i], perWhite);
         if (volume.dataMaskOrNull() == nullptr) return;
         const std::uint8_t* mask = volume.dataMaskOrNull() + first;
         for (std::int64_t i = 0; i < count; ++i) to[i] = mask[i] != 0 ? to[i] : std::uint8_t{0};
@@ -122,27 +123,37 @@ void fillLevels(const VoxelArray<Voxel>& voxels, const Volume& volume, const Row
 }  // namespace
 
 CoarseExtinction::CoarseExtinction(const Volume& volume)
-    : m_size(volume.geometry().size), m_unit(volume.geometry().unit()), m_levelOfByte(levelsOfBytes(volume)) {
-    if (const auto* bytes = std::get_if<VoxelArray<std::uint8_t>>(&volume.voxels())) m_bytes = *bytes;
+    : m_size(volume.geometry().size), m_unit(volume.geometry().unit()) {
+    if (const auto* bytes = std::get_if<VoxelArray<std::uint8_t>>(&volume.voxels())) {
+        m_bytes = *bytes;
+        for (std::size_t byte = 0; byte < m_levelOfByte.size(); ++byte)
+            m_levelOfByte[byte] = levelOf(static_cast<std::uint8_t>(byte), perWhiteOf(volume));
+    } else {
+        m_levels.resize(static_cast<std::size_t>(volume.geometry().voxelCount()));
+        for (std::size_t level = 0; level < m_levelOfByte.size(); ++level)
+            m_levelOfByte[level] = static_cast<std::uint8_t>(level);
+    }
     setCut(volume, RowMarks(m_size, true));
 }
 
 void CoarseExtinction::setCut(const Volume& volume, const RowMarks& masked) {
-    const bool isFirst = m_levels.empty();
-    if (isFirst && !m_bytes.empty() && volume.dataMaskOrNull() == nullptr) return;
-    m_levels.resize(static_cast<std::size_t>(volume.geometry().voxelCount()));
-    const RowMarks rows = isFirst ? RowMarks(m_size, true) : masked;
-    std::visit([&](const auto& voxels) { fillLevels(voxels, volume, rows, m_levelOfByte, m_levels); }, volume.voxels());
+    std::visit(
+        [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
+            if constexpr (std::is_same_v<Voxel, std::uint8_t>)
+                m_mask = volume.dataMask();
+            else
+                fillLevels(voxels, volume, masked, m_levels);
+        },
+        volume.voxels());
 }
 
 void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve,
                             const LightGrid& grid, const Progress& progress) const {
-    LevelOpacities opacities = levelOpacities(curve);
-    if (m_levels.empty()) {
-        const LevelOpacities ofLevels = opacities;
-        std::ranges::transform(m_levelOfByte, opacities.begin(), [&](std::uint8_t level) { return ofLevels[level]; });
-    }
-    const std::uint8_t* const voxels = m_levels.empty() ? m_bytes.data() : m_levels.data();
+    ByteOpacities opacities{};
+    std::ranges::transform(m_levelOfByte, opacities.begin(),
+                           [&](std::uint8_t level) { return levelOpacity(curve, level); });
+    const std::uint8_t* const bytes = m_levels.empty() ? m_bytes.data() : m_levels.data();
+    const std::uint8_t* const mask = m_mask.empty() ? nullptr : m_mask.data();
     const ExtinctionTable table(m_unit);
     const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
     parallelFor(0, grid.size[2], [&](int z) {
@@ -161,9 +172,15 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
                 extinctions.data() + (std::int64_t{z} * grid.size[1] + std::int64_t{y}) * grid.size[0] + firstX;
             std::fill_n(row, columns, 0.0f);
             for (std::int64_t k = firstZ; k < lastZ; ++k)
-                for (std::int64_t j = firstY; j < lastY; ++j)
-                    addRow(voxels + first + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(count),
-                           static_cast<std::size_t>(grid.voxels[0]), opacities, row);
+                for (std::int64_t j = firstY; j < lastY; ++j) {
+                    const std::int64_t from = first + m_size[0] * (j + m_size[1] * k);
+                    const auto voxels = static_cast<std::size_t>(count),
+                               each = static_cast<std::size_t>(grid.voxels[0]);
+                    if (mask != nullptr)
+                        addRow<true>({bytes + from, mask + from}, voxels, each, opacities, row);
+                    else
+                        addRow<false>({bytes + from, nullptr}, voxels, each, opacities, row);
+                }
             for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
         }
     });

@@ -17,8 +17,8 @@ namespace echolucent::light {
 /// its voxels, so that a single opaque voxel in a place of eight takes an eighth of the light of each unit, and not all
 /// of it. No data and what lies beyond the volume has opacity 0.
 ///
-/// Each voxel has a level: 0 is no data, 1 + 254 x is normalised intensity x. Where voxels are bytes and all of them
-/// are data, a table tells the level of what is stored; else the levels are kept, one byte a voxel.
+/// Each voxel has a level: 0 is no data, 1 + 254 x is normalised intensity x. Where voxels are bytes, voxels and mask
+/// are shared with the volume, and a table tells the levels; else the levels are kept, one byte a voxel.
 class CoarseExtinction {
 public:
     explicit CoarseExtinction(const Volume& volume);
@@ -32,9 +32,10 @@ public:
 private:
     std::array<std::int64_t, 3> m_size;
     double m_unit;                                  ///< mm
-    VoxelArray<std::uint8_t> m_bytes;               ///< the volume's, shared with it; empty where voxels are no bytes
-    std::array<std::uint8_t, 256> m_levelOfByte{};  ///< of each stored byte that is data
-    std::vector<std::uint8_t> m_levels;             ///< empty where they can be told from m_bytes
+    VoxelArray<std::uint8_t> m_bytes;               ///< the volume's; empty where voxels are no bytes
+    DataMask m_mask;                                ///< the volume's; empty where all is data or voxels are no bytes
+    std::vector<std::uint8_t> m_levels;             ///< empty where voxels are bytes
+    std::array<std::uint8_t, 256> m_levelOfByte{};  ///< of what is stored, or of the level itself where these are kept
 };
 
 }  // namespace echolucent::light

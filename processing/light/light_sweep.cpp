@@ -90,7 +90,7 @@ public:
                     for (std::size_t x = 0; x < columns; ++x)
                         sum[y * columns + x] = static_cast<std::uint16_t>(sum[y * columns + x] + turned[x * rows + y]);
             });
-        m_yFastest = {};
+        m_yFastest = std::vector<std::uint16_t>();
         return std::move(m_xFastest);
     }
 
@@ -195,13 +195,18 @@ private:
             }
         if (alongX) extinctions.yFastest = light::withYFastest(extinctions.xFastest, grid);
         ProgressCount count(progress, jobs.size());
-        parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
-            for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                const auto& [bundle, light] = jobs[i];
-                light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));
-                count.oneDone();
-            }
-        });
+        try {
+            parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
+                for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                    const auto& [bundle, light] = jobs[i];
+                    light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));
+                    count.oneDone();
+                }
+            });
+        } catch (...) {
+            m_classified.pop_front();  // memory ran out, and its extinctions are not there any more
+            throw;
+        }
         if (shares.everywhere()) whole = std::move(extinctions.xFastest);
     }
 
