@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// Slices along z that are filtered together, and those that are looked at with them.
+/// Slices along z that are filtered together, and those that are held for it.
 struct FilterSlab {
     std::int64_t first = 0, end = 0;          ///< the slices that are filtered; `end` is the first that is not
     std::int64_t firstHeld = 0, endHeld = 0;  ///< the slices that are held
@@ -17,10 +17,10 @@ struct FilterSlab {
 /// More voxels than this are not filtered at once: in floats, 64 MiB.
 inline constexpr std::int64_t mostVoxelsAtOnce = std::int64_t{1} << 24;
 
-/// The slabs of a grid, each slice in one of them; each holds `reach` slices behind its own, as far as there are so
-/// many. It is one slab where the grid has no more than `mostVoxels`. Slabs of larger grids have an eighth of that:
-/// what they share is kept from slab to slab, so that thin ones cost no more time.
+/// The slabs of a grid, each slice in one of them; each holds its own and `reach` slices behind them, as far as there
+/// are so many. It is one slab where the grid has no more than `mostVoxels`. Slabs of larger grids have an eighth of
+/// that, but at least `reach` slices, and at least one for each of `threads`, which filter a slice each.
 [[nodiscard]] std::vector<FilterSlab> filterSlabs(const VolumeGeometry& geometry, std::int64_t reach,
-                                                  std::int64_t mostVoxels = mostVoxelsAtOnce);
+                                                  std::int64_t mostVoxels, std::int64_t threads);
 
 }  // namespace echolucent

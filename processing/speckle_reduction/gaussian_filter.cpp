@@ -62,10 +62,11 @@ public:
     Gaussian(const VolumeGeometry& geometry, const std::uint8_t* mask, const StoredBounds& bounds, double sigma)
         : Gaussian(geometry, mask, bounds, sigmasOf(geometry, sigma)) {}
 
-    /// Slices from `firstSlice` on, x fastest: those that the slices asked for reach.
+    /// Reads from now on what `voxels` holds: slices from `firstSlice` on, x fastest, as far as the slices asked for
+    /// reach.
     void hold(const Voxel* voxels, std::int64_t firstSlice) {
         m_held = voxels;
-        m_heldFrom = offset(0, firstSlice);
+        m_firstHeld = offset(0, firstSlice);
     }
     /// How many slices away a voxel lies, at most, that has a part in a mean.
     [[nodiscard]] std::int64_t reach() const { return m_z.reach(); }
@@ -113,7 +114,7 @@ private:
 
     void alongZ(std::int64_t y, std::int64_t z, Scratch& scratch) const {
         const std::int64_t first = offset(y, m_z.firstAt(z));
-        const VoxelRows<Voxel> rows{m_held + (first - m_heldFrom), m_mask ? m_mask + first : nullptr,
+        const VoxelRows<Voxel> rows{m_held + (first - m_firstHeld), m_mask ? m_mask + first : nullptr,
                                     m_columns * m_rows, count()};
         sumRows(rows, m_z.at(z), scratch.sums.data() + offset(y, 0),
                 scratch.weights.data() + (m_mask ? offset(y, 0) : 0));
@@ -143,12 +144,12 @@ private:
         storeMeans(scratch.lastSums, scratch.lastWeights.data(), m_range, results);
         if (m_mask == nullptr) return;
         for (std::int64_t x = 0; x < m_columns; ++x)
-            if (m_mask[first + x] == 0) results[x] = m_held[first + x - m_heldFrom];
+            if (m_mask[first + x] == 0) results[x] = m_held[first + x - m_firstHeld];
     }
 
     std::int64_t m_columns, m_rows;
     const Voxel* m_held = nullptr;
-    std::int64_t m_heldFrom = 0;  ///< the voxel that the first one held is
+    std::int64_t m_firstHeld = 0;  ///< the first voxel that is held
     const std::uint8_t* m_mask;
     StoredRange m_range;
     Taps m_x, m_y, m_z;

@@ -31,12 +31,12 @@ GuideSlices::GuideSlices(const Volume& volume, double sigma)
 bool GuideSlices::make(std::int64_t first, std::int64_t end, const Progress& progress) {
     m_first = first;
     m_end = end;
-    m_heldFrom = std::max<std::int64_t>(0, first - m_gaussian.reach());
+    m_firstHeld = std::max<std::int64_t>(0, first - m_gaussian.reach());
     const std::int64_t heldEnd = std::min(m_volume.geometry().size[2], end + m_gaussian.reach());
-    makeRoom(m_held, (heldEnd - m_heldFrom) * m_slice);
+    makeRoom(m_held, (heldEnd - m_firstHeld) * m_slice);
     makeRoom(m_guide, (end - first) * m_slice);
-    readIntensities(m_heldFrom, heldEnd);
-    return m_gaussian.make(m_held.data(), m_heldFrom, first, end, m_guide.data(), progress);
+    readIntensities(m_firstHeld, heldEnd);
+    return m_gaussian.make(m_held.data(), m_firstHeld, first, end, m_guide.data(), progress);
 }
 
 void GuideSlices::readIntensities(std::int64_t first, std::int64_t end) {
@@ -46,7 +46,7 @@ void GuideSlices::readIntensities(std::int64_t first, std::int64_t end) {
             parallelFor(first, end, [&](std::int64_t z) {
                 const Voxel* const from = voxels.data() + z * m_slice;
                 const std::uint8_t* const isData = mask != nullptr ? mask + z * m_slice : nullptr;
-                float* const to = m_held.data() + (z - m_heldFrom) * m_slice;
+                float* const to = m_held.data() + (z - m_firstHeld) * m_slice;
                 for (std::int64_t i = 0; i < m_slice; ++i) {
                     if (isData != nullptr && isData[i] == 0)
                         to[i] = 0.0F;

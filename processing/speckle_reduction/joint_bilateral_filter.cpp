@@ -1,5 +1,7 @@
 #include "processing/speckle_reduction/joint_bilateral_filter.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,8 +103,8 @@ public:
         return {std::min(m_taken, end), end};
     }
 
-    /// Takes the next slab. `slices` has made those that are missing.
-    void take(const FilterSlab& slab, const GuideSlices& slices) {
+    /// Goes on to the next slab. `slices` has made those that are missing.
+    void advance(const FilterSlab& slab, const GuideSlices& slices) {
         const std::int64_t kept = m_taken > 0 ? 2 * m_grid.rim[2] : 0;
         const std::int64_t plane = m_grid.planeVoxels(), moved = (slab.first - m_first) * plane;
         for (std::vector<float>* floats : {&m_values, &m_guide})
@@ -114,12 +116,12 @@ public:
             if (z < end)
                 fill(z, slices.intensities(z), slices.guide(z));
             else
-                leaveEmpty(z);
+                clear(z);
         });
         m_taken = std::max(m_taken, slab.end + m_grid.rim[2]);
     }
 
-    /// Writes slice z of the slab that was taken last to `results`. It leaves off within the slice once the run is
+    /// Writes slice z of the newest slab to `results`. It leaves off within the slice once the run is
     /// cancelled.
     void filter(std::int64_t z, float* results, const Progress& progress) const {
         // Parts of rows, so that what the taps of a part reach stays in the nearest cache from row to row.
@@ -147,7 +149,8 @@ private:
             }
         }
     }
-    void leaveEmpty(std::int64_t z) {
+    /// The plane of a slice beyond the grid.
+    void clear(std::int64_t z) {
         const std::int64_t from = (z - m_first + m_grid.rim[2]) * m_grid.planeVoxels();
         std::fill_n(m_values.begin() + from, m_grid.planeVoxels(), 0.0F);
         std::fill_n(m_guide.begin() + from, m_grid.planeVoxels(), noGuide);
@@ -180,7 +183,8 @@ public:
           m_pass(pass),
           m_progress(progress),
           m_measurement(volume.geometry()),
-          m_slabs(filterSlabs(volume.geometry(), m_measurement.reach(), mostVoxels)) {}
+          m_slabs(filterSlabs(volume.geometry(), m_measurement.reach(), mostVoxels,
+                              tbb::this_task_arena::max_concurrency())) {}
 
     /// False where the run was cancelled.
     [[nodiscard]] bool run(const SliceTaker& take) {
@@ -188,7 +192,8 @@ public:
         const auto shareAt = [&](std::size_t slab, double from, double to) {
             return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
         };
-        // The speckle's law is the whole volume's, so that every guide is made twice; a single one is kept.
+        // The speckle's law is the whole volume's, so that guides are made once for it and once more for the means;
+        // that of a single slab is kept.
         GuideSlices slices(m_volume, m_pass.guideSigma);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
             m_progress.at(shareAt(i, 0.0, shareOfMeasuring));
@@ -199,8 +204,8 @@ public:
         JointBilateral bilateral(m_volume, scale, m_pass, m_slabs.front().end);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
             const auto [first, end] = bilateral.missing(m_slabs[i]);
-            if (m_slabs.size() > 1 && !slices.make(first, end, m_progress)) return false;
-            bilateral.take(m_slabs[i], slices);
+            if (m_slabs.size() > 1 && first < end && !slices.make(first, end, m_progress)) return false;
+            bilateral.advance(m_slabs[i], slices);
             const double from = shareAt(i, shareOfMeasuring, 1.0), to = shareAt(i + 1, shareOfMeasuring, 1.0);
             if (!filter(bilateral, m_slabs[i], partOf(m_progress, from, to), take)) return false;
         }

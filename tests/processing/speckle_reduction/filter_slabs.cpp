@@ -2,11 +2,14 @@
 #include "processing/speckle_reduction/filter_slabs.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "processing/speckle_reduction/joint_bilateral_filter.h"
 #include "processing/speckle_reduction/speckle_law.h"
@@ -21,20 +24,22 @@ constexpr std::array twoPasses{JointBilateralPass{}, JointBilateralPass{.guideSi
 TEST(FilterSlabs, FilterEverySliceOnceAndHoldThoseBehind) {
     const VolumeGeometry geometry = gridOf({10, 10, 57});
     for (const std::int64_t reach : {1, 3, 9, 80})
-        for (const std::int64_t mostVoxels : {1, 700, 2500, 5699}) {
-            std::int64_t next = 0;
-            for (const FilterSlab& slab : filterSlabs(geometry, reach, mostVoxels)) {
-                EXPECT_EQ(slab.first, next);
-                EXPECT_GT(slab.end, slab.first);
-                EXPECT_EQ(slab.firstHeld, slab.first);
-                EXPECT_EQ(slab.endHeld, std::min<std::int64_t>(57, slab.end + reach));
-                // An eighth of the voxels that may pass at once, or one slice.
-                EXPECT_LE(100 * (slab.end - slab.first), std::max<std::int64_t>(100, mostVoxels / 8));
-                next = slab.end;
+        for (const std::int64_t threads : {1, 4})
+            for (const std::int64_t mostVoxels : {1, 700, 5600, 5699}) {
+                // A slab has an eighth of the voxels that may pass at once, but a slice for each thread, and no fewer
+                // than are held behind it.
+                const std::int64_t thickness = std::max({reach, threads, mostVoxels / 800});
+                std::int64_t next = 0;
+                for (const FilterSlab& slab : filterSlabs(geometry, reach, mostVoxels, threads)) {
+                    EXPECT_EQ(slab.first, next);
+                    EXPECT_EQ(slab.end, std::min<std::int64_t>(57, next + thickness));
+                    EXPECT_EQ(slab.firstHeld, slab.first);
+                    EXPECT_EQ(slab.endHeld, std::min<std::int64_t>(57, slab.end + reach));
+                    next = slab.end;
+                }
+                EXPECT_EQ(next, 57);
             }
-            EXPECT_EQ(next, 57);
-        }
-    EXPECT_EQ(filterSlabs(geometry, 3, 5700).size(), 1U);
+    EXPECT_EQ(filterSlabs(geometry, 3, 5700, 2).size(), 1U);
 }
 
 /// A step and a gap in noise, and a mask that cuts off a corner where one is asked for.
@@ -47,15 +52,13 @@ Volume noisyScene(const Vec3& spacing, bool masked) {
     return volume.withDataMask(maskWithout(geometry, [](auto x, auto y, auto z) { return x + y + z / 3 < 20; }));
 }
 
-template <typename Voxel>
-void expectTheSame(const Vec3& spacing, bool masked, std::span<const JointBilateralPass> passes) {
-    const Volume volume = noisyScene<Voxel>(spacing, masked);
+void expectTheSame(const Volume& volume, std::span<const JointBilateralPass> passes) {
     const Volume whole = *jointBilateralFiltered(volume, passes);
-    // Slabs of one slice, of fewer than a mean reaches, and of a number that leaves a thin one at the end.
-    for (const std::int64_t thickness : {1, 2, 5, 7}) {
+    // The thinnest slabs there may be, and some that leave a thin one at the end.
+    for (const std::int64_t thickness : {1, 5, 7}) {
         const Volume bySlabs = *jointBilateralFiltered(volume, passes, {}, 21 * 18 * 8 * thickness);
         EXPECT_TRUE(whole.voxels() == bySlabs.voxels())
-            << spacing[2] << ' ' << masked << ' ' << passes.size() << ' ' << thickness;
+            << volume.geometry().spacing[2] << ' ' << passes.size() << ' ' << thickness;
         EXPECT_EQ(whole.dataMask(), bySlabs.dataMask());
     }
     EXPECT_FALSE(whole.voxels() == volume.voxels());
@@ -63,24 +66,48 @@ void expectTheSame(const Vec3& spacing, bool masked, std::span<const JointBilate
 
 TEST(FilterSlabs, GiveTheVoxelsOfTheWholeVolume) {
     for (const bool masked : {false, true}) {
-        expectTheSame<std::uint8_t>({1, 1, 1}, masked, onePass);
-        expectTheSame<std::uint8_t>({0.3, 0.5, 0.9}, masked, twoPasses);
-        expectTheSame<float>({0.9, 0.9, 0.2}, masked, onePass);
-        expectTheSame<std::uint16_t>({0.3, 0.3, 2.5}, masked, twoPasses);
+        expectTheSame(noisyScene<std::uint8_t>({1, 1, 1}, masked), onePass);
+        expectTheSame(noisyScene<std::uint8_t>({0.3, 0.5, 0.9}, masked), twoPasses);
+        expectTheSame(noisyScene<float>({0.9, 0.9, 0.2}, masked), onePass);
+        expectTheSame(noisyScene<std::uint16_t>({0.3, 0.3, 2.5}, masked), twoPasses);
     }
 }
 
+TEST(FilterSlabs, MayBeThinnerThanAMeanReachesAndThanTheVolume) {
+    // One thread, so that a slab has the three slices that the measurement reaches, and a mean reaches past them.
+    tbb::task_arena one(1);
+    one.execute([] {
+        const Volume volume = noisyScene<std::uint8_t>({1, 1, 1}, true);
+        constexpr std::array far{JointBilateralPass{.radius = 8.0, .sigma = 5.0}};
+        expectTheSame(volume, far);
+        for (const std::int64_t slices : {1, 4}) {
+            VolumeGeometry few = volume.geometry();
+            few.size[2] = slices;
+            few.spacingKnown = slices == 1;
+            std::vector<std::uint8_t> voxels = std::get<VoxelArray<std::uint8_t>>(volume.voxels()).toVector();
+            voxels.resize(static_cast<std::size_t>(few.voxelCount()));
+            const Volume thin(few, std::move(voxels));
+            EXPECT_TRUE(jointBilateralFiltered(thin, onePass)->voxels() ==
+                        jointBilateralFiltered(thin, onePass, {}, 1)->voxels());
+        }
+    });
+}
+
 TEST(FilterSlabs, LeaveOffWhereTheRunIsCancelled) {
-    std::atomic<bool> cancel{false};
-    int reports = 0;
-    const Progress progress{[&](double share) {
-                                ++reports;
-                                if (share > 0.3) cancel = true;
-                            },
-                            &cancel};
     const Volume volume = noisyScene<std::uint8_t>({1, 1, 1}, false);
-    EXPECT_FALSE(jointBilateralFiltered(volume, onePass, progress, 21 * 18 * 56));
-    EXPECT_GT(reports, 1);
+    // While the speckle is measured, and while means are made.
+    for (const double at : {0.05, 0.3}) {
+        std::atomic<bool> cancel{false};
+        double last = 0.0;
+        const Progress progress{[&](double share) {
+                                    last = share;
+                                    if (share > at) cancel = true;
+                                },
+                                &cancel};
+        EXPECT_FALSE(jointBilateralFiltered(volume, onePass, progress, 21 * 18 * 56));
+        EXPECT_GT(last, at);
+        EXPECT_LT(last, at + 0.25);
+    }
 }
 
 TEST(SpeckleLaw, IsTheSameHoweverTheVolumeIsCut) {
