@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +74,11 @@ public:
     [[nodiscard]] bool isOpen() const { return m_start != MAP_FAILED; }
     [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
     [[nodiscard]] std::uint64_t size() const { return m_bytes; }
-    /// Has the kernel map all pages at once, which takes less time than to map them as they are touched. Pages that
-    /// are not there yet would take memory.
-    void mapAll() const { madvise(m_start, m_bytes, MADV_POPULATE_READ); }
+    /// Has the kernel map all pages of a part at once, which takes less time than to map them as they are touched. The
+    /// part begins at a page; its pages have to be there (hasNoHole()), since others would take memory.
+    void mapPart(std::uint64_t offset, std::uint64_t bytes) const {
+        madvise(start() + offset, static_cast<std::size_t>(bytes), MADV_POPULATE_READ);
+    }
 
 private:
     std::size_t m_bytes;
@@ -116,6 +119,12 @@ std::optional<VoxelArray<Value>> valuesAt(const std::shared_ptr<const Mapping>& 
         return std::nullopt;
     const auto* first = reinterpret_cast<const Value*>(memory->start() + extent.offset);
     return VoxelArray<Value>(memory, std::span(first, static_cast<std::size_t>(extent.count)));
+}
+
+/// Whether all pages of a part of the memory are there.
+bool hasNoHole(const Descriptor& memory, std::uint64_t offset, std::uint64_t bytes) {
+    const off_t hole = lseek(memory.number(), static_cast<off_t>(offset), SEEK_HOLE);
+    return hole >= 0 && static_cast<std::uint64_t>(hole) >= offset + bytes;
 }
 
 std::optional<Voxels> voxelsAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
@@ -228,12 +237,17 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     const auto memory =
         std::make_shared<const Mapping>(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
     if (!memory->isOpen()) return std::nullopt;
-    constexpr std::int64_t blockBytes = 512;
-    if (status.st_blocks * blockBytes >= status.st_size) memory->mapAll();
+    // Whatever a message says, no more is mapped than there is.
+    std::uint64_t mapped = 0;
+    const auto mapOnce = [&](std::uint64_t offset, std::uint64_t count) {
+        mapped += count;
+        if (mapped <= memory->size() && hasNoHole(voxels, offset, count)) memory->mapPart(offset, count);
+    };
     std::vector<Volume::SharedMask> masks;
     for (const Extent& extent : shared.masks) {
         auto mask = valuesAt<std::uint8_t>(memory, extent);
         if (!mask) return std::nullopt;
+        mapOnce(extent.offset, extent.count);
         masks.push_back(std::make_shared<const DataMask>(std::move(*mask)));
     }
     for (const SharedVolume& phase : shared.phases) {
@@ -241,6 +255,8 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
         const auto mask = static_cast<std::size_t>(phase.mask);
         if (!values || (phase.mask >= 0 && (mask >= masks.size() || masks[mask]->size() != phase.voxels.count)))
             return std::nullopt;
+        mapOnce(phase.voxels.offset,
+                std::visit([](const auto& all) { return all.size() * sizeof(all.front()); }, *values));
         Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
         if (phase.mask >= 0 && !marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
         study.phases.push_back(std::make_shared<const Volume>(

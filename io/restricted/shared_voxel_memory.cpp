@@ -34,8 +34,8 @@ void* SharedVoxelMemory::do_allocate(std::size_t bytes, std::size_t) {
     if (start == MAP_FAILED) throw std::bad_alloc();
     if (isLarge) {
         madvise(start, piece.bytes, MADV_HUGEPAGE);
-        // All pages at once: to trap into the kernel at the first touch of each takes up to ten times as long. Where
-        // the kernel cannot do so it gives them one by one.
+        // The kernel gives all pages at once: to trap into it at the first touch of each takes up to ten times as long.
+        // Where it cannot do so it gives them one by one.
         madvise(start, piece.bytes, MADV_POPULATE_WRITE);
     }
     m_size = piece.offset + piece.bytes;

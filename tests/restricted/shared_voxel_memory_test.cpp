@@ -1,7 +1,9 @@
 // Voxels that lie in shared memory from the beginning reach the workstation without a copy.
 #include "io/restricted/shared_voxel_memory.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstring>
@@ -105,6 +107,27 @@ TEST_F(SharedVoxels, WhoeverStillHoldsTheVoxelsMakesThemUntaken) {
     ASSERT_TRUE(shared);
     EXPECT_FALSE(
         takeStudy({reinterpret_cast<const std::uint8_t*>(shared->bytes.data()), shared->bytes.size()}, shared->voxels));
+}
+
+TEST_F(SharedVoxels, PagesThatAReaderLeftOutAreNotMadeForIt) {
+    const auto shared = shareStudy(studyOfTwo(), memory());
+    ASSERT_TRUE(shared);
+    struct stat status {};
+    ASSERT_EQ(fstat(shared->voxels.number(), &status), 0);
+    // As large as the voxels, without a page of them; pages behind its end make up for them in the count.
+    const Descriptor sparse = sharedMemory(static_cast<std::uint64_t>(status.st_size));
+    ASSERT_EQ(fallocate(sparse.number(), FALLOC_FL_KEEP_SIZE, status.st_size, status.st_size), 0);
+    const auto pages = [&] {
+        EXPECT_EQ(fstat(sparse.number(), &status), 0);
+        return status.st_blocks;
+    };
+    const auto before = pages();
+    const auto taken =
+        takeStudy({reinterpret_cast<const std::uint8_t*>(shared->bytes.data()), shared->bytes.size()}, sparse);
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(pages(), before);
+    EXPECT_EQ(taken->phases[1]->storedValue(23999), 0.0);
+    EXPECT_GT(pages(), before) << "a voxel that is read has its page";
 }
 
 TEST_F(SharedVoxels, BytesMoveWithoutACopy) {
