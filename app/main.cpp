@@ -16,8 +16,8 @@
 
 namespace {
 
-/// Arrays of this size go back to the system when they are given free. glibc would raise the limit to 32 MiB by itself
-/// and keep what light volumes and filters leave behind, 50 MiB beside a volume of 512 voxels an edge.
+/// Arrays of 4 MiB or more go back to the system when they are given free. The C library would raise that limit to
+/// 32 MiB by itself and keep what light volumes leave behind, 50 MiB beside a volume of 512 voxels an edge.
 void giveBackLargeArrays() {
     mallopt(M_MMAP_THRESHOLD, 4 << 20);
     mallopt(M_TRIM_THRESHOLD, 8 << 20);

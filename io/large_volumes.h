@@ -18,8 +18,8 @@ constexpr std::int64_t mostPhaseVoxels = std::int64_t{1} << 29;
 /// The window takes about so many times the memory of a study's voxels once it is at rest: quiet voxels, masks, the
 /// voxels that the ray caster packs, and planes stand beside them (docs/large-volumes.md).
 constexpr std::uint64_t memoryPerVoxels = 6;
-/// A phase is kept whole where the machine has so many bytes for each of its voxels: twice what the window takes for
-/// bytes while speckle is taken away (docs/large-volumes.md), which other types and a second pass need.
+/// A phase is kept whole where the machine has so many bytes for each of its voxels. For bytes the window takes 7 of
+/// them while speckle is taken away (docs/large-volumes.md); other types and a second pass need more.
 constexpr std::uint64_t workingBytesPerVoxel = 18;
 
 /// The most bytes that the voxels of all phases may take: ReadOptions::studyMebibytes, else what fits into this

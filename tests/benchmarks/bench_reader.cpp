@@ -44,19 +44,19 @@ double median(std::vector<double> values) {
 
 /// Prints a row of the table. False where the file cannot be read.
 bool measure(const std::string& path, int runs) {
-    std::vector<double> here, likewise, started, waiting;
+    std::vector<double> here, inShared, started, waiting;
     echolucent::restricted::SharedVoxelMemory memory;
     for (int run = 0; run < runs; ++run) {
         here.push_back(millisecondsOf([&] { return echolucent::readStudy(path); }));
         started.push_back(millisecondsOf([&] { return echolucent::restricted::readStudy(path); }));
-        likewise.push_back(millisecondsOf([&] { return readIntoSharedMemory(path, memory); }));
+        inShared.push_back(millisecondsOf([&] { return readIntoSharedMemory(path, memory); }));
         echolucent::restricted::prepareReader(echolucent::restricted::Readiness::once);
         // One that waits has loaded its libraries before it is needed: here it does so while the file is read here.
         here.push_back(millisecondsOf([&] { return echolucent::readStudy(path); }));
         waiting.push_back(millisecondsOf([&] { return echolucent::restricted::readStudy(path); }));
-        if (here.back() < 0 || started.back() < 0 || waiting.back() < 0) return false;
+        if (here.back() < 0 || inShared.back() < 0 || started.back() < 0 || waiting.back() < 0) return false;
     }
-    const double plain = median(here), shared = median(likewise), fresh = median(started), ready = median(waiting);
+    const double plain = median(here), shared = median(inShared), fresh = median(started), ready = median(waiting);
     fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} ({:+.1f} ms, {:.2f} x) | {:.1f} ({:+.1f} ms, {:.2f} x) |\n",
                path.substr(path.rfind('/') + 1), plain, shared, fresh, fresh - plain, fresh / plain, ready,
                ready - plain, ready / plain);
