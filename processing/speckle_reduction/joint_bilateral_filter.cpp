@@ -111,9 +111,9 @@ public:
             if (kept > 0 && moved > 0)
                 std::copy(floats->begin() + moved, floats->begin() + moved + kept * plane, floats->begin());
         m_first = slab.first;
-        const auto [begin, end] = missing(slab);
-        parallelFor(begin, slab.end + m_grid.rim[2], [&](std::int64_t z) {
-            if (z < end)
+        const auto made = missing(slab);
+        parallelFor(made.first, slab.end + m_grid.rim[2], [&](std::int64_t z) {
+            if (z < made.second)
                 fill(z, slices.intensities(z), slices.guide(z));
             else
                 clear(z);
