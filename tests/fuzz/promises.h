@@ -11,7 +11,15 @@ void requireSoundStudy(const Study& study);
 /// Throws BrokenPromise unless the failure says in one line of at most 1,500 bytes what is wrong and what to do.
 void requireSoundRefusal(const Failure& failure);
 
+/// How the targets read: voxels along beams become grids of 4 MiB at most, since larger ones would take most of the
+/// time.
+[[nodiscard]] inline ReadOptions optionsOfTargets() {
+    ReadOptions options;
+    options.conversionMebibytes = 4;
+    return options;
+}
+
 /// Reads the file or folder and requires one or the other. What could be opened with frames as slices is opened so too.
-void requireSoundReading(const std::string& path, const ReadOptions& options = {});
+void requireSoundReading(const std::string& path, const ReadOptions& options = optionsOfTargets());
 
 }  // namespace echolucent
