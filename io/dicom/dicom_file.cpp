@@ -144,7 +144,11 @@ Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& pr
         return fail(FailureKind::unreadable, input.path(), "", "does not begin as a DICOM file does", copyAgain);
     auto scan = scanDicom(input, progress, true);
     if (!scan) return tl::unexpected(scan.error());
-    if (scan->lacking)
+    // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
+    // lost its way the library may read another length.
+    const bool isLost = scan->end == DicomScanEnd::cut || scan->end == DicomScanEnd::damaged;
+    const bool isDeflated = DcmXfer(scan->transferSyntax.c_str()).getStreamCompression() != ESC_none;
+    if (scan->lacking || (isLost && isDeflated))
         if (auto refused = whereItEnds(input.path(), *scan, false)) return tl::unexpected(*refused);
     DicomFile file(input.path(), *scan);
     const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);
