@@ -15,8 +15,8 @@ namespace echolucent::light {
 /// The extinctions (per mm) of a grid's places in two orders, because slices along x are strided badly in the first.
 struct GridExtinctions {
     const LightGrid& grid;
-    std::vector<float> xFastest;  ///< places, and spareFloats more
-    std::vector<float> yFastest;  ///< y fastest, then x, then z; empty where nothing is swept along x
+    const std::vector<float>& xFastest;  ///< places, and spareFloats more
+    std::vector<float> yFastest;         ///< y fastest, then x, then z; empty where nothing is swept along x
 };
 
 /// Directions that are swept together: their light enters through the same face of the grid. Light goes from slice to

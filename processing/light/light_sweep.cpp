@@ -182,10 +182,10 @@ private:
 
     void sweepAll(std::vector<SweptLight>& lights, const LightScene& scene, const light::LightGrid& grid,
                   const Progress& progress) {
-        light::GridExtinctions extinctions{grid, {}, {}};
         const RenderedShares shares(scene.rendered, grid.spacingMm);
-        std::vector<float>& whole = m_classified.front().extinctions;
-        extinctions.xFastest = shares.everywhere() ? std::move(whole) : cut(shares, grid);
+        std::vector<float> cut;
+        if (!shares.everywhere()) cut = renderedExtinctions(shares, grid);
+        light::GridExtinctions extinctions{grid, shares.everywhere() ? m_classified.front().extinctions : cut, {}};
         std::vector<std::pair<const light::DirectionBundle*, SweptLight*>> jobs;
         bool alongX = false;
         for (SweptLight& light : lights)
@@ -195,22 +195,18 @@ private:
             }
         if (alongX) extinctions.yFastest = light::withYFastest(extinctions.xFastest, grid);
         ProgressCount count(progress, jobs.size());
-        try {
-            parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
-                for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                    const auto& [bundle, light] = jobs[i];
-                    light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));
-                    count.oneDone();
-                }
-            });
-        } catch (...) {
-            m_classified.pop_front();  // memory ran out, and its extinctions are not there any more
-            throw;
-        }
-        if (shares.everywhere()) whole = std::move(extinctions.xFastest);
+        parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
+            for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                const auto& [bundle, light] = jobs[i];
+                light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));
+                count.oneDone();
+            }
+        });
     }
 
-    [[nodiscard]] std::vector<float> cut(const RenderedShares& shares, const light::LightGrid& grid) const {
+    /// What is left of the extinctions of the whole volume where a part of it is rendered only.
+    [[nodiscard]] std::vector<float> renderedExtinctions(const RenderedShares& shares,
+                                                         const light::LightGrid& grid) const {
         std::vector<float> rendered = m_classified.front().extinctions;
         parallelFor(0, grid.size[2], [&](int z) {
             for (int y = 0; y < grid.size[1]; ++y) {

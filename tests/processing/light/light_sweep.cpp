@@ -179,7 +179,6 @@ TEST(LightSweep, ReadsEveryTypeOfVoxelAlike) {
 }
 
 TEST(LightSweep, FollowsCutsOfBytes) {
-    // Whole, what bytes let through is told from the voxels themselves; cut, from levels that are kept beside them.
     const auto whole = phantom(30);
     const auto cutAt = [&](int edge) {
         std::vector<std::uint8_t> mask(27000, 1);
