@@ -239,7 +239,7 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     if (!memory->isOpen()) return std::nullopt;
     // Whatever a message says, no more is mapped than there is.
     std::uint64_t mapped = 0;
-    const auto mapOnce = [&](std::uint64_t offset, std::uint64_t count) {
+    const auto mapAhead = [&](std::uint64_t offset, std::uint64_t count) {
         mapped += count;
         if (mapped <= memory->size() && hasNoHole(voxels, offset, count)) memory->mapPart(offset, count);
     };
@@ -247,7 +247,7 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     for (const Extent& extent : shared.masks) {
         auto mask = valuesAt<std::uint8_t>(memory, extent);
         if (!mask) return std::nullopt;
-        mapOnce(extent.offset, extent.count);
+        mapAhead(extent.offset, extent.count);
         masks.push_back(std::make_shared<const DataMask>(std::move(*mask)));
     }
     for (const SharedVolume& phase : shared.phases) {
@@ -255,8 +255,8 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
         const auto mask = static_cast<std::size_t>(phase.mask);
         if (!values || (phase.mask >= 0 && (mask >= masks.size() || masks[mask]->size() != phase.voxels.count)))
             return std::nullopt;
-        mapOnce(phase.voxels.offset,
-                std::visit([](const auto& all) { return all.size() * sizeof(all.front()); }, *values));
+        mapAhead(phase.voxels.offset,
+                 std::visit([](const auto& all) { return all.size() * sizeof(all.front()); }, *values));
         Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
         if (phase.mask >= 0 && !marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
         study.phases.push_back(std::make_shared<const Volume>(

@@ -26,7 +26,7 @@ struct JointBilateralPass {
 /// equally strong everywhere: so that the mean of a membrane is taken within it, bright or dark. Whole numbers are
 /// rounded after the last pass only. The rest is as quietVolume() says. Throws std::invalid_argument for a pass that
 /// makes no sense, and where there is none. Volumes of more than `mostVoxels` pass slab by slab (filterSlabs()): beside
-/// the result, that takes some 16 bytes for each voxel of a slab and of what it reaches, up to 16 for each voxel of a
+/// the result, that takes some 16 bytes for each voxel of a slab and of what it reaches, up to 12 for each voxel of a
 /// slice and thread, and, where there are several passes, 4 for each voxel of the volume.
 [[nodiscard]] std::optional<Volume> jointBilateralFiltered(const Volume& volume,
                                                            std::span<const JointBilateralPass> passes,

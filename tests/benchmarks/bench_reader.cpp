@@ -76,8 +76,8 @@ int main(int argc, char** argv) {
     CLI11_PARSE(program, argc, argv);
     fmt::print(
         "| volume | in this process, ms | the same, in shared memory | by a reader that is started | by one that waits "
-        "|"
-        "\n|---|---|---|---|---|\n");
+        "|\n"
+        "|---|---|---|---|---|\n");
     for (const std::string& file : files)
         if (!measure(file, runs)) return 1;
     return 0;
