@@ -1,11 +1,14 @@
 #include "dicom_bytes.h"
 #include "hostile_file.h"
+#include "zlib_bytes.h"
 
 namespace echolucent {
 
 namespace {
 
 const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
+const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
+const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
 const std::string pixels = "ABCDEFGHIJKLMNOP";
 
 HostileFile metaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {
@@ -44,6 +47,35 @@ HostileFile hugeLastElement() {
                        {"(fffc,fffc)", "declares 4026531840 bytes where the file holds only 4"});
 }
 
+/// Two slices, each of the raw elements as a deflated data set, in a folder, which is opened: so their headers are
+/// listed.
+HostileFile deflatedSlices(const std::string& name, const std::string& elements, const std::string& words) {
+    const std::string bytes = DicomBytes().file(sliceClass, deflatedSyntax) + deflated(elements, -15);
+    return {"found-by-fuzzing/" + name,
+            ".",
+            [bytes](const std::filesystem::path& folder) {
+                for (const char* slice : {"1.dcm", "2.dcm"}) writeBytes(folder / slice, bytes);
+            },
+            HostileOutcome::refused,
+            {"1.dcm", words}};
+}
+
+/// A Patient ID that declares 3.8 GB, for which the library takes memory before it looks what there is.
+HostileFile hugePatient() {
+    const std::string patient = DicomBytes().put(0x0010, 0x0020, "UN", "SECRET", 0xe0000000).bytes();
+    return deflatedSlices("a-patient-id-of-4-gigabytes", patient,
+                          "declares 3758096384 bytes where the file holds only 6");
+}
+
+/// Slices whose deflated data set is a value that looks like an item and a few letters: the walk ends among these,
+/// where the library takes four of them for a length of 1.3 GB.
+HostileFile lettersAsALength() {
+    const std::string item = std::string("\xfe\xff\0\xe0\xff\xff", 6) + "MMMMMMMM" + std::string("\0\0\xc4\x03", 4);
+    const std::string elements = DicomBytes().put(0x4d4d, 0x0100, "UN", item + std::string(14, 'M')).bytes();
+    return deflatedSlices("letters-behind-what-looks-like-an-item", elements + std::string(13, 'M'),
+                          "in the middle of an element");
+}
+
 /// Rows that are a sequence of undefined length: as its text the library takes 4 GiB.
 HostileFile rowsThatAreASequence() {
     DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").word(0x0028, 0x0002, 1);
@@ -66,6 +98,8 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
         metaImage("a-pattern-that-counts-from-the-largest-number", "ElementDataFile = v%d.raw 9223372036854775807\n",
                   {"counts with 9223372036854775807"}),
         hugeLastElement(),
+        hugePatient(),
+        lettersAsALength(),
         rowsThatAreASequence(),
         cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
         cine("a-manufacturer-of-20000-letters",

@@ -7,6 +7,7 @@
 
 #include "hostile_file.h"
 #include "io/study.h"
+#include "largest_request.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -34,7 +35,9 @@ TEST_P(HostileFiles, AreRefusedOrOpenAsTheTableSays) {
     const HostileFile& row = GetParam();
     const TemporaryFolder folder;
     row.write(folder.path());
+    forgetLargestRequest();
     const auto study = readStudy(row.opened == "." ? folder.path() : folder.file(row.opened), row.options);
+    EXPECT_LE(largestRequest(), std::size_t{1} << 30) << "bytes asked for at once";
     if (row.outcome == HostileOutcome::refused) {
         ASSERT_FALSE(row.words.empty()) << "a refusal has to say something";
         ASSERT_FALSE(study) << "it opens as " << study->facts.front().value;

@@ -1,0 +1,44 @@
+#include "largest_request.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace echolucent {
+
+namespace {
+
+std::atomic<std::size_t> largest{0};
+
+void remember(std::size_t bytes) {
+    std::size_t known = largest;
+    while (bytes > known && !largest.compare_exchange_weak(known, bytes)) {
+    }
+}
+
+void* orThrow(void* memory) {
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+std::size_t largestRequest() { return largest; }
+void forgetLargestRequest() { largest = 0; }
+
+}  // namespace echolucent
+
+// The other forms of `new` and `delete`, for arrays and those that do not throw, call these.
+void* operator new(std::size_t bytes) {
+    echolucent::remember(bytes);
+    return echolucent::orThrow(std::malloc(bytes > 0 ? bytes : 1));
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    echolucent::remember(bytes);
+    const auto multiple = static_cast<std::size_t>(alignment);
+    return echolucent::orThrow(std::aligned_alloc(multiple, (bytes + multiple) / multiple * multiple));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
