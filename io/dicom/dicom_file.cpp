@@ -42,8 +42,11 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                 lacking->bytesHeld),
                     incomplete)
             .value();
+    // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
+    // lost its way the library may read another length: it is given none of these, whatever was whole before.
+    const bool mayGoOn = DcmXfer(scan.transferSyntax.c_str()).getStreamCompression() == ESC_none;
     // The list of a DICOMDIR says itself which of its files are there.
-    if (scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
+    if (mayGoOn && scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
         case DicomScanEnd::inMeta:
             return refuse(fmt::format("ends after {} bytes, before its data set begins", scan.fileBytes), incomplete);
@@ -52,10 +55,10 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                       scan.endPosition),
                           incomplete);
         case DicomScanEnd::cut:
-            if (scan.pixelsEnd) return std::nullopt;
+            if (mayGoOn && scan.pixelsEnd) return std::nullopt;
             return refuse(fmt::format("ends after {} bytes in the middle of an element", scan.fileBytes), incomplete);
         case DicomScanEnd::damaged:
-            if (scan.pixelsEnd) return std::nullopt;
+            if (mayGoOn && scan.pixelsEnd) return std::nullopt;
             return refuse(fmt::format("is damaged: what stands at byte {} is no DICOM element", scan.endPosition),
                           copyAgain);
         default: return std::nullopt;
@@ -144,11 +147,8 @@ Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& pr
         return fail(FailureKind::unreadable, input.path(), "", "does not begin as a DICOM file does", copyAgain);
     auto scan = scanDicom(input, progress, true);
     if (!scan) return tl::unexpected(scan.error());
-    // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
-    // lost its way the library may read another length.
-    const bool isLost = scan->end == DicomScanEnd::cut || scan->end == DicomScanEnd::damaged;
     const bool isDeflated = DcmXfer(scan->transferSyntax.c_str()).getStreamCompression() != ESC_none;
-    if (scan->lacking || (isLost && isDeflated))
+    if (scan->lacking || isDeflated)
         if (auto refused = whereItEnds(input.path(), *scan, false)) return tl::unexpected(*refused);
     DicomFile file(input.path(), *scan);
     const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);

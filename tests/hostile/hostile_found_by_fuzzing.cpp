@@ -67,13 +67,24 @@ HostileFile hugePatient() {
                           "declares 3758096384 bytes where the file holds only 6");
 }
 
-/// Slices whose deflated data set is a value that looks like an item and a few letters: the walk ends among these,
-/// where the library takes four of them for a length of 1.3 GB.
-HostileFile lettersAsALength() {
+/// A value that looks like an item, and a few letters: the walk ends among these, where the library takes four of them
+/// for a length of 1.3 GB.
+std::string lettersAsALength() {
     const std::string item = std::string("\xfe\xff\0\xe0\xff\xff", 6) + "MMMMMMMM" + std::string("\0\0\xc4\x03", 4);
     const std::string elements = DicomBytes().put(0x4d4d, 0x0100, "UN", item + std::string(14, 'M')).bytes();
-    return deflatedSlices("letters-behind-what-looks-like-an-item", elements + std::string(13, 'M'),
-                          "in the middle of an element");
+    return elements + std::string(13, 'M');
+}
+
+/// The same letters where an element may end in the middle: in the list of a DICOMDIR, and behind whole pixels.
+HostileFile deflatedLetters(const std::string& name, const std::string& sopClass, const DicomBytes& before) {
+    return hostileFile("found-by-fuzzing/" + name, "v.dcm",
+                       DicomBytes().file(sopClass, deflatedSyntax) + deflated(before.bytes() + lettersAsALength(), -15),
+                       {"in the middle of an element"});
+}
+
+DicomBytes wholePixels() {
+    DicomBytes cine = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
+    return cine.put(0x7fe0, 0x0010, "OW", pixels);
 }
 
 /// Rows that are a sequence of undefined length: as its text the library takes 4 GiB.
@@ -99,7 +110,9 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
                   {"counts with 9223372036854775807"}),
         hugeLastElement(),
         hugePatient(),
-        lettersAsALength(),
+        deflatedSlices("letters-behind-what-looks-like-an-item", lettersAsALength(), "in the middle of an element"),
+        deflatedLetters("letters-as-a-deflated-dicomdir", "1.2.840.10008.1.3.10", DicomBytes()),
+        deflatedLetters("letters-behind-deflated-pixels", cineClass, wholePixels()),
         rowsThatAreASequence(),
         cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
         cine("a-manufacturer-of-20000-letters",
