@@ -75,7 +75,7 @@ public:
     [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
     [[nodiscard]] std::uint64_t size() const { return m_bytes; }
     /// Has the kernel map all pages of a part at once, which takes less time than to map them as they are touched. The
-    /// part begins at a page; its pages have to be there (hasNoHole()), since others would take memory.
+    /// part begins at a page; its pages have to be there, since others would take memory.
     void mapPart(std::uint64_t offset, std::uint64_t bytes) const {
         madvise(start() + offset, static_cast<std::size_t>(bytes), MADV_POPULATE_READ);
     }
@@ -121,10 +121,27 @@ std::optional<VoxelArray<Value>> valuesAt(const std::shared_ptr<const Mapping>& 
     return VoxelArray<Value>(memory, std::span(first, static_cast<std::size_t>(extent.count)));
 }
 
-/// Whether all pages of a part of the memory are there.
-bool hasNoHole(const Descriptor& memory, std::uint64_t offset, std::uint64_t bytes) {
-    const off_t hole = lseek(memory.number(), static_cast<off_t>(offset), SEEK_HOLE);
-    return hole >= 0 && static_cast<std::uint64_t>(hole) >= offset + bytes;
+/// A part of shared memory, in bytes.
+struct Part {
+    std::uint64_t offset = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// Maps those parts whose pages are all there; whatever a message says, no more than there is. The system looks for
+/// holes page by page, so that each page is looked at once, however many parts there are.
+void mapAhead(const Mapping& memory, const Descriptor& file, std::vector<Part> parts) {
+    std::ranges::sort(parts, {}, &Part::offset);
+    std::uint64_t mapped = 0, hole = 0;
+    for (const Part& part : parts) {
+        mapped += part.bytes;
+        if (mapped > memory.size()) return;
+        if (part.offset >= hole) {
+            const off_t found = lseek(file.number(), static_cast<off_t>(part.offset), SEEK_HOLE);
+            if (found < 0) return;
+            hole = static_cast<std::uint64_t>(found);
+        }
+        if (part.offset < hole && part.bytes <= hole - part.offset) memory.mapPart(part.offset, part.bytes);
+    }
 }
 
 std::optional<Voxels> voxelsAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
@@ -237,27 +254,29 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     const auto memory =
         std::make_shared<const Mapping>(voxels.number(), static_cast<std::uint64_t>(status.st_size), PROT_READ);
     if (!memory->isOpen()) return std::nullopt;
-    // Whatever a message says, no more is mapped than there is.
-    std::uint64_t mapped = 0;
-    const auto mapAhead = [&](std::uint64_t offset, std::uint64_t count) {
-        mapped += count;
-        if (mapped <= memory->size() && hasNoHole(voxels, offset, count)) memory->mapPart(offset, count);
-    };
+    std::vector<Part> parts;
     std::vector<Volume::SharedMask> masks;
     for (const Extent& extent : shared.masks) {
         auto mask = valuesAt<std::uint8_t>(memory, extent);
         if (!mask) return std::nullopt;
-        mapAhead(extent.offset, extent.count);
+        parts.push_back({extent.offset, extent.count});
         masks.push_back(std::make_shared<const DataMask>(std::move(*mask)));
     }
+    std::vector<Voxels> voxelsOfPhases;
     for (const SharedVolume& phase : shared.phases) {
         auto values = isSensible(phase) ? voxelsAt(memory, phase.voxels) : std::nullopt;
         const auto mask = static_cast<std::size_t>(phase.mask);
         if (!values || (phase.mask >= 0 && (mask >= masks.size() || masks[mask]->size() != phase.voxels.count)))
             return std::nullopt;
-        mapAhead(phase.voxels.offset,
-                 std::visit([](const auto& all) { return all.size() * sizeof(all.front()); }, *values));
-        Volume volume(phase.geometry, std::move(*values), phase.whiteLevel);
+        const std::size_t bytesOfOne = std::visit([](const auto& all) { return sizeof(all.front()); }, *values);
+        parts.push_back({phase.voxels.offset, phase.voxels.count * bytesOfOne});
+        voxelsOfPhases.push_back(std::move(*values));
+    }
+    mapAhead(*memory, voxels, std::move(parts));
+    for (std::size_t i = 0; i < shared.phases.size(); ++i) {
+        const SharedVolume& phase = shared.phases[i];
+        const auto mask = static_cast<std::size_t>(phase.mask);
+        Volume volume(phase.geometry, std::move(voxelsOfPhases[i]), phase.whiteLevel);
         if (phase.mask >= 0 && !marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
         study.phases.push_back(std::make_shared<const Volume>(
             phase.mask >= 0 ? volume.withDataMask(masks[mask], phase.box) : volume.withDataBox(phase.box)));

@@ -14,7 +14,7 @@ struct FilterSlab {
     std::int64_t firstHeld = 0, endHeld = 0;  ///< the slices that are held
 };
 
-/// More voxels than this are not filtered at once: in floats, 64 MiB.
+/// Volumes of more voxels than this are filtered slab by slab. As floats, so many take 64 MiB.
 inline constexpr std::int64_t mostVoxelsAtOnce = std::int64_t{1} << 24;
 
 /// The slabs of a grid, each slice in one of them; each holds its own and `reach` slices behind them, as far as there

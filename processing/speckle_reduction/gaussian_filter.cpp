@@ -66,7 +66,7 @@ public:
     /// reach.
     void hold(const Voxel* voxels, std::int64_t firstSlice) {
         m_held = voxels;
-        m_firstHeld = offset(0, firstSlice);
+        m_heldFrom = offset(0, firstSlice);
     }
     /// How many slices away a voxel lies, at most, that has a part in a mean.
     [[nodiscard]] std::int64_t reach() const { return m_z.reach(); }
@@ -103,7 +103,7 @@ private:
           m_z(sigmas[2], geometry.size[2]) {
         for (std::int64_t x = 0; x < m_columns; ++x) m_weightsX.push_back(m_x.sumAt(x));
     }
-    /// Standard deviations in voxels.
+    /// The standard deviations along x, y and z, in voxels.
     [[nodiscard]] static Vec3 sigmasOf(const VolumeGeometry& geometry, double sigma) {
         if (!(sigma > 0.0)) throw std::invalid_argument("Gaussian: the standard deviation must be above 0");
         const Vec3 spacing = filterSpacing(geometry);
@@ -114,7 +114,7 @@ private:
 
     void alongZ(std::int64_t y, std::int64_t z, Scratch& scratch) const {
         const std::int64_t first = offset(y, m_z.firstAt(z));
-        const VoxelRows<Voxel> rows{m_held + (first - m_firstHeld), m_mask ? m_mask + first : nullptr,
+        const VoxelRows<Voxel> rows{m_held + (first - m_heldFrom), m_mask ? m_mask + first : nullptr,
                                     m_columns * m_rows, count()};
         sumRows(rows, m_z.at(z), scratch.sums.data() + offset(y, 0),
                 scratch.weights.data() + (m_mask ? offset(y, 0) : 0));
@@ -139,17 +139,17 @@ private:
         for (std::size_t x = 0; x < m_weightsX.size(); ++x) scratch.lastWeights[x] = weightYZ * m_weightsX[x];
     }
 
-    /// The row that begins at voxel `first`.
+    /// Writes the row that begins at voxel `first`.
     void store(std::int64_t first, const Scratch& scratch, Voxel* results) const {
         storeMeans(scratch.lastSums, scratch.lastWeights.data(), m_range, results);
         if (m_mask == nullptr) return;
         for (std::int64_t x = 0; x < m_columns; ++x)
-            if (m_mask[first + x] == 0) results[x] = m_held[first + x - m_firstHeld];
+            if (m_mask[first + x] == 0) results[x] = m_held[first + x - m_heldFrom];
     }
 
     std::int64_t m_columns, m_rows;
     const Voxel* m_held = nullptr;
-    std::int64_t m_firstHeld = 0;  ///< the first voxel that is held
+    std::int64_t m_heldFrom = 0;  ///< the voxel that m_held begins with
     const std::uint8_t* m_mask;
     StoredRange m_range;
     Taps m_x, m_y, m_z;

@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// The plane of slice z. What holds no data is as what lies beyond the grid.
+    /// Makes the plane of slice z. What holds no data is as what lies beyond the grid.
     void fill(std::int64_t z, const float* intensities, const float* guide) {
         const auto columns = m_geometry.size[0];
         for (std::int64_t y = 0; y < m_geometry.size[1]; ++y) {
@@ -149,7 +149,7 @@ private:
             }
         }
     }
-    /// The plane of a slice beyond the grid.
+    /// Makes the plane of a slice beyond the grid.
     void clear(std::int64_t z) {
         const std::int64_t from = (z - m_first + m_grid.rim[2]) * m_grid.planeVoxels();
         std::fill_n(m_values.begin() + from, m_grid.planeVoxels(), 0.0F);
@@ -192,8 +192,8 @@ public:
         const auto shareAt = [&](std::size_t slab, double from, double to) {
             return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
         };
-        // The speckle's law is the whole volume's, so that guides are made once for it and once more for the means;
-        // that of a single slab is kept.
+        // The speckle's law is the whole volume's, so that guides are made for it first, those behind a slab with both
+        // of their slabs, and once more for the means; that of a single slab is kept.
         GuideSlices slices(m_volume, m_pass.guideSigma);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
             m_progress.at(shareAt(i, 0.0, shareOfMeasuring));

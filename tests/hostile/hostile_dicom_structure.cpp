@@ -18,7 +18,6 @@ const std::string qlabClass = "1.2.840.113543.6.6.1.3.10002";
 const std::string explicitLittle = "1.2.840.10008.1.2.1";
 const std::string implicitLittle = "1.2.840.10008.1.2";
 const std::string explicitBig = "1.2.840.10008.1.2.2";
-const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
 const std::string openItem("\xfe\xff\x00\xe0\xff\xff\xff\xff", 8);
 const std::string openBigItem("\xff\xfe\xe0\x00\xff\xff\xff\xff", 8);
 const std::string openSequence("\x40\0\x75\x02SQ\0\0\xff\xff\xff\xff", 12);

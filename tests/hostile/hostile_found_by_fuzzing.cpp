@@ -8,7 +8,6 @@ namespace {
 
 const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
 const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
-const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
 const std::string pixels = "ABCDEFGHIJKLMNOP";
 
 HostileFile metaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {

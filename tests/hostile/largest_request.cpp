@@ -28,17 +28,20 @@ void forgetLargestRequest() { largest = 0; }
 
 }  // namespace echolucent
 
-// The other forms of `new` and `delete`, for arrays and those that do not throw, call these.
+#ifndef __SANITIZE_ADDRESS__
+// The other forms of `new` and `delete` of GCC's library, for arrays and those that do not throw, call these.
 void* operator new(std::size_t bytes) {
     echolucent::remember(bytes);
     return echolucent::orThrow(std::malloc(bytes > 0 ? bytes : 1));
 }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     echolucent::remember(bytes);
-    const auto multiple = static_cast<std::size_t>(alignment);
-    return echolucent::orThrow(std::aligned_alloc(multiple, (bytes + multiple) / multiple * multiple));
+    void* memory = nullptr;
+    return echolucent::orThrow(
+        posix_memalign(&memory, static_cast<std::size_t>(alignment), bytes > 0 ? bytes : 1) == 0 ? memory : nullptr);
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif

@@ -8,7 +8,8 @@ namespace echolucent {
 
 /// The bytes of the largest piece that any thread has asked `new` for since forgetLargestRequest(), by the project's
 /// code and by libraries in C++; what libraries in C ask `malloc` for is not seen. Only a program that is linked with
-/// largest_request.cpp, which replaces the global `new`, has it.
+/// largest_request.cpp, which replaces the global `new`, has it; under the address sanitizer, which replaces it too, it
+/// is always 0.
 [[nodiscard]] std::size_t largestRequest();
 void forgetLargestRequest();
 

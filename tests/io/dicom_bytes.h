@@ -7,6 +7,9 @@
 
 namespace echolucent {
 
+/// The transfer syntax of data sets that are deflated as a whole.
+inline const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
+
 /// Elements in explicit VR, little endian, in the order in which they are put.
 class DicomBytes {
 public:

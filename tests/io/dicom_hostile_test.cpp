@@ -19,7 +19,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
 DicomBytes pixels() {
     DicomBytes file;

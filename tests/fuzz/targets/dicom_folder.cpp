@@ -36,7 +36,7 @@ void read(std::string_view bytes) {
         if (entry.whyNot) requireSoundRefusal(*entry.whyNot);
         const auto picture = middlePicture(entry, longestEdge);
         picture ? requireSoundPicture(*picture) : requireSoundRefusal(picture.error());
-        const auto study = readSeries(*list, entry);
+        const auto study = readSeries(*list, entry, optionsOfTargets());
         study ? requireSoundStudy(*study) : requireSoundRefusal(study.error());
     }
 }
