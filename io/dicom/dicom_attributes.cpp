@@ -80,7 +80,7 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
 /// An element with a value; null for a sequence and for a value longer than any that is read here: DCMTK takes memory
 /// for the declared length, 4 GiB where that is undefined, also where a damaged file holds less.
 DcmElement* valueOf(DcmItem& item, DicomTag tag) {
-    constexpr Uint32 longest = Uint32{1} << 26;
+    constexpr Uint32 longest = Uint32{1} << 22;
     DcmElement* element = elementOf(item, tag);
     return element != nullptr && element->isLeaf() && element->getLengthField() <= longest ? element : nullptr;
 }

@@ -31,6 +31,7 @@ struct HostileFile {
     std::vector<std::string> words;
     ReadOptions options{};
     std::size_t phases = 0;  ///< how many a study that opens has; 0 where the row does not say it
+    std::size_t mostBytesAtOnce = std::size_t{1} << 30;  ///< that may be asked for
 };
 
 /// A row with one file of these bytes, which is opened.

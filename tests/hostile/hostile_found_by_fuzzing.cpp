@@ -66,6 +66,21 @@ HostileFile hugePatient() {
                           "declares 3758096384 bytes where the file holds only 6");
 }
 
+/// A file in an unknown coding, in which the walk is lost where the library finds a Photometric Interpretation that
+/// declares 32 MB: looking at its header takes no memory for them.
+HostileFile hugeText() {
+    std::string bytes = std::string(128, '\0') + "DICM" + std::string("\2\0\0\0UL\4\0@\0\0\0", 12);
+    bytes += DicomBytes().put(0x0002, 0x0002, "UI", "65536\\").bytes();
+    bytes += DicomBytes().put(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.4.5").bytes();
+    bytes +=
+        std::string(" \0007\0\0\2\0\0\0 \0\23\0\2\b\0\xff\177\0\0\0\0\0\0", 24) + std::string("(\0\4\0\0\0\1\2\0", 9);
+    HostileFile row = hostileFile("found-by-fuzzing/a-text-of-32-megabytes", "folder/1.dcm", bytes,
+                                  {"(0002,0010)", "not known here"});
+    row.opened = "folder";
+    row.mostBytesAtOnce = std::size_t{1} << 24;
+    return row;
+}
+
 /// A value that looks like an item, and a few letters: the walk ends among these, where the library takes four of them
 /// for a length of 1.3 GB.
 std::string lettersAsALength() {
@@ -109,6 +124,7 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
                   {"counts with 9223372036854775807"}),
         hugeLastElement(),
         hugePatient(),
+        hugeText(),
         deflatedSlices("letters-behind-what-looks-like-an-item", lettersAsALength(), "in the middle of an element"),
         deflatedLetters("letters-as-a-deflated-dicomdir", "1.2.840.10008.1.3.10", DicomBytes()),
         deflatedLetters("letters-behind-deflated-pixels", cineClass, wholePixels()),

@@ -37,7 +37,7 @@ TEST_P(HostileFiles, AreRefusedOrOpenAsTheTableSays) {
     row.write(folder.path());
     forgetLargestRequest();
     const auto study = readStudy(row.opened == "." ? folder.path() : folder.file(row.opened), row.options);
-    EXPECT_LE(largestRequest(), std::size_t{1} << 30) << "bytes asked for at once";
+    EXPECT_LE(largestRequest(), row.mostBytesAtOnce) << "bytes asked for at once";
     if (row.outcome == HostileOutcome::refused) {
         ASSERT_FALSE(row.words.empty()) << "a refusal has to say something";
         ASSERT_FALSE(study) << "it opens as " << study->facts.front().value;
