@@ -114,7 +114,8 @@ TEST_F(SharedVoxels, PagesThatAReaderLeftOutAreNotMadeForIt) {
     ASSERT_TRUE(shared);
     struct stat status {};
     ASSERT_EQ(fstat(shared->voxels.number(), &status), 0);
-    // This memory is as large as the voxels and has no page of them; pages behind its end make up for them in the count.
+    // This memory is as large as the voxels and has no page of them; pages behind its end make up for them in the
+    // count.
     const Descriptor sparse = sharedMemory(static_cast<std::uint64_t>(status.st_size));
     ASSERT_EQ(fallocate(sparse.number(), FALLOC_FL_KEEP_SIZE, status.st_size, status.st_size), 0);
     const auto pages = [&] {
