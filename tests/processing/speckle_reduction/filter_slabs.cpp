@@ -101,17 +101,20 @@ TEST(FilterSlabs, MayBeThinnerThanAMeanReachesAndThanTheVolume) {
 TEST(FilterSlabs, LeaveOffWhereTheRunIsCancelled) {
     const Volume volume = noisyScene<std::uint8_t>({1, 1, 1}, false);
     // Speckle is measured in a fifth of the time, a slab after the other, and then means are made.
-    for (const auto& [at, most] : {std::pair(0.05, 0.1), std::pair(0.3, 0.55)}) {
+    struct Cancel {
+        double at, most;
+    };
+    for (const Cancel& share : {Cancel{0.05, 0.1}, Cancel{0.3, 0.55}}) {
         std::atomic<bool> cancel{false};
         double last = 0.0;
-        const Progress progress{[&](double share) {
-                                    last = share;
-                                    if (share > at) cancel = true;
+        const Progress progress{[&](double done) {
+                                    last = done;
+                                    if (done > share.at) cancel = true;
                                 },
                                 &cancel};
         EXPECT_FALSE(filteredByTwo(volume, onePass, progress, 21 * 18 * 56));
-        EXPECT_GT(last, at);
-        EXPECT_LT(last, most);
+        EXPECT_GT(last, share.at);
+        EXPECT_LT(last, share.most);
     }
 }
 
