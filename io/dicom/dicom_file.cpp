@@ -29,6 +29,10 @@ void prepareLibrary() {
     });
 }
 
+bool isDeflated(const DicomScan& scan) {
+    return DcmXfer(scan.transferSyntax.c_str()).getStreamCompression() != ESC_none;
+}
+
 /// Says where a file ends or makes no sense before its pixels end; no value where that is not so.
 std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& scan, bool qlab) {
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
@@ -44,7 +48,7 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
             .value();
     // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
     // lost its way the library may read another length: it is given none of these, whatever was whole before.
-    const bool mayGoOn = DcmXfer(scan.transferSyntax.c_str()).getStreamCompression() == ESC_none;
+    const bool mayGoOn = !isDeflated(scan);
     // The list of a DICOMDIR says itself which of its files are there.
     if (mayGoOn && scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
@@ -147,8 +151,7 @@ Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& pr
         return fail(FailureKind::unreadable, input.path(), "", "does not begin as a DICOM file does", copyAgain);
     auto scan = scanDicom(input, progress, true);
     if (!scan) return tl::unexpected(scan.error());
-    const bool isDeflated = DcmXfer(scan->transferSyntax.c_str()).getStreamCompression() != ESC_none;
-    if (scan->lacking || isDeflated)
+    if (scan->lacking || isDeflated(*scan))
         if (auto refused = whereItEnds(input.path(), *scan, false)) return tl::unexpected(*refused);
     DicomFile file(input.path(), *scan);
     const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);

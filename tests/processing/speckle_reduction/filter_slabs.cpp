@@ -25,22 +25,23 @@ constexpr std::array twoPasses{JointBilateralPass{}, JointBilateralPass{.guideSi
 
 TEST(FilterSlabs, FilterEverySliceOnceAndHoldThoseBehind) {
     const VolumeGeometry geometry = gridOf({10, 10, 57});
-    for (const std::int64_t reach : {1, 3, 9, 80})
-        for (const std::int64_t threads : {1, 4})
-            for (const std::int64_t mostVoxels : {1, 4000, 5600}) {
-                // A slab has an eighth of the voxels that may pass at once, but a slice for each thread, and no fewer
-                // than are held behind it.
-                const std::int64_t thickness = std::max({reach, threads, mostVoxels / 800});
-                std::int64_t next = 0;
-                for (const FilterSlab& slab : filterSlabs(geometry, reach, mostVoxels, threads)) {
-                    EXPECT_EQ(slab.first, next);
-                    EXPECT_EQ(slab.end, std::min<std::int64_t>(57, next + thickness));
-                    EXPECT_EQ(slab.firstHeld, slab.first);
-                    EXPECT_EQ(slab.endHeld, std::min<std::int64_t>(57, slab.end + reach));
-                    next = slab.end;
-                }
-                EXPECT_EQ(next, 57);
-            }
+    // A slab has an eighth of the voxels that may pass at once, but a slice for each thread, and no fewer than are held
+    // behind it.
+    struct Case {
+        std::int64_t reach, threads, mostVoxels, thickness;
+    };
+    for (const Case& given : {Case{1, 1, 1, 1}, Case{1, 4, 1, 4}, Case{3, 1, 1, 3}, Case{9, 4, 1, 9},
+                              Case{1, 1, 4000, 5}, Case{3, 4, 5600, 7}, Case{9, 4, 5600, 9}, Case{80, 1, 5699, 80}}) {
+        std::int64_t next = 0;
+        for (const FilterSlab& slab : filterSlabs(geometry, given.reach, given.mostVoxels, given.threads)) {
+            EXPECT_EQ(slab.first, next);
+            EXPECT_EQ(slab.end, std::min<std::int64_t>(57, next + given.thickness));
+            EXPECT_EQ(slab.firstHeld, slab.first);
+            EXPECT_EQ(slab.endHeld, std::min<std::int64_t>(57, slab.end + given.reach));
+            next = slab.end;
+        }
+        EXPECT_EQ(next, 57);
+    }
     EXPECT_EQ(filterSlabs(geometry, 3, 5700, 2).size(), 1U);
 }
 
