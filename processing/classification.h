@@ -1,0 +1,80 @@
+// What a picture makes of voxels: opacity over the intensity, or over the intensity and the gradient magnitude.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "processing/opacity_curve.h"
+
+namespace echolucent {
+
+/// A two-dimensional OTF (Levoy 1988; Kindlmann and Durkin 1998): opacities per reference step over the normalised
+/// intensity f in [0,1] and the gradient magnitude g (processing/volume/gradient_magnitude.h), given at equidistant
+/// nodes, bilinear between them.
+struct TwoDimensionalOtf {
+    int intensities = 2;           ///< nodes along f, from 0 to 1; 2 to 1024
+    int gradients = 2;             ///< nodes along g, from 0 to largestGradient; 2 to 1024
+    double largestGradient = 1.0;  ///< normalised intensity per unit, above 0; larger gradients count as this one
+    std::vector<float> opacities{0, 0, 0, 0};  ///< [0,1]; f runs fastest: index = node of g * intensities + node of f
+    friend bool operator==(const TwoDimensionalOtf&, const TwoDimensionalOtf&) = default;
+};
+
+/// Opacity at a normalised intensity and a gradient magnitude, both clamped into the nodes' range (NaN counts as 0).
+[[nodiscard]] double opacityAt(const TwoDimensionalOtf& otf, double intensity, double gradient);
+
+/// The two-dimensional OTF whose nodes are opacity(f, g), clamped into [0,1] (NaN counts as 0). Throws
+/// std::invalid_argument for a number of nodes or a largest gradient out of range.
+template <typename Opacity>
+[[nodiscard]] TwoDimensionalOtf tabulated(int intensities, int gradients, double largestGradient,
+                                          const Opacity& opacity);
+
+/// A curve or a two-dimensional OTF, as one value. What is two-dimensional is shared between copies. A curve converts
+/// by itself.
+class Classification {
+public:
+    template <typename Curve>
+    requires std::constructible_from<OpacityCurve, Curve> Classification(Curve&& curve)
+        : m_curve(std::forward<Curve>(curve)) {}
+    /// Throws std::invalid_argument where a member is out of its range.
+    explicit Classification(TwoDimensionalOtf otf);
+
+    [[nodiscard]] bool isTwoDimensional() const { return m_twoDimensional != nullptr; }
+    /// The curve. Of what is two-dimensional it is a curve without a node, and not to be used.
+    [[nodiscard]] const OpacityCurve& curve() const { return m_curve; }
+    /// Null where it is a curve.
+    [[nodiscard]] const std::shared_ptr<const TwoDimensionalOtf>& twoDimensional() const { return m_twoDimensional; }
+
+    friend bool operator==(const Classification& one, const Classification& other);
+
+private:
+    OpacityCurve m_curve = ManualCurve{};
+    std::shared_ptr<const TwoDimensionalOtf> m_twoDimensional;
+};
+
+/// Opacity at a normalised intensity and a gradient magnitude, of which a curve knows the first alone.
+[[nodiscard]] double opacityAt(const Classification& classification, double intensity, double gradient);
+
+/// The largest opacity of an intensity at any gradient: what an editor that knows one axis shows.
+[[nodiscard]] OpacityCurve upperCurveOf(const Classification& classification);
+
+namespace classification_detail {
+void check(int intensities, int gradients, double largestGradient);
+float clampedOpacity(double opacity);
+}  // namespace classification_detail
+
+template <typename Opacity>
+TwoDimensionalOtf tabulated(int intensities, int gradients, double largestGradient, const Opacity& opacity) {
+    classification_detail::check(intensities, gradients, largestGradient);
+    TwoDimensionalOtf otf{intensities, gradients, largestGradient, {}};
+    otf.opacities.reserve(static_cast<std::size_t>(intensities) * static_cast<std::size_t>(gradients));
+    for (int j = 0; j < gradients; ++j)
+        for (int i = 0; i < intensities; ++i)
+            otf.opacities.push_back(classification_detail::clampedOpacity(
+                opacity(static_cast<double>(i) / (intensities - 1), largestGradient * j / (gradients - 1))));
+    return otf;
+}
+
+}  // namespace echolucent
