@@ -10,6 +10,8 @@
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
 #include "processing/ray_caster/light_reaching.h"
+#include "processing/ray_caster/packed_gradients.h"
+#include "processing/volume/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 
 namespace echolucent {
@@ -60,6 +62,19 @@ DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geome
 class RayCaster::Parts {
 public:
     explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVoxels(*given)) {}
+    /// RayCaster::sharing().
+    Parts(const Parts& other)
+        : volume(other.volume),
+          m_presence(*volume),
+          m_ranges(other.m_ranges),
+          m_empty(m_ranges.grid()),
+          m_borders(other.m_borders),
+          m_packed(other.m_packed),
+          m_reaching(volume) {}
+    Parts& operator=(const Parts&) = delete;
+    Parts(Parts&&) = delete;
+    Parts& operator=(Parts&&) = delete;
+    ~Parts() = default;
 
     /// Another cut of the same scan: only the presence of data changes, and only around the rows that it cuts
     /// otherwise.
@@ -77,23 +92,26 @@ public:
         });
     }
 
-    std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress) {
+    std::optional<Picture> cast(const Classification& otf, const RayCastSettings& settings, const Progress& progress) {
         const bool mixes = settings.mode == RenderMode::direct && settings.mixing.share > 0.0;
         std::optional<Picture> other;
         // It is cast first, so that what is kept is what the direct picture kept.
-        if (mixes && !(other = castOne(curve, mixedIn(settings), progress))) return std::nullopt;
-        auto picture = castOne(curve, settings, progress);
+        if (mixes && !(other = castOne(otf, mixedIn(settings), progress))) return std::nullopt;
+        auto picture = castOne(otf, settings, progress);
         if (picture && mixes) mixIn(*picture, *other, settings.mixing.share);
         return picture;
     }
 
-    std::optional<Picture> castOne(const OpacityCurve& curve, const RayCastSettings& settings,
+    std::optional<Picture> castOne(const Classification& otf, const RayCastSettings& settings,
                                    const Progress& progress) {
         const RayGeometry rays(volume->geometry(), settings);
-        if (!m_reaching.update(curve, settings, progress)) return std::nullopt;
+        const bool readsGradients = otf.isTwoDimensional() && settings.mode == RenderMode::direct;
+        if (readsGradients && !prepareGradients(otf, progress)) return std::nullopt;
+        const GradientLevels* const levels = readsGradients ? m_gradients->levels().get() : nullptr;
+        if (!m_reaching.update({otf, levels}, settings, progress)) return std::nullopt;
         Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
         const bool finished = std::visit(
-            [&](const auto& packed) { return castVoxels(packed, rays, curve, settings, picture, progress); }, m_packed);
+            [&](const auto& packed) { return castVoxels(packed, rays, otf, settings, picture, progress); }, *m_packed);
         if (!finished) return std::nullopt;
         kept.finishPicture();
         if (settings.brightness != 1.0) brighten(picture, settings.brightness);
@@ -114,7 +132,7 @@ private:
           m_ranges(filled, m_presence),
           m_empty(m_ranges.grid()),
           m_borders(m_presence),
-          m_packed(pack(filled)),
+          m_packed(std::make_shared<const Packed>(pack(filled))),
           m_reaching(volume) {}
 
     static Packed pack(const Volume& filled) {
@@ -122,11 +140,27 @@ private:
                           filled.voxels());
     }
 
+    /// Gradients and visible nodes of a two-dimensional OTF; false where it was cancelled.
+    bool prepareGradients(const Classification& otf, const Progress& progress) {
+        if (m_visibleOf && *m_visibleOf == otf) return true;
+        const double largest = otf.twoDimensional()->largestGradient;
+        if (!m_gradients || m_gradients->levels()->largest != largest) {
+            // They depend on the scan alone, as what fills it does.
+            const Volume filled = filledVoxels(*volume);
+            auto levels = gradientLevels(filled, largest, Progress{{}, progress.cancel});
+            if (!levels) return false;
+            m_gradients.emplace(filled, std::make_shared<const GradientLevels>(std::move(*levels)), m_ranges.grid());
+        }
+        m_visible.emplace(*otf.twoDimensional());
+        m_visibleOf = otf;
+        return true;
+    }
+
     template <typename Voxel>
-    bool castVoxels(const PackedVoxels<Voxel>& packed, const RayGeometry& rays, const OpacityCurve& curve,
+    bool castVoxels(const PackedVoxels<Voxel>& packed, const RayGeometry& rays, const Classification& otf,
                     const RayCastSettings& settings, Picture& picture, const Progress& progress) {
         const bool direct = settings.mode == RenderMode::direct;
-        const TransferTable table(curve, settings.colourMap, settings.step);
+        const TransferTable table(otf.curve(), settings.colourMap, settings.step);
         KernelJob<Voxel> job;
         job.voxels = &packed;
         job.presence = m_presence.cubes();
@@ -142,7 +176,17 @@ private:
         job.colourMap = settings.colourMap;
         job.nearest = settings.interpolation == Interpolation::nearest;
         job.endTransmittance = settings.terminationTransmittance;
-        job.kept = kept.samplesFor(settings, rays, sampleMemoryLimit);
+        std::optional<TwoDimensionalNodes> nodes;
+        if (direct && otf.isTwoDimensional()) {
+            const TwoDimensionalOtf& given = *otf.twoDimensional();
+            job.twoDimensional =
+                &nodes.emplace(TwoDimensionalNodes{given.opacities.data(), given.intensities, given.gradients,
+                                                   m_gradients->cubes(), m_visible->firstVisible()});
+        }
+        if (nodes)
+            kept.useNone();
+        else
+            job.kept = kept.samplesFor(settings, rays, sampleMemoryLimit);
         job.picture = &picture;
         std::optional<LightSource> light;
         std::optional<DepthTint> tint;
@@ -157,7 +201,7 @@ private:
             if (settings.depthColouring)
                 job.depthTint = &tint.emplace(depthTint(*settings.depthColouring, job.geometry, settings));
         }
-        const bool plain = direct && !settings.shading && !settings.depthColouring && !settings.findDepth;
+        const bool plain = direct && !nodes && !settings.shading && !settings.depthColouring && !settings.findDepth;
         constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
         const bool fine = bytes && volume->whiteLevel() >= ByteOpacities::leastWhite;
         if (fine && direct) {
@@ -166,7 +210,10 @@ private:
         }
         if (plain && (fine || !bytes)) job.colourBends = &colourBends.emplace(settings.colourMap);
         if (direct && settings.skipEmptySpace) {
-            m_empty.update(m_ranges, table);
+            if (nodes)
+                m_empty.update(m_ranges, *m_gradients, *m_visible);
+            else
+                m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();
         }
         return castTiles(job, progress);
@@ -176,12 +223,17 @@ private:
     BrickRanges m_ranges;
     EmptySpace m_empty;
     BorderSpace m_borders;
-    Packed m_packed;
+    std::shared_ptr<const Packed> m_packed;
     LightReaching m_reaching;
+    std::optional<PackedGradients> m_gradients;  ///< of the newest two-dimensional OTF
+    std::optional<VisibleNodes> m_visible;
+    std::optional<Classification> m_visibleOf;
 };
 
 RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}
 
+RayCaster::RayCaster(std::unique_ptr<Parts> parts) : m_parts(std::move(parts)) {}
+RayCaster RayCaster::sharing() const { return RayCaster(std::make_unique<Parts>(*m_parts)); }
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
@@ -193,9 +245,9 @@ void RayCaster::setCut(std::shared_ptr<const Volume> volume) {
 
 const std::shared_ptr<const Volume>& RayCaster::volume() const { return m_parts->volume; }
 
-std::optional<Picture> RayCaster::cast(const OpacityCurve& curve, const RayCastSettings& settings,
+std::optional<Picture> RayCaster::cast(const Classification& classification, const RayCastSettings& settings,
                                        const Progress& progress) {
-    return m_parts->cast(curve, settings, progress);
+    return m_parts->cast(classification, settings, progress);
 }
 
 double RayCaster::lightMilliseconds() const { return m_parts->lightMilliseconds(); }
@@ -204,12 +256,12 @@ SampleUse RayCaster::sampleUse() const { return m_parts->kept.sampleUse(); }
 
 std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
 
-std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                                const Progress& progress) {
+std::optional<Picture> castRays(const Volume& volume, const Classification& classification,
+                                const RayCastSettings& settings, const Progress& progress) {
     if (progress.cancelled()) return std::nullopt;
     // Not owned: the caller keeps it for as long as this takes.
     return RayCaster(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume))
-        .cast(curve, settings, progress);
+        .cast(classification, settings, progress);
 }
 
 }  // namespace echolucent

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "processing/opacity_curve.h"
+#include "processing/classification.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
@@ -31,10 +31,14 @@ namespace echolucent {
 /// * 10^5 samples. A ray ends at a multiple of 8 steps. Lighting is left out (w = 0) where a step adds less than min(1,
 /// step) / 128 to its pixel's opacity. Memory: twice the volume's, and two bytes a voxel more where voxels lack data.
 ///
+/// Of a two-dimensional OTF the nodes themselves are read, bilinear, and corrected for the step behind the
+/// interpolation; gradient magnitudes are GradientLevels, interpolated as bytes are. They take three bytes a voxel
+/// more, made for the first such picture.
+///
 /// The result is empty only where progress.cancel was raised (it is polled once a tile of 32 x 32 pixels). The work is
 /// done in the calling thread's oneTBB arena, and the pixels are the same for any number of threads. Throws
 /// std::invalid_argument for settings that make no sense.
-[[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const OpacityCurve& curve,
+[[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const Classification& classification,
                                               const RayCastSettings& settings, const Progress& progress = {});
 
 /// Casts rays through one volume again and again, and keeps what pictures have in common: the voxels in the order the
@@ -48,6 +52,11 @@ public:
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;
 
+    /// Another caster of the same volume that shares the packed voxels, the largest part of what a caster holds, and
+    /// otherwise knows nothing of this one: several OTFs of one volume have a caster each. This one must not cast
+    /// meanwhile; afterwards both may cast at once, in different threads.
+    [[nodiscard]] RayCaster sharing() const;
+
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
     /// Casts from now on through the same scan, of which a scalpel cut other voxels. No voxel is packed anew, and only
     /// what lies around changed rows of the mask is worked out anew; pictures are those of a RayCaster made for it, to
@@ -55,8 +64,9 @@ public:
     /// another scan (Volume::isSameScanAs()).
     void setCut(std::shared_ptr<const Volume> volume);
     /// As castRays(). Where all but the curve and the colour map is as in the call before, the samples of that view are
-    /// kept (see sampleMemoryLimit) and from then on only classified and composited anew.
-    [[nodiscard]] std::optional<Picture> cast(const OpacityCurve& curve, const RayCastSettings& settings,
+    /// kept (see sampleMemoryLimit) and from then on only classified and composited anew; not those of two-dimensional
+    /// OTFs.
+    [[nodiscard]] std::optional<Picture> cast(const Classification& classification, const RayCastSettings& settings,
                                               const Progress& progress = {});
 
     /// How the newest cast() that was not cancelled used samples.
@@ -72,6 +82,7 @@ public:
 
 private:
     class Parts;
+    explicit RayCaster(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> m_parts;
 };
 

@@ -47,7 +47,7 @@ void DocumentView::showPose() {
 }
 
 void DocumentView::showCurve() {
-    if (!m_held) m_widget.setCurve(curveOf(m_model.document(), m_view, m_adaptive));
+    if (!m_held) m_widget.setClassification(curveOf(m_model.document(), m_view, m_adaptive));
 }
 
 void DocumentView::showLook() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <type_traits>
 #include <variant>
 
@@ -154,6 +155,47 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
                            [&](std::uint8_t level) { return levelOpacity(curve, level); });
     const std::uint8_t* const bytes = m_levels.empty() ? m_bytes.data() : m_levels.data();
     const std::uint8_t* const mask = m_mask.empty() ? nullptr : m_mask.data();
+    const auto add = [&](std::int64_t from, std::size_t count, std::size_t each, float* sums) {
+        if (mask != nullptr)
+            addRow<true>({bytes + from, mask + from}, count, each, opacities, sums);
+        else
+            addRow<false>({bytes + from, nullptr}, count, each, opacities, sums);
+    };
+    makeOf(extinctions, rows, grid, add, progress);
+}
+
+void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& rows, const TwoDimensionalOtf& otf,
+                            const GradientLevels& gradients, const LightGrid& grid, const Progress& progress) const {
+    if (gradients.bytes.size() != static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]) ||
+        gradients.largest != otf.largestGradient)
+        throw std::invalid_argument("CoarseExtinction: the gradients are of another grid or scale");
+    // One opacity for each byte of a gradient and each that stands for a voxel, these fastest.
+    constexpr std::size_t levels = 256;
+    std::vector<float> opacities(levels * levels);
+    parallelFor(std::size_t{0}, levels, [&](std::size_t gradient) {
+        const double magnitude = gradients.largest * static_cast<double>(gradient) / 255.0;
+        for (std::size_t byte = 0; byte < levels; ++byte) {
+            const std::uint8_t level = m_levelOfByte[byte];
+            if (level == 0) continue;
+            opacities[gradient * levels + byte] =
+                static_cast<float>(opacityAt(otf, static_cast<double>(level - 1) / levelsAbove, magnitude));
+        }
+    });
+    const std::uint8_t* const bytes = m_levels.empty() ? m_bytes.data() : m_levels.data();
+    const std::uint8_t* const mask = m_mask.empty() ? nullptr : m_mask.data();
+    const auto add = [&](std::int64_t from, std::size_t count, std::size_t each, float* sums) {
+        for (std::size_t x = 0; x < count; ++x) {
+            const auto at = static_cast<std::size_t>(from) + x;
+            if (mask != nullptr && mask[at] == 0) continue;
+            sums[x / each] += opacities[std::size_t{gradients.bytes[at]} * levels + bytes[at]];
+        }
+    };
+    makeOf(extinctions, rows, grid, add, progress);
+}
+
+template <typename AddRow>
+void CoarseExtinction::makeOf(std::vector<float>& extinctions, const RowMarks& rows, const LightGrid& grid,
+                              const AddRow& addRow, const Progress& progress) const {
     const ExtinctionTable table(m_unit);
     const auto perPlace = 1.0f / static_cast<float>(grid.voxels[0] * grid.voxels[1] * grid.voxels[2]);
     parallelFor(0, grid.size[2], [&](int z) {
@@ -173,13 +215,8 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
             std::fill_n(row, columns, 0.0f);
             for (std::int64_t k = firstZ; k < lastZ; ++k)
                 for (std::int64_t j = firstY; j < lastY; ++j) {
-                    const std::int64_t from = first + m_size[0] * (j + m_size[1] * k);
-                    const auto voxels = static_cast<std::size_t>(count),
-                               each = static_cast<std::size_t>(grid.voxels[0]);
-                    if (mask != nullptr)
-                        addRow<true>({bytes + from, mask + from}, voxels, each, opacities, row);
-                    else
-                        addRow<false>({bytes + from, nullptr}, voxels, each, opacities, row);
+                    addRow(first + m_size[0] * (j + m_size[1] * k), static_cast<std::size_t>(count),
+                           static_cast<std::size_t>(grid.voxels[0]), row);
                 }
             for (std::size_t x = 0; x < columns; ++x) row[x] = table.at(std::min(row[x] * perPlace, 1.0f));
         }

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "processing/classification.h"
 #include "processing/light/light_grid.h"
-#include "processing/opacity_curve.h"
 #include "processing/progress.h"
+#include "processing/volume/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 
@@ -28,8 +29,18 @@ public:
     /// some of them are not made; the caller sees that from `progress`.
     void make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve, const LightGrid& grid,
               const Progress& progress) const;
+    /// The same under a two-dimensional OTF, with the gradients of the scan. Each voxel has the opacity of its level
+    /// and its gradient's byte. Throws std::invalid_argument where the gradients are of another grid or scale.
+    void make(std::vector<float>& extinctions, const RowMarks& rows, const TwoDimensionalOtf& otf,
+              const GradientLevels& gradients, const LightGrid& grid, const Progress& progress) const;
 
 private:
+    /// addRow(offset of the first voxel, count, voxels a place, sums) adds opacities of a row of voxels to the sums of
+    /// its places.
+    template <typename AddRow>
+    void makeOf(std::vector<float>& extinctions, const RowMarks& rows, const LightGrid& grid, const AddRow& addRow,
+                const Progress& progress) const;
+
     std::array<std::int64_t, 3> m_size;
     double m_unit;                                  ///< mm
     VoxelArray<std::uint8_t> m_bytes;               ///< the volume's; empty where voxels are no bytes

@@ -15,6 +15,7 @@
 #include "processing/light/light_grid.h"
 #include "processing/light/slice_kernel.h"
 #include "processing/parallel.h"
+#include "processing/volume/filled_volume.h"
 
 namespace echolucent {
 
@@ -127,9 +128,9 @@ public:
         m_aroundScene.reset();
     }
 
-    std::optional<LightVolume> make(const OpacityCurve& curve, const LightScene& scene, const Progress& progress) {
+    std::optional<LightVolume> make(const LightOtf& otf, const LightScene& scene, const Progress& progress) {
         const light::LightGrid grid(volume->geometry(), scene.coarseness);
-        if (!classify(curve, scene.coarseness, grid, progress)) return std::nullopt;
+        if (!classify(otf, scene.coarseness, grid, progress)) return std::nullopt;
         LightScene aroundScene = scene;
         aroundScene.towardsKey = {0, 0, 1};
         aroundScene.keyHalfAngleDegrees = 0.0;
@@ -152,31 +153,50 @@ public:
 private:
     /// Extinctions of the whole volume.
     struct Classified {
-        OpacityCurve curve;
+        Classification otf;
         int coarseness;
         std::vector<float> extinctions;  ///< and spareFloats more
         RowMarks stale;                  ///< rows of voxels of which the extinctions know another cut
     };
 
-    /// Makes the first of m_classified that of the curve. False where it was cancelled.
-    bool classify(const OpacityCurve& curve, int coarseness, const light::LightGrid& grid, const Progress& progress) {
+    /// Makes the first of m_classified that of the OTF. False where it was cancelled.
+    bool classify(const LightOtf& given, int coarseness, const light::LightGrid& grid, const Progress& progress) {
+        const Classification& otf = given.classification;
         const auto found = std::ranges::find(m_classified, coarseness, &Classified::coarseness);
         const bool isNewest = found == m_classified.begin() && found != m_classified.end();
-        if (!isNewest || found->curve != curve) m_aroundScene.reset();
-        if (found != m_classified.end() && found->curve == curve) {
+        if (!isNewest || found->otf != otf) m_aroundScene.reset();
+        if (found != m_classified.end() && found->otf == otf) {
             m_classified.splice(m_classified.begin(), m_classified, found);
         } else {
             if (found != m_classified.end()) m_classified.erase(found);
             constexpr std::size_t most = 2;
             if (m_classified.size() >= most) m_classified.pop_back();
-            m_classified.push_front({curve, coarseness, std::vector<float>(grid.places() + light::spareFloats),
+            m_classified.push_front({otf, coarseness, std::vector<float>(grid.places() + light::spareFloats),
                                      RowMarks(volume->geometry().size, true)});
         }
         Classified& kept = m_classified.front();
         if (!kept.stale.any()) return true;
-        m_extinction.make(kept.extinctions, kept.stale, curve, grid, progress);
+        if (!makeExtinctions(given, kept, grid, progress)) return false;
         if (progress.cancelled()) return false;
         kept.stale = RowMarks(volume->geometry().size);
+        return true;
+    }
+
+    /// False where it was cancelled before any was made.
+    bool makeExtinctions(const LightOtf& otf, Classified& kept, const light::LightGrid& grid,
+                         const Progress& progress) const {
+        if (!otf.classification.isTwoDimensional()) {
+            m_extinction.make(kept.extinctions, kept.stale, otf.classification.curve(), grid, progress);
+            return true;
+        }
+        const TwoDimensionalOtf& twoDimensional = *otf.classification.twoDimensional();
+        std::optional<GradientLevels> made;
+        if (otf.gradients == nullptr) {
+            made = gradientLevels(filledVoxels(*volume), twoDimensional.largestGradient, Progress{{}, progress.cancel});
+            if (!made) return false;
+        }
+        const GradientLevels& levels = made ? *made : *otf.gradients;
+        m_extinction.make(kept.extinctions, kept.stale, twoDimensional, levels, grid, progress);
         return true;
     }
 
@@ -235,10 +255,10 @@ void LightSweep::setCut(std::shared_ptr<const Volume> volume, const RowMarks& ma
     m_parts->setCut(std::move(volume), masked);
 }
 
-std::optional<LightVolume> LightSweep::lightVolume(const OpacityCurve& curve, const LightScene& scene,
+std::optional<LightVolume> LightSweep::lightVolume(const LightOtf& otf, const LightScene& scene,
                                                    const Progress& progress) {
     check(scene);
-    return m_parts->make(curve, scene, progress);
+    return m_parts->make(otf, scene, progress);
 }
 
 }  // namespace echolucent

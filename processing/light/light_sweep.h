@@ -5,12 +5,13 @@
 #include <memory>
 #include <optional>
 
+#include "processing/classification.h"
 #include "processing/light/light_directions.h"
 #include "processing/light/light_volume.h"
 #include "processing/light/rendered_part.h"
-#include "processing/opacity_curve.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
+#include "processing/volume/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 
@@ -44,6 +45,18 @@ struct LightScene {
 [[nodiscard]] LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& geometry);
 inline constexpr int usualVolumeEdge = 216;  ///< a little more than the paper's scans have
 
+/// What attenuates light.
+struct LightOtf {
+    Classification classification;
+    /// Of the scan, with the largest gradient of a two-dimensional OTF, where somebody has them; where it is null, they
+    /// are made where they are needed. A curve asks for none.
+    const GradientLevels* gradients = nullptr;
+
+    template <typename Otf>
+    requires std::constructible_from<Classification, Otf> LightOtf(Otf&& otf, const GradientLevels* levels = nullptr)
+        : classification(std::forward<Otf>(otf)), gradients(levels) {}
+};
+
 /// Makes light volumes of one volume again and again, and keeps what they have in common: the coarse opacities while
 /// the curve stays (of two coarsenesses, since pictures of the hand and at rest come in turn), and, where only the key
 /// light changed, the light around the viewer. Only one thread at a time may use it.
@@ -67,7 +80,7 @@ public:
     /// The result is empty only where progress.cancel was raised (it is polled in every slice). The work is done in the
     /// calling thread's oneTBB arena, and the bytes are the same for any number of threads. Throws
     /// std::invalid_argument for a scene out of range.
-    [[nodiscard]] std::optional<LightVolume> lightVolume(const OpacityCurve& curve, const LightScene& scene,
+    [[nodiscard]] std::optional<LightVolume> lightVolume(const LightOtf& otf, const LightScene& scene,
                                                          const Progress& progress = {});
 
 private:

@@ -11,12 +11,6 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// The voxels around the cubes of a brick, on one axis: [first, second).
-std::pair<std::int64_t, std::int64_t> voxelsOf(std::int64_t brick, std::int64_t size) {
-    const std::int64_t first = brick * BrickGrid::edge - cubeShift;
-    return {std::clamp<std::int64_t>(first, 0, size - 1), std::min(size, first + BrickGrid::edge + 1)};
-}
-
 template <typename Voxel>
 struct RangeOf {
     Voxel lowest = std::numeric_limits<Voxel>::max(), highest = std::numeric_limits<Voxel>::lowest();
@@ -33,16 +27,6 @@ struct RangeOf {
     }
 };
 
-/// Calls visit(offset of the first voxel, count) for each row of voxels around the cubes of a brick.
-template <typename Visit>
-void forEachRowOf(const VolumeGeometry& geometry, const std::array<std::int64_t, 3>& brick, const Visit& visit) {
-    const auto [x, endX] = voxelsOf(brick[0], geometry.size[0]);
-    const auto [y, endY] = voxelsOf(brick[1], geometry.size[1]);
-    const auto [z, endZ] = voxelsOf(brick[2], geometry.size[2]);
-    for (std::int64_t slice = z; slice < endZ; ++slice)
-        for (std::int64_t row = y; row < endY; ++row) visit(geometry.offset(x, row, slice), endX - x);
-}
-
 /// Of the voxels that hold a value.
 template <typename Voxel>
 RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
@@ -57,24 +41,7 @@ RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::arr
     return range;
 }
 
-/// Calls visit(brick, its offset) for all bricks.
-template <typename Visit>
-void forEachBrick(const BrickGrid& grid, const Visit& visit) {
-    const std::int64_t columns = grid.size[0], rows = grid.size[1];
-    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * grid.size[2]), [&](const auto& range) {
-        for (std::int64_t row = range.begin(); row < range.end(); ++row)
-            for (std::int64_t x = 0; x < columns; ++x)
-                visit(std::array<std::int64_t, 3>{x, row % rows, row / rows},
-                      static_cast<std::size_t>(row * columns + x));
-    });
-}
-
 }  // namespace
-
-BrickGrid::BrickGrid(const VolumeGeometry& geometry) {
-    // Samples lie in cubes 0 ... size.
-    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = geometry.size[axis] / edge + 1;
-}
 
 BrickRanges::BrickRanges(const Volume& filled, const PackedPresence& presence)
     : m_grid(filled.geometry()),
@@ -128,15 +95,15 @@ void BrickRanges::follow(const PackedPresence& presence, const RowMarks& rows) {
 EmptySpace::EmptySpace(const BrickGrid& grid)
     : m_grid(grid), m_empty(static_cast<std::size_t>(grid.count())), m_distances(m_empty.size()) {}
 
-void EmptySpace::update(const BrickRanges& ranges, const TransferTable& table) {
+template <typename IsEmpty>
+void EmptySpace::follow(const IsEmpty& isEmpty) {
     Box changed{m_grid.size, {0, 0, 0}};
     m_updatedBricks = 0;
     for (std::int64_t z = 0; z < m_grid.size[2]; ++z)
         for (std::int64_t y = 0; y < m_grid.size[1]; ++y)
             for (std::int64_t x = 0; x < m_grid.size[0]; ++x) {
                 const std::size_t brick = m_grid.offset(x, y, z);
-                const float lowest = ranges.lowest()[brick], highest = ranges.highest()[brick];
-                const bool empty = lowest > highest || table.transparentBetween(lowest, highest);
+                const bool empty = isEmpty(brick);
                 if (empty == (m_empty[brick] != 0)) continue;
                 m_empty[brick] = empty ? 1 : 0;
                 m_emptyBricks += empty ? 1 : -1;
@@ -153,6 +120,21 @@ void EmptySpace::update(const BrickRanges& ranges, const TransferTable& table) {
         changed.last[axis] = std::min(m_grid.size[axis], changed.last[axis] + farthest);
     }
     findDistances(changed);
+}
+
+void EmptySpace::update(const BrickRanges& ranges, const TransferTable& table) {
+    follow([&](std::size_t brick) {
+        const float lowest = ranges.lowest()[brick], highest = ranges.highest()[brick];
+        return lowest > highest || table.transparentBetween(lowest, highest);
+    });
+}
+
+void EmptySpace::update(const BrickRanges& ranges, const PackedGradients& gradients, const VisibleNodes& visible) {
+    follow([&](std::size_t brick) {
+        const float lowest = ranges.lowest()[brick], highest = ranges.highest()[brick];
+        return lowest > highest ||
+               visible.transparentBetween(lowest, highest, gradients.lowest()[brick], gradients.highest()[brick]);
+    });
 }
 
 bool EmptySpace::relax(std::int64_t x, std::int64_t y, std::int64_t z) {

@@ -5,24 +5,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "processing/ray_caster/brick_grid.h"
+#include "processing/ray_caster/packed_gradients.h"
 #include "processing/ray_caster/packed_presence.h"
 #include "processing/ray_caster/transfer_table.h"
 #include "processing/volume/filled_volume.h"
 #include "processing/volume/row_marks.h"
 
 namespace echolucent::ray_casting {
-
-/// A grid of bricks of 8 x 8 x 8 cubes (see packed_order.h); brick b holds cubes 8b ... 8b+7 on each axis.
-struct BrickGrid {
-    static constexpr int edge = 8, shift = 3;
-    std::array<std::int64_t, 3> size{};
-
-    explicit BrickGrid(const VolumeGeometry& geometry);
-    [[nodiscard]] std::int64_t count() const { return size[0] * size[1] * size[2]; }
-    [[nodiscard]] std::size_t offset(std::int64_t x, std::int64_t y, std::int64_t z) const {
-        return static_cast<std::size_t>(x + size[0] * (y + size[1] * z));
-    }
-};
 
 /// The smallest and largest intensity that the cubes of each brick may show. One pass over the volume finds them.
 class BrickRanges {
@@ -54,6 +44,8 @@ public:
     /// Follows a curve. Distances are computed anew only around the bricks that became visible or invisible; the result
     /// is that of a fresh object.
     void update(const BrickRanges& ranges, const TransferTable& table);
+    /// Follows a two-dimensional OTF, of whose nodes `visible` tells.
+    void update(const BrickRanges& ranges, const PackedGradients& gradients, const VisibleNodes& visible);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Whether any brick shows nothing.
@@ -68,6 +60,9 @@ private:
     struct Box {
         std::array<std::int64_t, 3> first, last;  ///< `last` is one beyond
     };
+    /// isEmpty(brick) says whether a brick shows nothing.
+    template <typename IsEmpty>
+    void follow(const IsEmpty& isEmpty);
     void findDistances(const Box& box);
     bool relax(std::int64_t x, std::int64_t y, std::int64_t z);
 

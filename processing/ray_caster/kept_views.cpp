@@ -80,6 +80,11 @@ KeptSamples* KeptViews::samplesFor(const RayCastSettings& settings, const RayGeo
     return &samples;
 }
 
+void KeptViews::useNone() {
+    m_keeps = false;
+    m_casting = SampleUse::notKept;
+}
+
 void KeptViews::finishPicture() {
     if (m_keeps) m_views.front().complete = true;
     m_finished = m_casting;

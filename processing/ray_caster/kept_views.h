@@ -18,6 +18,8 @@ public:
     /// bytes.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,
                                           std::size_t memoryLimit);
+    /// A picture begins of whose samples none are kept or used.
+    void useNone();
     /// The picture that samplesFor() was asked for is finished: from now on all of its samples are known.
     void finishPicture();
     /// How the newest finished picture used samples.

@@ -37,6 +37,14 @@ struct KeptSamples {
     std::vector<Packet> packets;  ///< row-major
 };
 
+/// A two-dimensional OTF as the kernel reads it.
+struct TwoDimensionalNodes {
+    const float* opacities = nullptr;  ///< TwoDimensionalOtf::opacities
+    int intensities = 2, gradients = 2;
+    const std::uint8_t* cubes = nullptr;  ///< PackedGradients
+    float firstVisible = 0.0f;            ///< table positions up to this one show nothing at any gradient
+};
+
 template <typename Voxel>
 struct KernelJob {
     const PackedVoxels<Voxel>* voxels = nullptr;
@@ -48,10 +56,11 @@ struct KernelJob {
     const ColourBends* colourBends = nullptr;  ///< null where the picture has light, depth colours or depths
     /// For bytes of a white level of at least ByteOpacities::leastWhite; where it is null, `table` is read.
     const ByteOpacities* byteOpacities = nullptr;
-    const LightSource* light = nullptr;     ///< null where no gradient is computed
-    const PackedLight* reaching = nullptr;  ///< null where the light asks for none
-    float stepUnits = 1.0f;                 ///< RayCastSettings::step
-    float worthGradient = 0.0f;             ///< LightSource::worthGradient for the step
+    const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null where `table` tells opacities
+    const LightSource* light = nullptr;                   ///< null where no gradient is computed
+    const PackedLight* reaching = nullptr;                ///< null where the light asks for none
+    float stepUnits = 1.0f;                               ///< RayCastSettings::step
+    float worthGradient = 0.0f;                           ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
     const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
     const BorderSpace* borders = nullptr;     ///< null where data ends nowhere

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "processing/light/light_sweep.h"
-#include "processing/opacity_curve.h"
 #include "processing/ray_caster/packed_light.h"
 #include "processing/volume/row_marks.h"
 
@@ -22,7 +21,7 @@ public:
         m_packed.reset();
     }
     /// False where it was cancelled; then there is no light volume.
-    [[nodiscard]] bool update(const OpacityCurve& curve, const RayCastSettings& settings, const Progress& progress);
+    [[nodiscard]] bool update(const LightOtf& otf, const RayCastSettings& settings, const Progress& progress);
     /// What the newest update took; 0 where the light volume stayed as it was, or none was asked for.
     [[nodiscard]] double milliseconds() const { return m_milliseconds; }
     /// Null where the newest picture's light asks for no light volume.
@@ -31,7 +30,7 @@ public:
 private:
     std::shared_ptr<const Volume> m_volume;
     std::optional<LightSweep> m_sweep;  ///< made for the first picture that asks for it
-    std::optional<OpacityCurve> m_curve;
+    std::optional<Classification> m_classification;
     LightScene m_scene;
     std::optional<PackedLight> m_packed;
     double m_milliseconds = 0.0;

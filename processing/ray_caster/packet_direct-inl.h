@@ -3,6 +3,7 @@
 
 #include "processing/ray_caster/packet_gathered-inl.h"
 #include "processing/ray_caster/packet_plain-inl.h"
+#include "processing/ray_caster/packet_two_dimensional-inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -16,7 +17,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-template <typename Voxel>
+/// Where `isTwoDimensional`, KernelJob::twoDimensional tells opacities, else KernelJob::table: pictures of curves know
+/// nothing of the other way.
+template <typename Voxel, bool isTwoDimensional>
 class DirectKernel {
 public:
     explicit DirectKernel(const KernelJob<Voxel>& job) : m_job(job), m_colours(job.table->colours()) {
@@ -80,8 +83,9 @@ private:
         const auto number = set(0.0f);
         const auto alive = hn::Lt(blend.opacity, hn::Load(floats, m_limit));
         const auto position = sampled(run, run.at(number), run.inRange(number));
-        const auto length = inFloats([&](Doubles, int i) { return load(cut.length + i); });
-        const RichStep step{number, position, opacityOfPart(position, cut), hn::Mul(length, set(m_job.stepUnits)),
+        const auto units =
+            hn::Mul(inFloats([&](Doubles, int i) { return load(cut.length + i); }), set(m_job.stepUnits));
+        const RichStep step{number, position, opacityOfPart(run, position, cut, units), units,
                             run.volume.presence != nullptr};
         blendRich(run, step, alive, blend);
         add(blend);
@@ -103,7 +107,8 @@ private:
         prepareLanes(m_middle, 1.0);
         const Floats floats;
         const bool stored = prepareKept(run);
-        if (m_job.colourBends != nullptr) return castPlainly(run, stored);
+        if constexpr (!isTwoDimensional)
+            if (m_job.colourBends != nullptr) return castPlainly(run, stored);
         Blend blend{set(0.0f), set(0.0f), set(0.0f), set(0.0f), set(-1.0f)};
         const auto limit = hn::Load(floats, m_limit);
         std::int64_t block = 0;
@@ -116,7 +121,8 @@ private:
             for (std::int64_t i = block; i < last; ++i) {
                 const auto number = set(static_cast<float>(i));
                 const auto position = positionOf(run, i, number, stored);
-                blendRich(run, {number, position, opacityAt(position), set(m_job.stepUnits), borders}, alive, blend);
+                const auto opacity = opacityOf(run, number, position, alive);
+                blendRich(run, {number, position, opacity, set(m_job.stepUnits), borders}, alive, blend);
             }
         }
         add(blend);
@@ -147,7 +153,7 @@ private:
     };
     std::optional<PlainCuts> plainCuts() const {
         const Packet<Voxel>& packet = m_rays->packet;
-        if (m_job.colourBends == nullptr) return std::nullopt;
+        if (isTwoDimensional || m_job.colourBends == nullptr) return std::nullopt;
         const auto head = packet.run(packet.rays().head, -1), tail = packet.run(packet.rays().tail, -1);
         if (!head.near || !tail.near) return std::nullopt;
         return PlainCuts{plainCut(head, packet.rays().head), plainCut(tail, packet.rays().tail)};
@@ -275,6 +281,24 @@ private:
         return position;
     }
 
+    /// The opacity of sample `number` of a run in a step of the ray.
+    HWY_INLINE FloatVector opacityOf(const Run<Voxel>& run, FloatVector number, FloatVector position,
+                                     LaneMask alive) const {
+        if constexpr (isTwoDimensional)
+            return twoDimensionalOpacity(m_job, run, number, position, hn::And(alive, run.inRange(number)),
+                                         set(m_job.stepUnits));
+        else
+            return opacityAt(position);
+    }
+    /// The opacity of a part of a step, `units` long.
+    HWY_INLINE FloatVector opacityOfPart(const Run<Voxel>& run, FloatVector position, const CutSteps<lanes>& cut,
+                                         FloatVector units) const {
+        const auto number = set(0.0f);
+        if constexpr (isTwoDimensional)
+            return twoDimensionalOpacity(m_job, run, number, position, run.inRange(number), units);
+        else
+            return opacityOfPart(position, cut);
+    }
     /// `position` is a table position, 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
         if (m_job.byteOpacities != nullptr)

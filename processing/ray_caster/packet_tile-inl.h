@@ -52,8 +52,8 @@ void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int colu
     });
 }
 
-template <typename Voxel>
-void castDirect(const KernelJob<Voxel>& job, DirectKernel<Voxel>& kernel, int column, int row) {
+template <typename Voxel, bool isTwoDimensional>
+void castDirect(const KernelJob<Voxel>& job, DirectKernel<Voxel, isTwoDimensional>& kernel, int column, int row) {
     DirectRays<Voxel> rays(job, column, row, keptOf(job, column, row));
     if (rays.packet.empty()) return;
     kernel.cast(rays);
@@ -77,18 +77,29 @@ void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, Colo
     });
 }
 
+/// Calls cast(column, row) for each packet of a tile.
+template <typename Cast>
+void forEachPacket(const Tile& tile, const Cast& cast) {
+    for (int row = tile.firstRow; row < tile.lastRow; row += packetRows)
+        for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns) cast(column, row);
+}
+
+template <bool isTwoDimensional, typename Voxel>
+void castDirectPackets(const KernelJob<Voxel>& job, const Tile& tile) {
+    DirectKernel<Voxel, isTwoDimensional> kernel(job);
+    forEachPacket(tile, [&](int column, int row) { castDirect(job, kernel, column, row); });
+}
+
 template <typename Voxel>
 void castPackets(const KernelJob<Voxel>& job, const Tile& tile) {
-    DirectKernel<Voxel> kernel(job);
-    for (int row = tile.firstRow; row < tile.lastRow; row += packetRows)
-        for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns) {
-            if (job.mode == RenderMode::direct) {
-                castDirect(job, kernel, column, row);
-                continue;
-            }
-            const Packet<Voxel> packet(job, column, row);
-            if (!packet.empty()) castExtremes(job, packet, job.colourMap, column, row);
-        }
+    if (job.mode == RenderMode::direct) {
+        if (job.twoDimensional != nullptr) return castDirectPackets<true>(job, tile);
+        return castDirectPackets<false>(job, tile);
+    }
+    forEachPacket(tile, [&](int column, int row) {
+        const Packet<Voxel> packet(job, column, row);
+        if (!packet.empty()) castExtremes(job, packet, job.colourMap, column, row);
+    });
 }
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

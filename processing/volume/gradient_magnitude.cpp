@@ -74,6 +74,52 @@ void GradientMagnitude::row(std::int64_t y, std::int64_t z, std::span<float> mag
     addAlong(columns - 1, columns - 2, columns - 1);
 }
 
+namespace {
+
+double magnitudeOfVoxel(const Volume& volume, const std::array<std::int64_t, 3>& at) {
+    const VolumeGeometry& geometry = volume.geometry();
+    const auto offset = [&](const std::array<std::int64_t, 3>& voxel) {
+        return geometry.offset(voxel[0], voxel[1], voxel[2]);
+    };
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<std::int64_t, 3> before = at, after = at;
+        before[axis] = std::max<std::int64_t>(at[axis] - 1, 0);
+        after[axis] = std::min(at[axis] + 1, geometry.size[axis] - 1);
+        if (!volume.hasData(offset(before))) before = at;
+        if (!volume.hasData(offset(after))) after = at;
+        if (before == after) continue;
+        const double units = static_cast<double>(after[axis] - before[axis]) *
+                             geometry.spacing[static_cast<int>(axis)] / geometry.unit();
+        const double derivative =
+            (volume.normalisedIntensity(offset(after)) - volume.normalisedIntensity(offset(before))) / units;
+        square += derivative * derivative;
+    }
+    return std::sqrt(square);
+}
+
+}  // namespace
+
+double gradientMagnitudeAt(const Volume& volume, const Vec3& voxel) {
+    const VolumeGeometry& geometry = volume.geometry();
+    double sum = 0.0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        std::array<std::int64_t, 3> at{};
+        double weight = 1.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int64_t last = geometry.size[axis] - 1;
+            const double inside = std::clamp(voxel[static_cast<int>(axis)], 0.0, static_cast<double>(last));
+            const auto low = static_cast<std::int64_t>(inside);
+            const double share = inside - static_cast<double>(low);
+            const bool upper = (corner >> axis & 1U) != 0;
+            at[axis] = upper ? std::min(low + 1, last) : low;
+            weight *= upper ? share : 1.0 - share;
+        }
+        if (weight > 0.0) sum += weight * magnitudeOfVoxel(volume, at);
+    }
+    return sum;
+}
+
 std::optional<GradientRange> gradientRange(const Volume& volume, const Volume& filled, const Progress& progress) {
     // No two voxels differ by more than 1 over at least a unit, along each of three axes.
     constexpr std::size_t bins = 1 << 16;

@@ -25,6 +25,11 @@ private:
     const Volume& m_volume;
 };
 
+/// The gradient magnitude at a place in voxels, clamped to the outermost voxel centres: the trilinear mean of those of
+/// the voxels around, for whoever asks for single places. It reads the volume as it is: a voxel without data stands for
+/// the one beside which it lies.
+[[nodiscard]] double gradientMagnitudeAt(const Volume& volume, const Vec3& voxel);
+
 /// The largest gradient magnitude of the voxels with data, and a quantile of them; normalised intensity per unit.
 struct GradientRange {
     double largest = 0.0;

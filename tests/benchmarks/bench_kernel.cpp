@@ -93,21 +93,28 @@ void countSamples(benchmark::State& state, const Volume& volume, const RayCastSe
         samplesOf(volume, settings), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-enum class Kind { unshaded, shaded, maximum };
+enum class Kind { unshaded, shaded, maximum, twoDimensional, shadedTwoDimensional };
+
+/// The same opacities as nodes over intensity and gradient.
+Classification twoDimensional(const OpacityCurve& curve) {
+    return Classification(tabulated(256, 256, 0.5, [&](double f, double) { return opacityAt(curve, f); }));
+}
 
 template <typename Voxel, Kind kind, bool masked = false>
 void castPictures(benchmark::State& state) {
-    constexpr Depth depth = kind == Kind::shaded ? Depth::shallow : Depth::usual;
+    constexpr bool shaded = kind == Kind::shaded || kind == Kind::shadedTwoDimensional;
+    constexpr Depth depth = shaded ? Depth::shallow : Depth::usual;
     const auto volume = volumeOf<Voxel>(depth, masked);
-    const OpacityCurve curve = curveFor(depth);
+    constexpr bool isTwoDimensional = kind == Kind::twoDimensional || kind == Kind::shadedTwoDimensional;
+    const Classification otf = isTwoDimensional ? twoDimensional(curveFor(depth)) : Classification(curveFor(depth));
     RayCaster caster(volume);
     int frame = 0;
     for (auto _ : state) {
         // The camera is turned a little, because nothing of the picture before may be used again.
         RayCastSettings settings = settingsOf(*volume, 0.01 * frame++);
-        if (kind == Kind::shaded) settings.shading = Shading{};
+        if (shaded) settings.shading = Shading{};
         if (kind == Kind::maximum) settings.mode = RenderMode::maximum;
-        benchmark::DoNotOptimize(caster.cast(curve, settings));
+        benchmark::DoNotOptimize(caster.cast(otf, settings));
     }
     countSamples(state, *volume, settingsOf(*volume, 0.0));
 }
@@ -152,6 +159,12 @@ void registerAll() {
     add("shaded/uint8", castPictures<std::uint8_t, Kind::shaded>);
     add("shaded/uint16", castPictures<std::uint16_t, Kind::shaded>);
     add("shaded/float32", castPictures<float, Kind::shaded>);
+    add("two-dimensional/uint8", castPictures<std::uint8_t, Kind::twoDimensional>);
+    add("two-dimensional/uint16", castPictures<std::uint16_t, Kind::twoDimensional>);
+    add("two-dimensional/float32", castPictures<float, Kind::twoDimensional>);
+    add("shaded two-dimensional/uint8", castPictures<std::uint8_t, Kind::shadedTwoDimensional>);
+    add("shaded two-dimensional/uint16", castPictures<std::uint16_t, Kind::shadedTwoDimensional>);
+    add("shaded two-dimensional/float32", castPictures<float, Kind::shadedTwoDimensional>);
     add("maximum/uint8", castPictures<std::uint8_t, Kind::maximum>);
     add("maximum/uint16", castPictures<std::uint16_t, Kind::maximum>);
     add("maximum/float32", castPictures<float, Kind::maximum>);

@@ -59,7 +59,7 @@ void WindowUnderTest::fillTwoThirds() {
 OpacityCurve WindowUnderTest::adaptiveCurve() const { return window().otfEditor().state().adaptive; }
 
 void WindowUnderTest::showCurve(const OpacityCurve& curve) {
-    view().setCurve(curve);
+    view().setClassification(curve);
     waitUntilConverged();
 }
 
@@ -184,7 +184,7 @@ Row WindowUnderTest::edit(const OpacityCurve& curve, const Amount& amount) {
         SampledCurve edited = whole;
         const double scale = 0.9 + 0.1 * std::sin(0.2 * ++edits);
         for (double& opacity : edited.opacities) opacity *= scale;
-        view().setCurve(edited);
+        view().setClassification(edited);
     });
     showCurve(curve);
     row.action = "edit";

@@ -40,7 +40,7 @@ public:
         }
         if (progress.cancelled()) return {};
         const int width = request.settings.width, height = request.settings.height;
-        const auto level = static_cast<float>(opacityAt(request.curve, 1.0));
+        const auto level = static_cast<float>(opacityAt(request.classification, 1.0, 0.0));
         return {Picture{width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}},
                 SampleUse::taken};
     }

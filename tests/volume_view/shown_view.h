@@ -23,7 +23,7 @@ struct ShownView {
         : volume(std::move(shown)) {
         view.resize(330, 250);
         view.setVolume(volume);
-        view.setCurve(wall);
+        view.setClassification(wall);
         view.resetView(from);
         view.show();
         ready = QTest::qWaitForWindowExposed(&view) && awaitIdle();

@@ -97,7 +97,7 @@ private slots:
         request.settings.findDepth = true;
         request.settings.terminationTransmittance = 0;
         request.settings.box = RenderBox{{2.1, 1.7, 3.4}, {19, 22, 20}};
-        const auto picture = castRays(*volume, request.curve, request.settings);
+        const auto picture = castRays(*volume, request.classification, request.settings);
         int compared = 0, elsewhere = 0;
         for (int row = 0; row < 20; ++row)
             for (int column = 0; column < 30; ++column) {
@@ -140,7 +140,7 @@ private slots:
             QVERIFY(!samplePointedAt(request, 150, 100));
 
             request = whole;
-            request.curve = ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}};  // the slab from z = 19 on
+            request.classification = ManualCurve{{{0.5, 0.0}, {0.5, 1.0}}};  // the slab from z = 19 on
             QVERIFY(samplePointedAt(request, 150, 100));
             auto map = std::make_shared<DepthMap>(DepthMap{3, 2, std::vector<float>(6, 100.0f)});
             map->depthMm[4] = 15.0f;  // an actor before the slab, in the middle third of the lower half

@@ -72,7 +72,7 @@ private slots:
         PictureRequest b = a;
         switch (part) {
             case 0: b.volume = std::make_shared<const Volume>(*a.volume); break;
-            case 1: b.curve = PowerCurve{}; break;
+            case 1: b.classification = PowerCurve{}; break;
             case 2: b.settings.camera.focalPoint[1] += 1e-9; break;
             case 3: b.settings.camera.frame = frameOf({BeamAxis::plusZ, 1e-6, 0, 0, 0}); break;
             case 4: b.settings.camera.heightMm = 2; break;
@@ -255,21 +255,21 @@ private slots:
         request.settings.camera = defaultCamera(a->geometry(), {}, 1.0);
         const auto check = [&](SampleUse expected, int line) {
             const CastResult result = cast(request, {});
-            const auto alone = castRays(*request.volume, request.curve, request.settings);
+            const auto alone = castRays(*request.volume, request.classification, request.settings);
             QVERIFY2(
                 result.picture && largestDifference(*result.picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
                 qPrintable(QString::number(line)));
             QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
         };
         check(SampleUse::taken, __LINE__);
-        request.curve = PowerCurve{2, 0.5};
+        request.classification = PowerCurve{2, 0.5};
         check(SampleUse::taken, __LINE__);
         request.settings.colourMap = ColourMap::ice;
         check(SampleUse::kept, __LINE__);
         request.settings.step = 0.5;  // a finer picture of the same view has samples of its own
         check(SampleUse::taken, __LINE__);
         request.settings.step = 1;
-        request.curve = PowerCurve{2, 0.25};
+        request.classification = PowerCurve{2, 0.25};
         check(SampleUse::kept, __LINE__);
         request.settings.camera.heightMm *= 1.1;
         check(SampleUse::taken, __LINE__);

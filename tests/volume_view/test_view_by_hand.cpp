@@ -230,7 +230,7 @@ private slots:
         look.interpolation =
             Interpolation::nearest;  // the picture's fine steps would meet the slope between two voxels
         s.view.setLook(look);
-        s.view.setCurve(ManualCurve{{{0.5, 0.0}, {0.5, 0.8}}});
+        s.view.setClassification(ManualCurve{{{0.5, 0.0}, {0.5, 0.8}}});
         QVERIFY(s.awaitIdle());
         QList<std::pair<std::optional<double>, std::optional<double>>> told;
         connect(&s.view, &VolumeViewWidget::pointed, this, [&](auto intensity, auto opacity) {
@@ -243,7 +243,7 @@ private slots:
         s.moveTo({230, 125});
         QVERIFY(!told.last().first && !told.last().second);
         // Under a cursor at rest a new curve is told as well.
-        s.view.setCurve(ManualCurve{{{0.1, 0.0}, {0.1, 0.9}}});
+        s.view.setClassification(ManualCurve{{{0.1, 0.0}, {0.1, 0.9}}});
         QVERIFY(s.awaitIdle());
         QVERIFY(told.last().first && std::abs(*told.last().first - 0.2) < 1e-9);
         QCOMPARE(told.last().second, std::optional<double>(0.9));

@@ -54,7 +54,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         for (const double opacity : {0.02, 1.0, 0.1}) {
-            s.view.setCurve(ManualCurve{{{0.5, 0}, {0.5, opacity}}});
+            s.view.setClassification(ManualCurve{{{0.5, 0}, {0.5, opacity}}});
             QVERIFY(s.awaitIdle());
             QTRY_VERIFY_WITH_TIMEOUT(
                 largestDifference(s.view.screen()->grabWindow(s.view.winId()).toImage(), *s.view.picture()) <= 2,
@@ -68,7 +68,7 @@ private slots:
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
         QSignalSpy busyChanges(&s.view, &VolumeViewWidget::busyChanged);
         const QImage before = s.view.screenImage();
-        s.view.setCurve(wall);
+        s.view.setClassification(wall);
         s.view.setLook(s.view.look());
         s.view.setNearCut(0);
         QCOMPARE(busyChanges.size(), 0);
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(s.ready);
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
         s.view.setNearCut(3);
-        s.view.setCurve(PowerCurve{2, 1.0});
+        s.view.setClassification(PowerCurve{2, 1.0});
         s.view.setView({BeamAxis::plusZ, 20, 10, 0, 2});
         Look look;
         look.colourMap = ColourMap::ice;
@@ -146,7 +146,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         for (int i = 1; i <= 100; ++i) {
-            s.view.setCurve(ManualCurve{{{0.3, 0}, {0.9, i / 100.0}}});
+            s.view.setClassification(ManualCurve{{{0.3, 0}, {0.9, i / 100.0}}});
             QCoreApplication::processEvents();
         }
         QVERIFY(s.awaitIdle());
@@ -248,7 +248,7 @@ private slots:
         s.view.setLook(look);
         QVERIFY(s.awaitIdle());
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
-        s.view.setCurve(PowerCurve{2, 0.1});
+        s.view.setClassification(PowerCurve{2, 0.1});
         look.lighting = Lighting::surface;
         look.depthColoured = true;
         s.view.setLook(look);
@@ -360,7 +360,7 @@ private slots:
         for (int round = 0; round < 10; ++round) {
             ShownView s;
             QVERIFY(s.ready);
-            s.view.setCurve(PowerCurve{2, 0.01 * (round + 1)});
+            s.view.setClassification(PowerCurve{2, 0.01 * (round + 1)});
             for (int i = 0; i < round; ++i) QCoreApplication::processEvents();
         }
     }
@@ -369,7 +369,7 @@ private slots:
         VolumeViewWidget view;
         QSignalSpy deliveries(&view, &VolumeViewWidget::pictureDelivered);
         view.setVolume(ballInTheCorner());
-        view.setCurve(wall);
+        view.setClassification(wall);
         QCoreApplication::processEvents();
         QVERIFY(!view.busy());
         QCOMPARE(deliveries.size(), 0);

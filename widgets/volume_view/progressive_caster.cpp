@@ -109,7 +109,7 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
     m_startedQuick = followsHand;
     auto make = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
-        const PictureRequest atQuality{asked->volume, asked->curve, settingsAt(quality, asked->settings)};
+        const PictureRequest atQuality{asked->volume, asked->classification, settingsAt(quality, asked->settings)};
         CastResult result = cast(atQuality, progress);
         if (!result.picture) return {};
         auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture, atQuality.settings));

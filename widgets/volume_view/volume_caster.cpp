@@ -19,7 +19,7 @@ public:
             if (!request.volume) return {};
             m_caster.emplace(request.volume);
         }
-        std::optional<Picture> picture = m_caster->cast(request.curve, request.settings, progress);
+        std::optional<Picture> picture = m_caster->cast(request.classification, request.settings, progress);
         return {std::move(picture), m_caster->sampleUse(), m_caster->lightMilliseconds()};
     }
 

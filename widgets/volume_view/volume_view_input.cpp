@@ -188,9 +188,9 @@ const std::shared_ptr<const Volume>& VolumeViewWidget::volume() const { return m
 
 const std::shared_ptr<const Volume>& VolumeViewWidget::measured() const { return m_parts->measured; }
 
-void VolumeViewWidget::setCurve(const OpacityCurve& curve) {
-    if (curve == m_parts->curve) return;
-    m_parts->curve = curve;
+void VolumeViewWidget::setClassification(const Classification& classification) {
+    if (classification == m_parts->classification) return;
+    m_parts->classification = classification;
     schedule();
 }
 

@@ -23,7 +23,7 @@ namespace echolucent {
 struct VolumeViewWidget::Parts {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Volume> measured;  ///< what pointed values are read from; as null as the volume
-    OpacityCurve curve = PowerCurve{2, 1.0};
+    Classification classification = PowerCurve{2, 1.0};
     Look look;
     Pose pose;
     BeamAxis beam = BeamAxis::plusZ;

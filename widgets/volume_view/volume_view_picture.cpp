@@ -34,7 +34,7 @@ RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
 
 PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
-    PictureRequest request{parts.volume, parts.curve, lookSettings(parts.look, pixels)};
+    PictureRequest request{parts.volume, parts.classification, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(camera());
     Viewpoint limits = view();
     limits.cutSurface = parts.cutSurface;
@@ -57,7 +57,8 @@ QString VolumeViewWidget::rendererName() const { return rendersLive() ? tr("grap
 QString VolumeViewWidget::rendererRemark() const {
     const VolumeScene& scene = m_parts->scene;
     if (scene.openGlRenderer().empty()) return {};
-    const std::string why = scene.whySoftware(presentRequest(pixelSize()).settings);
+    const PictureRequest request = presentRequest(pixelSize());
+    const std::string why = scene.whySoftware(request.settings, request.classification);
     if (!why.empty()) return QString::fromStdString(why);
     return tr("OpenGL: %1").arg(QString::fromStdString(scene.openGlRenderer()));
 }
@@ -141,7 +142,7 @@ QImage VolumeViewWidget::convergedImage() {
     if (parts.volume && parts.window->isValid() && !rendersLive() && !(pictureIsFine() && pictureIsCurrent())) {
         const RayCastSettings converged = settings();
         try {
-            const std::optional<Picture> picture = castRays(*parts.volume, parts.curve, converged);
+            const std::optional<Picture> picture = castRays(*parts.volume, parts.classification, converged);
             parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
         } catch (const std::bad_alloc&) {
             emit pictureFailed();  // what is on the screen is saved
@@ -170,7 +171,7 @@ void VolumeViewWidget::requestPicture() {
     const QSize pixels = pixelSize();
     if (parts.volume && isVisible() && !pixels.isEmpty()) {
         PictureRequest request = presentRequest(pixels);
-        if (parts.scene.rendererFor(request.settings) == RendererChoice::graphicsCard) {
+        if (parts.scene.rendererFor(request.settings, request.classification) == RendererChoice::graphicsCard) {
             showLive(request);
         } else {
             request.settings.opaqueDepth =
@@ -192,7 +193,7 @@ void VolumeViewWidget::showLive(const PictureRequest& request) {
                                                                   .settings = request.settings,
                                                                   .followsHand = true,
                                                                   .live = true});
-    parts.scene.setTransfer(request.curve, request.settings.colourMap);
+    parts.scene.setTransfer(request.classification, request.settings.colourMap);
     parts.scene.showLive(request.settings.camera, request.settings);
     render(true);
     report(*parts.shown);
@@ -202,7 +203,7 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     Parts& parts = *m_parts;
     parts.shown = picture;
     const PictureRequest& request = picture->request;
-    parts.scene.setTransfer(request.curve, request.settings.colourMap);
+    parts.scene.setTransfer(request.classification, request.settings.colourMap);
     parts.scene.show(picture->screen, request.settings.camera);
     render(picture->followsHand);
     report(*picture);
@@ -264,7 +265,8 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     std::optional<PointedSample> sample;
     if (position && parts.shown) {
         // The rays and steps of the picture that is shown, not of the one that was asked for.
-        const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, parts.shown->settings};
+        const PictureRequest shown{parts.shown->request.volume, parts.shown->request.classification,
+                                   parts.shown->settings};
         sample = samplePointedAt(shown, position->x() * shown.settings.width / width(),
                                  position->y() * shown.settings.height / height());
     }
@@ -286,7 +288,7 @@ std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place, double 
     if (!parts.shown) return std::nullopt;
     RayCastSettings settings = parts.shown->settings;
     settings.step = step;
-    const PictureRequest shown{parts.shown->request.volume, parts.shown->request.curve, settings};
+    const PictureRequest shown{parts.shown->request.volume, parts.shown->request.classification, settings};
     const auto sample = samplePointedAt(shown, settings.width / 2.0 + place[0] * settings.height,
                                         settings.height / 2.0 + place[1] * settings.height);
     return sample ? std::optional(sample->gridMm) : std::nullopt;

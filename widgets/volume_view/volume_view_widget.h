@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
+#include "processing/classification.h"
 #include "processing/document/pose.h"
-#include "processing/opacity_curve.h"
 #include "processing/picture/look.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/picture_place.h"
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
     /// What pointed values are read from; null before there is a volume.
     [[nodiscard]] const std::shared_ptr<const Volume>& measured() const;
-    void setCurve(const OpacityCurve& curve);
+    void setClassification(const Classification& classification);
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
     /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view; the

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "processing/parallel.h"
 #include "processing/picture/reaching_light.h"
+#include "processing/volume/gradient_magnitude.h"
 
 namespace echolucent {
 
@@ -74,11 +77,31 @@ void walk(const ray_casting::Ray& ray, bool wholeSteps, const Visit& visit) {
 
 }  // namespace
 
-PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+namespace {
+
+/// Gradient magnitudes are at most the root of 3, and samples at most the white level.
+constexpr double whiteOfGradients = 2.0;
+
+Volume gradientsOf(const Volume& filled) {
+    const VolumeGeometry& geometry = filled.geometry();
+    const auto columns = static_cast<std::size_t>(geometry.size[0]);
+    std::vector<float> magnitudes(static_cast<std::size_t>(geometry.voxelCount()));
+    const GradientMagnitude gradients(filled);
+    parallelFor(std::int64_t{0}, geometry.size[2], [&](std::int64_t z) {
+        for (std::int64_t y = 0; y < geometry.size[1]; ++y)
+            gradients.row(y, z,
+                          std::span(magnitudes).subspan(static_cast<std::size_t>(geometry.offset(0, y, z)), columns));
+    });
+    return Volume(geometry, VoxelArray<float>(std::move(magnitudes)), whiteOfGradients);
+}
+
+}  // namespace
+
+PlainCaster::PlainCaster(const Volume& volume, Classification classification, const RayCastSettings& settings,
                          const PlainCasting& casting)
     : m_geometry(volume.geometry()),
       m_filled(filledVolume(volume)),
-      m_curve(curve),
+      m_classification(std::move(classification)),
       m_settings(settings),
       m_casting(casting),
       m_rays(volume.geometry(), settings),
@@ -86,6 +109,7 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
     const auto box = volume.geometry().depthsAlong(settings.camera.frame.forward);
     m_nearestMm = std::max(box.nearest, settings.nearPlaneDepthMm);
     m_farthestMm = box.farthest;
+    if (m_classification.isTwoDimensional()) m_gradients = gradientsOf(m_filled.voxels);
     if (!settings.shading) return;
     const Vec3& light = settings.shading->towardsLight;
     const ViewFrame& frame = settings.camera.frame;
@@ -93,7 +117,7 @@ PlainCaster::PlainCaster(const Volume& volume, const OpacityCurve& curve, const 
     if (settings.mode != RenderMode::direct || !settings.shading->asksWhatReaches() || casting.reaching != nullptr)
         return;
     m_light = LightSweep(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume))
-                  .lightVolume(curve, lightSceneOf(settings, volume.geometry()));
+                  .lightVolume(m_classification, lightSceneOf(settings, volume.geometry()));
 }
 
 PlainPixel PlainCaster::pixel(int column, int row) const {
@@ -172,9 +196,16 @@ PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
     return pixel;
 }
 
+/// Per reference step.
+double PlainCaster::opacityOf(const Vec3& voxel, double intensity) const {
+    if (!m_gradients) return opacityAt(m_classification.curve(), intensity);
+    const double share = VolumeSampler(*m_gradients, m_settings.interpolation).intensityAt(voxel).value();
+    return opacityAt(m_classification, intensity, share * whiteOfGradients);
+}
+
 PlainCaster::Step PlainCaster::sampleAt(const Vec3& voxel, double length) const {
     const double presence = presenceAt(voxel), intensity = m_sampler.intensityAt(voxel).value_or(0.0);
-    const double opacity = opacityForStep(opacityAt(m_curve, intensity), m_settings.step * length);
+    const double opacity = opacityForStep(opacityOf(voxel, intensity), m_settings.step * length);
     const bool nearest = m_settings.interpolation == Interpolation::nearest;
     const double coverage = nearest ? (presence >= 0.5 ? 1.0 : 0.0) : PresenceUse::coverage(presence);
     return {opacity, opacity * coverage, m_filled.presence ? PresenceUse::border(presence) : 0.0,
@@ -255,9 +286,9 @@ std::string_view nameOf(CompositingPrecision precision) {
 
 namespace {
 
-std::optional<Picture> castOne(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                               const PlainCasting& casting, const Progress& progress) {
-    const PlainCaster caster(volume, curve, settings, casting);
+std::optional<Picture> castOne(const Volume& volume, const Classification& classification,
+                               const RayCastSettings& settings, const PlainCasting& casting, const Progress& progress) {
+    const PlainCaster caster(volume, classification, settings, casting);
     Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
     ProgressCount rows(progress, static_cast<std::size_t>(settings.height));
     parallelFor(0, settings.height, [&](int row) {
@@ -272,11 +303,12 @@ std::optional<Picture> castOne(const Volume& volume, const OpacityCurve& curve, 
 
 }  // namespace
 
-std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
-                                       const PlainCasting& casting, const Progress& progress) {
-    auto picture = castOne(volume, curve, settings, casting, progress);
+std::optional<Picture> castRaysPlainly(const Volume& volume, const Classification& classification,
+                                       const RayCastSettings& settings, const PlainCasting& casting,
+                                       const Progress& progress) {
+    auto picture = castOne(volume, classification, settings, casting, progress);
     if (!picture || settings.mode != RenderMode::direct || settings.mixing.share == 0.0) return picture;
-    const auto other = castOne(volume, curve, mixedIn(settings), casting, progress);
+    const auto other = castOne(volume, classification, mixedIn(settings), casting, progress);
     if (!other) return std::nullopt;
     mixIn(*picture, *other, settings.mixing.share);
     return picture;

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "processing/classification.h"
 #include "processing/light/light_sweep.h"
-#include "processing/opacity_curve.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
@@ -62,8 +62,8 @@ struct PlainPixel {
 /// Casts one ray at a time, for whoever asks for single pixels.
 class PlainCaster {
 public:
-    /// All of them must outlive the caster. Throws std::invalid_argument where castRays() does.
-    PlainCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings,
+    /// Volume and settings must outlive the caster. Throws std::invalid_argument where castRays() does.
+    PlainCaster(const Volume& volume, Classification classification, const RayCastSettings& settings,
                 const PlainCasting& casting = {});
 
     /// As castRaysPlainly() makes it.
@@ -77,6 +77,7 @@ private:
     [[nodiscard]] Step sampleAt(const Vec3& voxel, double length) const;
     struct Seen;
     [[nodiscard]] double presenceAt(const Vec3& voxel) const;
+    [[nodiscard]] double opacityOf(const Vec3& voxel, double intensity) const;
     [[nodiscard]] Vec3 lit(const Seen& seen) const;
     [[nodiscard]] Vec3 factorsAt(const Seen& seen) const;
     [[nodiscard]] Vec3 tintAt(double depthMm) const;
@@ -84,7 +85,8 @@ private:
     const VolumeGeometry& m_geometry;
     FilledVolume m_filled;
     std::optional<LightVolume> m_light;  ///< where the shading asks what reaches
-    const OpacityCurve& m_curve;
+    Classification m_classification;
+    std::optional<Volume> m_gradients;  ///< where the classification is two-dimensional
     const RayCastSettings& m_settings;
     PlainCasting m_casting;
     ray_casting::RayGeometry m_rays;
@@ -100,14 +102,15 @@ private:
                                                      int row);
 
 /// The picture that castRays() documents, step by step in double. Rays and places of samples are the same; opacity and
-/// colour come straight from the curve and the colour map, without a table; nothing is skipped, and a ray ends early
+/// colour come straight from the classification and the colour map, without a table, and gradient magnitudes at voxels
+/// are not rounded to levels; nothing is skipped, and a ray ends early
 /// only where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost
 /// half voxel are read at the outermost voxel centres. Depth colouring is applied after the light.
 ///
 /// The result is empty only where progress.cancel was raised (it is polled once a row). The work is done in the calling
 /// thread's oneTBB arena, and the pixels are the same for any number of threads. Throws std::invalid_argument where
 /// castRays() does.
-[[nodiscard]] std::optional<Picture> castRaysPlainly(const Volume& volume, const OpacityCurve& curve,
+[[nodiscard]] std::optional<Picture> castRaysPlainly(const Volume& volume, const Classification& classification,
                                                      const RayCastSettings& settings, const PlainCasting& casting = {},
                                                      const Progress& progress = {});
 

@@ -43,15 +43,15 @@ inline float depthBehind(const DepthMap& map, const RayCastSettings& settings, i
 
 class ReferenceCaster {
 public:
-    ReferenceCaster(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings)
+    ReferenceCaster(const Volume& volume, Classification classification, const RayCastSettings& settings)
         : m_filled(filledVolume(volume)),
           m_volume(m_filled.voxels),
           m_geometry(volume.geometry()),
-          m_curve(curve),
+          m_classification(std::move(classification)),
           m_settings(settings) {
         if (!settings.shading || !settings.shading->asksWhatReaches()) return;
         const LightScene scene = lightSceneOf(settings, volume.geometry());
-        m_light = LightSweep(std::make_shared<const Volume>(volume)).lightVolume(curve, scene);
+        m_light = LightSweep(std::make_shared<const Volume>(volume)).lightVolume(m_classification, scene);
     }
 
     /// Of the pixel before: whether a sample at which data is present by half, to the precision of the kernel's
@@ -178,7 +178,7 @@ private:
         const double stored = nearestOnly ? nearest(m_volume, voxel) : trilinear(m_volume, voxel);
         const double intensity = std::clamp(stored / m_volume.whiteLevel(), 0.0, 1.0);
         const double units = m_settings.step * length;
-        const double opacity = opacityForStep(opacityAt(m_curve, intensity), units);
+        const double opacity = opacityForStep(opacityOf(voxel, intensity), units);
         const double inFluid = 1.0 - std::min(1.0, opacity / units * 16.0);
         const double left = 1.0 / (1.0 + units / 2 * (1.0 / 16 + inFluid));
         const double border = m_filled.presence ? std::clamp((0.875 - presence) / 0.375, 0.0, 1.0) : 0.0;
@@ -191,16 +191,52 @@ private:
         return Sample{colour, alpha, intensity, point.dot(m_settings.camera.frame.forward), length};
     }
 
+    [[nodiscard]] double opacityOf(const Vec3& voxel, double intensity) const {
+        if (!m_classification.isTwoDimensional()) return opacityAt(m_classification.curve(), intensity);
+        const auto magnitude = [&](const std::array<std::int64_t, 3>& at) { return gradientMagnitude(at); };
+        const double gradient = m_settings.interpolation == Interpolation::nearest ? nearestOf(magnitude, voxel)
+                                                                                   : trilinearOf(magnitude, voxel);
+        return opacityAt(*m_classification.twoDimensional(), intensity, gradient);
+    }
+    /// Of a voxel, clamped into the grid: differences of its neighbours along each axis, normalised intensity per unit.
+    [[nodiscard]] double gradientMagnitude(std::array<std::int64_t, 3> at) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at[axis] = std::clamp<std::int64_t>(at[axis], 0, m_geometry.size[axis] - 1);
+        const auto intensity = [&](const std::array<std::int64_t, 3>& voxel) {
+            return std::clamp(value(m_volume, voxel) / m_volume.whiteLevel(), 0.0, 1.0);
+        };
+        double square = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::array<std::int64_t, 3> before = at, after = at;
+            before[axis] = std::max<std::int64_t>(0, at[axis] - 1);
+            after[axis] = std::min(m_geometry.size[axis] - 1, at[axis] + 1);
+            if (before[axis] == after[axis]) continue;
+            const double units = static_cast<double>(after[axis] - before[axis]) *
+                                 m_geometry.spacing[static_cast<int>(axis)] / m_geometry.unit();
+            square += std::pow((intensity(after) - intensity(before)) / units, 2);
+        }
+        return std::sqrt(square);
+    }
+
     [[nodiscard]] double value(const Volume& volume, std::array<std::int64_t, 3> at) const {
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = std::clamp<std::int64_t>(at[axis], 0, m_geometry.size[axis] - 1);
         return volume.storedValue(m_geometry.offset(at[0], at[1], at[2]));
     }
     [[nodiscard]] double nearest(const Volume& volume, const Vec3& voxel) const {
-        return value(volume, {std::llround(std::floor(voxel[0] + 0.5)), std::llround(std::floor(voxel[1] + 0.5)),
-                              std::llround(std::floor(voxel[2] + 0.5))});
+        return nearestOf([&](const auto& at) { return value(volume, at); }, voxel);
     }
     [[nodiscard]] double trilinear(const Volume& volume, const Vec3& voxel) const {
+        return trilinearOf([&](const auto& at) { return value(volume, at); }, voxel);
+    }
+    template <typename ValueAt>
+    [[nodiscard]] static double nearestOf(const ValueAt& valueAt, const Vec3& voxel) {
+        return valueAt(std::array<std::int64_t, 3>{std::llround(std::floor(voxel[0] + 0.5)),
+                                                   std::llround(std::floor(voxel[1] + 0.5)),
+                                                   std::llround(std::floor(voxel[2] + 0.5))});
+    }
+    template <typename ValueAt>
+    [[nodiscard]] static double trilinearOf(const ValueAt& valueAt, const Vec3& voxel) {
         double sum = 0.0;
         for (int corner = 0; corner < 8; ++corner) {
             std::array<std::int64_t, 3> at{};
@@ -211,7 +247,7 @@ private:
                 at[axis] = std::llround(std::floor(position)) + (far ? 1 : 0);
                 weight *= far ? position - std::floor(position) : 1.0 - (position - std::floor(position));
             }
-            sum += weight * value(volume, at);
+            sum += weight * valueAt(at);
         }
         return sum;
     }
@@ -269,16 +305,16 @@ private:
     FilledVolume m_filled;
     const Volume& m_volume;
     const VolumeGeometry& m_geometry;
-    const OpacityCurve& m_curve;
+    Classification m_classification;
     const RayCastSettings& m_settings;
     std::optional<LightVolume> m_light;
     mutable double m_closestToHalf = 1.0, m_opaqueDepth = 0.0;
 };
 
 /// The largest difference of any channel of any pixel between the reference and a picture.
-inline double largestDifference(const Picture& picture, const Volume& volume, const OpacityCurve& curve,
+inline double largestDifference(const Picture& picture, const Volume& volume, const Classification& classification,
                                 const RayCastSettings& settings) {
-    const ReferenceCaster reference(volume, curve, settings);
+    const ReferenceCaster reference(volume, classification, settings);
     double largest = 0.0;
     const int mayBeUndecided = settings.width * settings.height / (isOfBytes(volume) ? 20 : 100);
     int undecided = 0;
@@ -294,8 +330,9 @@ inline double largestDifference(const Picture& picture, const Volume& volume, co
         }
     return largest;
 }
-inline double largestDifference(const Volume& volume, const OpacityCurve& curve, const RayCastSettings& settings) {
-    return largestDifference(*castRays(volume, curve, settings), volume, curve, settings);
+inline double largestDifference(const Volume& volume, const Classification& classification,
+                                const RayCastSettings& settings) {
+    return largestDifference(*castRays(volume, classification, settings), volume, classification, settings);
 }
 
 /// Random voxels, with a share of zeros so that some regions are transparent.

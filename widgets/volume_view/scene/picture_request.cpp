@@ -5,8 +5,9 @@
 namespace echolucent {
 
 bool samePicture(const PictureRequest& a, const PictureRequest& b) {
-    const bool curveMatters = a.settings.mode == RenderMode::direct;
-    return a.volume == b.volume && a.settings == b.settings && (a.curve == b.curve || !curveMatters);
+    const bool opacityMatters = a.settings.mode == RenderMode::direct;
+    return a.volume == b.volume && a.settings == b.settings &&
+           (a.classification == b.classification || !opacityMatters);
 }
 
 ScreenPicture screenPicture(const Picture& picture) {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "processing/opacity_curve.h"
+#include "processing/classification.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/volume/volume.h"
@@ -15,7 +15,7 @@ namespace echolucent {
 /// Everything castRays() needs, as values and shared constants: may cross threads.
 struct PictureRequest {
     std::shared_ptr<const Volume> volume;
-    OpacityCurve curve;
+    Classification classification;
     RayCastSettings settings;
 };
 

@@ -4,11 +4,18 @@
 #include <vector>
 
 #include "processing/ray_caster/plain/plain_caster.h"
+#include "processing/volume/gradient_magnitude.h"
 #include "processing/volume/sampler.h"
 
 namespace echolucent {
 
 namespace {
+
+double opacityOf(const PictureRequest& request, const Vec3& voxel, double intensity) {
+    const double gradient =
+        request.classification.isTwoDimensional() ? gradientMagnitudeAt(*request.volume, voxel) : 0.0;
+    return opacityAt(request.classification, intensity, gradient);
+}
 
 std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, const std::vector<RaySample>& ray) {
     constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
@@ -16,7 +23,7 @@ std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, cons
     std::optional<PointedSample> pointed;
     for (const RaySample& sample : ray) {
         if (!sample.intensity) continue;
-        const double opacity = opacityAt(request.curve, *sample.intensity);
+        const double opacity = opacityOf(request, sample.voxel, *sample.intensity);
         const double share = opacityForStep(opacity, request.settings.step * sample.length);
         const bool half = transmittance * (1.0 - share) <= 0.5;
         if (half || transmittance * share > largest) {
@@ -45,7 +52,8 @@ std::optional<PointedSample> sampleByIntensity(const PictureRequest& request, co
     }
     if (!pointed) return std::nullopt;
     if (mode == RenderMode::mean) pointed->intensity = sum / steps;
-    pointed->opacity = opacityAt(request.curve, pointed->intensity);
+    pointed->opacity =
+        opacityOf(request, request.volume->geometry().voxelFromGridMm(pointed->gridMm), pointed->intensity);
     return pointed;
 }
 

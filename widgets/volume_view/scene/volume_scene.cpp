@@ -60,10 +60,10 @@ void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     updateVisibility();
 }
 
-void VolumeScene::setTransfer(const OpacityCurve& curve, ColourMap colourMap) {
-    const Transfer transfer{curve, colourMap};
+void VolumeScene::setTransfer(const Classification& classification, ColourMap colourMap) {
+    const Transfer transfer{classification, colourMap};
     if (!m_volume || m_transfer == transfer) return;
-    echolucent::setTransfer(*m_property, *m_volume, curve, colourMap);
+    echolucent::setTransfer(*m_property, *m_volume, upperCurveOf(classification), colourMap);
     m_transfer = transfer;
 }
 
@@ -140,12 +140,12 @@ RayCastSettings VolumeScene::withSceneLimits(RayCastSettings settings) {
 
 bool VolumeScene::graphicsCardAtHand() const { return !m_card.renderer.empty() && !isSoftwareOpenGl(m_card.renderer); }
 
-RendererChoice VolumeScene::rendererFor(const RayCastSettings& look) const {
-    const bool software = m_choice == RendererChoice::software || !whySoftware(look).empty();
+RendererChoice VolumeScene::rendererFor(const RayCastSettings& look, const Classification& classification) const {
+    const bool software = m_choice == RendererChoice::software || !whySoftware(look, classification).empty();
     return software ? RendererChoice::software : RendererChoice::graphicsCard;
 }
 
-std::string VolumeScene::whySoftware(const RayCastSettings& look) const {
+std::string VolumeScene::whySoftware(const RayCastSettings& look, const Classification& classification) const {
     if (m_choice == RendererChoice::software) return {};
     if (m_card.renderer.empty()) return "The graphics card is not known before the first picture.";
     if (m_choice == RendererChoice::automatic && !graphicsCardAtHand()) {
@@ -156,6 +156,8 @@ std::string VolumeScene::whySoftware(const RayCastSettings& look) const {
         const std::string tooLarge = whyTooLarge(m_volume->geometry(), bytesOnCard(*m_volume), m_card);
         if (!tooLarge.empty()) return tooLarge;
     }
+    if (classification.isTwoDimensional() && look.mode == RenderMode::direct)
+        return "A two-dimensional OTF is what only the software ray caster has.";
     return GraphicsCardVolume::whyNot(look);
 }
 

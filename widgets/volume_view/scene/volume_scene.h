@@ -45,7 +45,7 @@ public:
     void setVolume(std::shared_ptr<const Volume> volume);
     /// Takes the same scan, of which a scalpel cut other voxels (Volume::isSameScanAs()). The picture stays.
     void setCut(std::shared_ptr<const Volume> volume) { m_volume = std::move(volume); }
-    void setTransfer(const OpacityCurve& curve, ColourMap colourMap);
+    void setTransfer(const Classification& classification, ColourMap colourMap);
     /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
     /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing
@@ -86,10 +86,12 @@ public:
     /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after
     /// each.
     [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
-    /// Who renders a picture of this look: some looks only the software ray caster has.
-    [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look) const;
+    /// Who renders a picture of this look and classification: some of both only the software ray caster has.
+    [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look,
+                                             const Classification& classification = ManualCurve{}) const;
     /// Why rendererFor() says software although that was not the choice, as a sentence; else empty.
-    [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {}) const;
+    [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {},
+                                          const Classification& classification = ManualCurve{}) const;
     /// OpenGL's name for what draws; empty until the window was drawn once.
     [[nodiscard]] const std::string& openGlRenderer() const { return m_card.renderer; }
     /// True where OpenGL is known and no software.
@@ -118,7 +120,7 @@ private:
     RendererChoice m_choice = RendererChoice::automatic;
     /// What the property was set from.
     struct Transfer {
-        OpacityCurve curve;
+        Classification classification;
         ColourMap colourMap;
         friend bool operator==(const Transfer&, const Transfer&) = default;
     };
