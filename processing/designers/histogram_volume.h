@@ -1,0 +1,63 @@
+// The histogram volume of Kindlmann and Durkin (1998), reduced to the sums that its means are made of.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+struct HistogramVolumeConfig {
+    double prefilter = 1.0;  ///< standard deviation of the Gaussian under which derivatives are taken, units, [0,8];
+                             ///< where it is 0, there is none
+    int gradients = 0;       ///< nodes over the gradient magnitude, 2 to 1024; where it is 0, HistogramVolume::overBoth
+                             ///< is not made
+};
+
+/// What a histogram volume says of the voxels of a bin.
+struct DerivativeSums {
+    double voxels = 0.0;       ///< how many
+    double intensities = 0.0;  ///< sum of f under the Gaussian, normalised intensity
+    double gradients = 0.0;    ///< sum of g under the Gaussian, normalised intensity per unit
+    double seconds = 0.0;      ///< sum of h under the Gaussian, normalised intensity per square unit
+
+    DerivativeSums& operator+=(const DerivativeSums& other);
+    friend bool operator==(const DerivativeSums&, const DerivativeSums&) = default;
+};
+
+/// The histogram volume over the intensity f, the gradient magnitude g and the second derivative along the gradient h
+/// (Kindlmann and Durkin 1998, section 4). The method asks it for means alone: of g and h at an intensity, and of h at
+/// an intensity and a gradient magnitude. So bins over h are not kept, but sums, of which means follow exactly.
+///
+/// g is the length of central differences. h is the Laplacian less the part that the boundary's curvature makes:
+/// h = div grad f - g div(grad f / g), by central differences of the unit gradient (docs/designers/kindlmann.md,
+/// "Derivatives", compares it with others). Both are per unit, the smallest spacing.
+///
+/// A voxel counts where it carries data and all voxels around it were scanned that its derivatives are taken of, which
+/// reach two voxels along each axis, and as many more as the Gaussian's standard deviation is long, because a Gaussian
+/// that is cut off bends what is even: the end of the data is no boundary of tissue. Along an axis that is too short
+/// for that no derivative is taken.
+struct HistogramVolume {
+    static constexpr int intensityNodes = 256;
+
+    /// Over f under the Gaussian: a voxel counts at the nearest of the intensities i / (intensityNodes - 1).
+    std::vector<DerivativeSums> overIntensity;
+    /// Over f and g as pictures read them, without the Gaussian (GradientMagnitude), at the nearest of the nodes of a
+    /// TwoDimensionalOtf: index = node of g * intensityNodes + node of f. The sums are those of derivatives under it.
+    std::vector<DerivativeSums> overBoth;
+    int gradientNodes = 0;         ///< over g in overBoth; 0 where it is empty
+    double largestGradient = 1.0;  ///< g of the last node, normalised intensity per unit, above 0
+    std::uint64_t dataVoxels = 0;  ///< that carry data
+    std::uint64_t usedVoxels = 0;  ///< of these, those that count
+};
+
+/// The result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Beside
+/// the result it takes some 24 bytes for each voxel of a slab of 2^21 voxels (of at least eight slices). Throws
+/// std::invalid_argument where a member of the config is out of its range.
+[[nodiscard]] std::optional<HistogramVolume> histogramVolume(const Volume& volume, const HistogramVolumeConfig& config,
+                                                             const Progress& progress = {});
+
+}  // namespace echolucent
