@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "app/study/open_study.h"
-#include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
 #include "app/window/start_timer.h"
 #include "io/output/interruption.h"
@@ -53,8 +52,6 @@ int main(int count, char** arguments) {
     firstPicture.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(firstPicture);
     parser.process(application);
-
-    wearDarkTheme();
 
     // The study is being read while the window is made: neither waits for the other.
     auto openStudy = std::make_unique<OpenStudy>();

@@ -14,11 +14,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr Colour boxColour{0xe8, 0xb0, 0x4b}, accent{0x4f, 0xb3, 0xbf}, behindColour{0x8a, 0x6c, 0x38};
 constexpr double faceRadius = 5.0, edgeRadius = 3.5, cornerRadius = 3.5, centreRadius = 4.0;  // plain pixels
 
-Colour lineColour(PlaneName plane) {
-    const QColor colour = colourOf(plane);
+Colour inScene(const QColor& colour) {
     return {static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
             static_cast<unsigned char>(colour.blue())};
 }
@@ -106,7 +104,7 @@ void BoxIn3d::addPlanes(Overlay& overlay) const {
             sectionOf(whole, referencePointOf(planes, data), frameOf(plane, planes, document.beam.axis).forward);
         for (std::size_t i = 0; i < section.corners.size(); ++i)
             overlay.spaceLines.push_back(
-                {section.corners[i], section.corners[(i + 1) % section.corners.size()], lineColour(plane), 1.5});
+                {section.corners[i], section.corners[(i + 1) % section.corners.size()], inScene(colourOf(plane)), 1.5});
     }
 }
 
@@ -135,15 +133,15 @@ void BoxIn3d::addBox(Overlay& overlay) {
                               : grip.size() == 1 ? faceRadius
                               : grip.size() == 2 ? edgeRadius
                                                  : cornerRadius;
-        if (seen) overlay.discs.push_back({place, ofFront ? accent : boxColour, radius});
+        if (seen) overlay.discs.push_back({place, inScene(ofFront ? boxFrontColour() : boxColour()), radius});
         if (grip.size() != 2) continue;
         // The edge on which this grip lies goes along the axis that none of its faces has.
         const int along = 3 - grip[0].axis - grip[1].axis;
         const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
         overlay.spaceLines.push_back({place - half, place + half,
-                                      ofFront ? accent
-                                      : seen  ? boxColour
-                                              : behindColour,
+                                      inScene(ofFront ? boxFrontColour()
+                                              : seen  ? boxColour()
+                                                      : boxBehindColour()),
                                       ofFront ? 3.0 : 1.5});
     }
     m_picture.grips().setGrips(places);

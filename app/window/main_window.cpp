@@ -27,6 +27,7 @@
 #include "app/window/full_screen.h"
 #include "app/window/long_works.h"
 #include "app/window/review_room.h"
+#include "app/window/theme.h"
 #include "app/window/window_menus.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/panels/explain_panel.h"
@@ -45,6 +46,7 @@ constexpr int layoutVersion = 2;  // of the docks: an arrangement of an older ki
 
 MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
     : m_settings(settingsFile), m_curves(m_document, mainView), m_openStudy(std::move(openStudy)) {
+    wearTheme(m_settings.theme());  // before there are widgets, which would be dressed twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
@@ -221,6 +223,10 @@ void MainWindow::createActions() {
     commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
     commands.saveReport = [this] { m_report->choose(); };
     commands.numbersForNames = [this](bool numbers) { m_names.showNumbers(numbers); };
+    commands.lightTheme = [this](bool light) {
+        m_settings.setTheme(light ? Theme::light : Theme::dark);
+        wearTheme(m_settings.theme());
+    };
     commands.saveSession = [this] { m_sessions->save(); };
     commands.saveSessionAs = [this] { m_sessions->chooseAndSave(); };
     commands.showHistory = [this] {
@@ -246,6 +252,7 @@ void MainWindow::createActions() {
         m_widgets.explainDock->raise();
     };
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+    findChild<QAction*>("view.lightTheme")->setChecked(m_settings.theme() == Theme::light);
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
     connect(m_openStudy.get(), &OpenStudy::studyOpened, this,
             [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy->seriesBeside() != nullptr); });

@@ -23,6 +23,7 @@ constexpr auto studyNumbersKey = "recent/studyNumbers";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
+constexpr auto themeKey = "window/theme";
 constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
@@ -176,6 +177,8 @@ void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererK
 
 bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histogramKey), true); }
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }
+Theme Settings::theme() const { return choiceOr(m_store.value(themeKey), &themeFromName, Theme::dark); }
+void Settings::setTheme(Theme theme) { m_store.setValue(themeKey, textOf(nameOf(theme))); }
 PaneLayout Settings::paneLayout() const {
     return paneLayoutFromName(m_store.value(paneLayoutKey).toString().toStdString()).value_or(PaneLayout::only3d);
 }

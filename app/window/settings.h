@@ -10,6 +10,7 @@
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
 #include "widgets/planes/pane_grid.h"
+#include "widgets/theme_colours.h"
 
 namespace echolucent {
 
@@ -66,6 +67,8 @@ public:
     void setRenderer(RendererChoice renderer);
     [[nodiscard]] bool histogramLogarithmic() const;  ///< [true]
     void setHistogramLogarithmic(bool logarithmic);
+    [[nodiscard]] Theme theme() const;  ///< [dark]
+    void setTheme(Theme theme);
     [[nodiscard]] PaneLayout paneLayout() const;  ///< [only3d]
     void setPaneLayout(PaneLayout layout);
     /// Path of the file that holds a person's own presets (io/document/preset_file.h), beside that of the settings.

@@ -35,6 +35,13 @@ QAction* addAction(QMenu* menu, const QString& text, const QString& name, const 
     return action;
 }
 
+void addSwitch(QMenu* menu, const QString& text, const QString& name, const std::function<void(bool on)>& run) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(name);
+    action->setCheckable(true);
+    QObject::connect(action, &QAction::triggered, menu, run);
+}
+
 void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands& commands) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     addAction(file, tr("&Open volume…"), "file.open", commands.openFile);
@@ -71,10 +78,8 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", commands.toggleNearCut);
     addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
-    QAction* numbers = view->addAction(tr("Show n&umbers instead of names"));
-    numbers->setObjectName("view.numbersForNames");
-    numbers->setCheckable(true);
-    QObject::connect(numbers, &QAction::triggered, view, commands.numbersForNames);
+    addSwitch(view, tr("Show n&umbers instead of names"), "view.numbersForNames", commands.numbersForNames);
+    addSwitch(view, tr("Light &theme"), "view.lightTheme", commands.lightTheme);
     QMenu* docks = view->addMenu(tr("Panels"));
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
 }

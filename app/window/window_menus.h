@@ -22,6 +22,7 @@ struct WindowCommands {
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1
     std::function<void(bool numbers)> numbersForNames;
+    std::function<void(bool light)> lightTheme;
     std::function<void(QMenu& menu)> fillRecentFiles;
 };
 

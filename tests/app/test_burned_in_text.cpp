@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
 #include "tests/io/dicom_files.h"
 #include "widgets/panels/message_bar.h"
@@ -80,7 +80,7 @@ class TestBurnedInText : public QObject, private WindowFixture {
     }
 
 private slots:
-    void initTestCase() { wearDarkTheme(); }
+    void initTestCase() { wearTheme(Theme::dark); }
     void init() {
         show();
         window().resize(1280, 720);

@@ -1,6 +1,6 @@
 // Whether the texts of panels, menus, tabs, messages and status line can be read: the contrast between their colour and
-// what they stand on, measured in what the window draws, is at least 4.5 : 1 (WCAG 2.1, 1.4.3). Controls that cannot be
-// used now need none; texts over pictures have a dark rim of their own.
+// what they stand on, measured in what the window draws in both themes, is at least 4.5 : 1 (WCAG 2.1, 1.4.3). Controls
+// that cannot be used now need none; texts over pictures have a dark rim of their own.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QImage>
@@ -13,30 +13,16 @@
 #include <QTabBar>
 #include <QTableWidget>
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
+#include "tests/widgets/contrast.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
 
 namespace {
-
-/// Relative luminance of an sRGB colour (WCAG 2.1).
-double luminance(QRgb colour) {
-    const auto linear = [](int channel) {
-        const double share = channel / 255.0;
-        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) + 0.0722 * linear(qBlue(colour));
-}
-
-double contrast(QRgb one, QRgb other) {
-    const double a = luminance(one) + 0.05, b = luminance(other) + 0.05;
-    return a > b ? a / b : b / a;
-}
 
 /// Between the commonest colour of a place and that which differs from it most: what a text stands on, and the text.
 double contrastWithin(const QImage& image, const QRect& place) {
@@ -56,8 +42,13 @@ class TestContrast : public QObject, private WindowFixture {
     Q_OBJECT
 
 private slots:
+    /// Every function runs in each theme.
+    void initTestCase_data() {
+        QTest::addColumn<Theme>("theme");
+        QTest::newRow("dark") << Theme::dark;
+        QTest::newRow("light") << Theme::light;
+    }
     void initTestCase() {
-        wearDarkTheme();
         show();
         window().resize(1280, 720);
         useLook(Look{});
@@ -68,6 +59,11 @@ private slots:
     void cleanupTestCase() {
         qInfo("the least contrast of %d texts is %.2f : 1 (%s)", m_texts, m_least, qPrintable(m_of));
         close();
+    }
+
+    void init() {
+        QFETCH_GLOBAL(Theme, theme);
+        wearTheme(theme);
     }
 
     void theMeasureIsWcags() {

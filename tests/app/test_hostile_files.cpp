@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "hostile_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
@@ -22,7 +22,7 @@ class TestHostileFiles : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         m_good = file("good.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "tests/app/cine_fixture.h"
 #include "widgets/panels/motion_panel.h"
 
@@ -21,7 +21,7 @@ class TestMainWindowCine : public QObject, private CineFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         writeStudies();
     }
     void init() { showWindow(); }

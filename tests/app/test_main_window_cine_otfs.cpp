@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/scalpel/scalpel_cuts.h"
@@ -21,7 +21,7 @@ class TestMainWindowCineOtfs : public QObject, private CineFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         writeStudies();
     }
     void init() { showWindow(); }

@@ -9,8 +9,8 @@
 #include <QTimer>
 #include <cmath>
 
-#include "app/window/dark_theme.h"
 #include "app/window/settings.h"
+#include "app/window/theme.h"
 #include "io/curve_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -24,7 +24,7 @@ class TestMainWindowFiles : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         QVERIFY(m_out.isValid());
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         m_file = file("visit.7.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {

@@ -14,7 +14,7 @@
 #include <QWindow>
 #include <cmath>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
 
@@ -35,7 +35,7 @@ class TestMainWindowLayout : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         const auto still = smallPhantom(PhantomScene::shapes, 5);
         m_file = file("still.mha", {still});
         VolumeGeometry unknown = still->geometry();

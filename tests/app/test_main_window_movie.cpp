@@ -22,7 +22,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/picture/picture_image.h"
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "processing/document/view_picture.h"
 #include "tests/app/movie_fixture.h"
 #include "widgets/panels/run_status.h"
@@ -35,7 +35,7 @@ class TestMainWindowMovie : public QObject, private MovieFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         writeStudies();
     }
     void init() { showWindow(); }

@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QSpinBox>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "tests/app/movie_fixture.h"
 #include "tests/app/telling_names.h"
 
@@ -17,7 +17,7 @@ class TestMainWindowMovieDialog : public QObject, private MovieFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         writeStudies();
     }
     void init() { showWindow(); }

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "io/document/preset_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/message_bar.h"
@@ -23,7 +23,7 @@ class TestPresets : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         QVERIFY(m_out.isValid());
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         m_file = file("visit.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {

@@ -24,6 +24,7 @@ private slots:
         QCOMPARE(settings.look(), lookAtStart());
         QCOMPARE(settings.look().lighting, Lighting::depth);
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
+        QCOMPARE(settings.theme(), Theme::dark);
     }
 
     void everythingComesBackFromTheFile() {
@@ -56,6 +57,7 @@ private slots:
             settings.setWindowState(bytes + bytes);
             settings.setLook(chosen);
             settings.setRenderer(RendererChoice::graphicsCard);
+            settings.setTheme(Theme::light);
             settings.setHistogramLogarithmic(false);
             settings.setMotion(motion);
             settings.setActiveCurve(CurveKind::quartic);
@@ -75,6 +77,7 @@ private slots:
         QVERIFY(settings.method() == method);
         QCOMPARE(settings.look(), chosen);
         QCOMPARE(settings.renderer(), RendererChoice::graphicsCard);
+        QCOMPARE(settings.theme(), Theme::light);
     }
 
     void whatIsNotUnderstoodGivesTheDefault() {
@@ -84,10 +87,11 @@ private slots:
             file.write(
                 "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nlighting=perhaps\n"
                 "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n"
-                "[motion]\nspeed=fast\nphasesPingPong=2\n");
+                "[motion]\nspeed=fast\nphasesPingPong=2\n[window]\ntheme=mauve\n");
         }
         const Settings settings(store());
         QVERIFY(settings.motion() == MotionChoice{});
+        QCOMPARE(settings.theme(), Theme::dark);
         QCOMPARE(settings.look(), lookAtStart());
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
     }

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTextStream>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/large_study.h"
@@ -169,7 +169,7 @@ QList<Stall> measureMovies(const Options& options, const QString& volume, QTextS
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    wearDarkTheme();
+    wearTheme(Theme::dark);
     const Options options = parse(application);
     const QTemporaryDir folder;
     const auto phantom = [&](int usual, int bits) {

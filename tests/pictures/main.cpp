@@ -13,8 +13,8 @@
 #include <QWindow>
 #include <cstdio>
 
-#include "app/window/dark_theme.h"
 #include "app/window/main_window.h"
+#include "app/window/theme.h"
 #include "tests/pictures/contact_sheet.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/view_panel.h"
@@ -117,7 +117,7 @@ void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
 int main(int count, char** arguments) {
     VolumeViewWidget::prepareApplication();
     QApplication application(count, arguments);
-    wearDarkTheme();
+    wearTheme(Theme::dark);
     const QStringList words = QCoreApplication::arguments();
     if (words.value(1) == "--sheet") return writeContactSheet(words[2], words.mid(3)) ? 0 : 1;
     const QTemporaryDir settings;

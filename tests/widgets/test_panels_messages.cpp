@@ -10,6 +10,7 @@
 #include "widgets/panels/run_status.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/theme_colours.h"
 
 using namespace echolucent;
 
@@ -235,6 +236,7 @@ private slots:
 
     void goodNewsStaysGoodNewsBesideARemark() {
         MessageBar bar;
+        bar.setPalette(paletteOf(Theme::dark));
         bar.resize(420, 80);
         bar.showMessage(MessageKind::info, "Near cut at 4 mm.");
         bar.setRemark("No surface found.");
@@ -243,8 +245,8 @@ private slots:
         const auto stripeBeside = [&](const char* line) {
             return both.pixelColor(1, child<QLabel>(bar, line)->geometry().center().y());
         };
-        QCOMPARE(stripeBeside("message.text"), QColor(0x4f, 0xb3, 0xbf));
-        QCOMPARE(stripeBeside("message.remark"), QColor(0xe8, 0xb0, 0x4b));
+        QCOMPARE(stripeBeside("message.text"), coloursOf(Theme::dark).accent);
+        QCOMPARE(stripeBeside("message.remark"), coloursOf(Theme::dark).warning);
         bar.setRemark({});
         QCOMPARE(bar.kind(), MessageKind::info);
         QCOMPARE(bar.accessibleName(), "Information");

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <array>
 
-#include "widgets/otf_editor/canvas/curve_style.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -14,13 +14,11 @@ constexpr double numberGap = 5.0;  // from the plot to its numbers, pixels
 
 }  // namespace
 
-PlotColours plotColours(const QPalette& palette) {
-    constexpr int darker = 140;  // per cent
-    const QColor panel = palette.color(QPalette::Window);
-    const QColor background = panel.lightness() < 128 ? panel.darker(darker) : palette.color(QPalette::Base);
-    const QColor text = palette.color(QPalette::WindowText);
-    return {background, text, mixed(background, text, 0.66), mixed(background, text, 0.09),
-            mixed(background, text, 0.28)};
+QColor fixedRowColour(std::size_t place, Theme theme) {
+    static const std::array<ColourOfThemes, 3> colours{{{{0x7f, 0xa7, 0xd9}, {0x2f, 0x66, 0xb5}},
+                                                        {{0xc8, 0xcf, 0xd6}, {0x4c, 0x56, 0x61}},
+                                                        {{0xd9, 0x8f, 0x7f}, {0xa8, 0x46, 0x2e}}}};
+    return colours.at(place).in(theme);
 }
 
 QString rowName(const OtfCourse& course, int row) {

@@ -1,13 +1,12 @@
 // What the map and the curves of a motion's OTFs draw in common.
 #pragma once
 
-#include <QColor>
 #include <QPainter>
-#include <QPalette>
 #include <QString>
 
 #include "widgets/motion/otf_course.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
+#include "widgets/otf_editor/canvas/plot_colours.h"
 
 namespace echolucent {
 
@@ -15,11 +14,9 @@ inline constexpr double legendGap = 16.0;  ///< pixels between the map and its l
 inline constexpr double legendWidth = 12.0;
 inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's present row
 
-struct PlotColours {
-    QColor background, text, secondary, grid, frame;
-};
-/// Of a plot that lies a little deeper than its panel, in the dark and in the light theme.
-[[nodiscard]] PlotColours plotColours(const QPalette& palette);
+/// Of the lines of the first, the middle and the last row (place 0, 1, 2), which differ by their dashes too: at least 3
+/// : 1 on the ground of the plot.
+[[nodiscard]] QColor fixedRowColour(std::size_t place, Theme theme);
 
 /// "+3°", "−3°", "0°" for an angle, "phase 3" for a phase.
 [[nodiscard]] QString rowName(const OtfCourse& course, int row);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "widgets/motion/course_drawing.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
 
 namespace echolucent {
 namespace {
@@ -17,11 +16,9 @@ constexpr double legendNameGap = 4.0;
 constexpr double legendEntryGap = 9.0;
 
 /// Colour and dashes of the fixed rows, as in the paper's Fig. 10: dotted, solid, dashed.
-QPen penOf(std::size_t place) {
-    static const std::array<QColor, 3> colours{QColor(0x7f, 0xa7, 0xd9), QColor(0xc8, 0xcf, 0xd6),
-                                               QColor(0xd9, 0x8f, 0x7f)};
+QPen penOf(std::size_t place, Theme theme) {
     static const std::array<Qt::PenStyle, 3> styles{Qt::DotLine, Qt::SolidLine, Qt::DashLine};
-    QPen pen(colours[place], shownWidth, styles[place]);
+    QPen pen(fixedRowColour(place, theme), shownWidth, styles[place]);
     pen.setCapStyle(Qt::FlatCap);
     return pen;
 }
@@ -67,11 +64,11 @@ std::vector<OtfCurvesCanvas::Line> OtfCurvesCanvas::lines() const {
     for (std::size_t i = 0; i < fixedRows.size(); ++i) {
         const bool twice = i > 0 && fixedRows[i] == fixedRows[i - 1];
         if (twice || !exists(fixedRows[i])) continue;
-        lines.push_back(
-            {fixedRows[i], penOf(i), lines.empty() ? rowName(m_course, fixedRows[i]) : shortName(fixedRows[i])});
+        lines.push_back({fixedRows[i], penOf(i, themeOf(palette())),
+                         lines.empty() ? rowName(m_course, fixedRows[i]) : shortName(fixedRows[i])});
     }
     if (const auto present = m_course.presentRow(); present && exists(*present))
-        lines.push_back({*present, QPen(accentColor, presentWidth, Qt::SolidLine, Qt::FlatCap),
+        lines.push_back({*present, QPen(coloursOf(palette()).accent, presentWidth, Qt::SolidLine, Qt::FlatCap),
                          tr("now %1").arg(shortName(*present))});
     return lines;
 }
@@ -91,7 +88,7 @@ QPolygonF OtfCurvesCanvas::polygonOf(const SampledCurve& curve) const {
 }
 
 void OtfCurvesCanvas::paintEvent(QPaintEvent*) {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Window));
@@ -123,7 +120,7 @@ void OtfCurvesCanvas::paintEvent(QPaintEvent*) {
 }
 
 void OtfCurvesCanvas::paintOpacityAxis(QPainter& painter) const {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     const double height = painter.fontMetrics().height();
     for (const double tick : {0.0, 0.5, 1.0}) {
         const double y = m_axes.positionOf({0.0, tick}).y();
@@ -143,7 +140,7 @@ void OtfCurvesCanvas::paintOpacityAxis(QPainter& painter) const {
 }
 
 void OtfCurvesCanvas::paintLegend(QPainter& painter, const std::vector<Line>& lines) const {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     const double height = painter.fontMetrics().height();
     double left = 2.0;
     const auto entry = [&](const QPen& pen, const QString& name) {

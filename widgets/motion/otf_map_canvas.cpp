@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "widgets/motion/course_drawing.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
 
 namespace echolucent {
 namespace {
@@ -67,7 +66,7 @@ QRectF OtfMapCanvas::bandOf(int row) const {
 }
 
 void OtfMapCanvas::paintEvent(QPaintEvent*) {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Window));
     painter.fillRect(m_axes.rect, QBrush(colours.grid, Qt::BDiagPattern));
@@ -86,7 +85,7 @@ void OtfMapCanvas::paintEvent(QPaintEvent*) {
 }
 
 void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     const double height = painter.fontMetrics().height();
     const int rows = m_course.rowCount();
     const bool angles = m_course.rows() == OtfCourse::Rows::angles;
@@ -105,7 +104,7 @@ void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
     if (!m_course.presentRow()) return;
     const double y = bandOf(*m_course.presentRow()).center().y();
     painter.setPen(Qt::NoPen);
-    painter.setBrush(accentColor);
+    painter.setBrush(coloursOf(palette()).accent);
     const double half = markWidth / 2;
     for (const auto& [tip, base] : {std::pair{m_axes.rect.left() - 1, m_axes.rect.left() - markWidth},
                                     std::pair{m_axes.rect.right() + 1, m_axes.rect.right() + markWidth}})
@@ -113,7 +112,7 @@ void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
 }
 
 void OtfMapCanvas::paintLegend(QPainter& painter) const {
-    const PlotColours colours = plotColours(palette());
+    const PlotColours colours = plotColours(themeOf(palette()));
     const double height = painter.fontMetrics().height();
     const QRectF bar(m_axes.rect.right() + legendGap, m_axes.rect.top(), legendWidth, m_axes.rect.height());
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());

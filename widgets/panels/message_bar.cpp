@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/theme_colours.h"
 
 namespace echolucent {
 namespace {
@@ -39,11 +40,11 @@ struct Appearance {
     QString name;
 };
 
-Appearance appearanceOf(MessageKind kind) {
+Appearance appearanceOf(MessageKind kind, const ThemeColours& colours) {
     switch (kind) {
-        case MessageKind::info: return {QColor(0x4f, 0xb3, 0xbf), QStringLiteral("i"), MessageBar::tr("Information")};
-        case MessageKind::warning: return {QColor(0xe8, 0xb0, 0x4b), QStringLiteral("!"), MessageBar::tr("Warning")};
-        case MessageKind::error: return {QColor(0xe0, 0x7a, 0x72), QStringLiteral("×"), MessageBar::tr("Error")};
+        case MessageKind::info: return {colours.accent, QStringLiteral("i"), MessageBar::tr("Information")};
+        case MessageKind::warning: return {colours.warning, QStringLiteral("!"), MessageBar::tr("Warning")};
+        case MessageKind::error: return {colours.error, QStringLiteral("×"), MessageBar::tr("Error")};
     }
     return {};
 }
@@ -169,7 +170,7 @@ void MessageBar::showText() {
         hide();
         return;
     }
-    setAccessibleName(appearanceOf(kind()).name);
+    setAccessibleName(appearanceOf(kind(), coloursOf(palette())).name);
     show();
     place();
     update();
@@ -235,17 +236,18 @@ void MessageBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Window));
+    const ThemeColours& colours = coloursOf(palette());
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
     const auto paintSign = [&](const QLabel* line, MessageKind kind, int top, int bottom) {
-        const Appearance appearance = appearanceOf(kind);
+        const Appearance appearance = appearanceOf(kind, colours);
         painter.fillRect(QRect(0, top, 4, bottom - top), appearance.colour);
         const QRectF disc(12, line->geometry().center().y() - 8.5, 18, 18);
         painter.setPen(Qt::NoPen);
         painter.setBrush(appearance.colour);
         painter.drawEllipse(disc);
-        painter.setPen(Qt::black);
+        painter.setPen(colours.onSign);
         painter.drawText(disc, Qt::AlignCenter, appearance.sign);
     };
     const bool message = !m_text->isHidden();

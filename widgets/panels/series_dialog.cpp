@@ -10,12 +10,11 @@
 #include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/secondary_items.h"
 
 namespace echolucent {
 
 namespace {
-
-constexpr QColor cannotBeOpened{0x8b, 0x94, 0x9e};  // secondary text
 
 /// A picture in the middle of a dark square, so that all rows are alike.
 QIcon onSquare(const QImage& picture) {
@@ -46,12 +45,13 @@ SeriesDialog::SeriesDialog(const QString& source, const QList<SeriesRow>& rows, 
     head->setTextFormat(Qt::PlainText);  // names of folders may hold anything
     head->setWordWrap(true);
     m_list->setIconSize({pictureEdge, pictureEdge});
+    m_list->setItemDelegate(new SecondaryItemDelegate(m_list));
     m_list->setWordWrap(true);
     m_list->setSpacing(2);
     for (const SeriesRow& row : rows) {
         auto* item = new QListWidgetItem(onSquare({}), row.title + '\n' + row.facts, m_list);
         item->setToolTip((row.hindrance.isEmpty() ? row.title : row.hindrance).toHtmlEscaped());
-        if (!row.openable) item->setForeground(cannotBeOpened);
+        item->setData(secondaryRole, !row.openable);
     }
     m_why->setTextFormat(Qt::PlainText);
     m_why->setWordWrap(true);

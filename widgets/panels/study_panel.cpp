@@ -7,11 +7,11 @@
 #include <algorithm>
 
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/secondary_items.h"
 
 namespace echolucent {
 
 namespace {
-constexpr QColor sourceColour{0x8b, 0x94, 0x9e};  // secondary text
 constexpr int cellMargins = 14;
 constexpr int narrowestNames = 60;
 constexpr int widestNames = 120;
@@ -34,6 +34,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     m_facts->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     m_facts->verticalHeader()->hide();
     m_facts->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_facts->setItemDelegate(new SecondaryItemDelegate(m_facts));
     m_facts->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_facts->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_facts->setTabKeyNavigation(false);  // Tab goes on to the next panel
@@ -65,7 +66,7 @@ void StudyPanel::setStudy(const QList<StudyFactRow>& facts, const QStringList& w
         // On a line of its own: three columns are too many for a narrow panel.
         m_facts->insertRow(++row);
         put(row, 0, {});
-        put(row, 1, fact.source)->setForeground(sourceColour);
+        put(row, 1, fact.source)->setData(secondaryRole, true);
     }
     m_facts->horizontalHeader()->resizeSection(0, std::clamp(nameWidth, narrowestNames, widestNames));
     QStringList lines;

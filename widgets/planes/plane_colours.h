@@ -1,9 +1,11 @@
-// The one colour of each plane, in frames, lines and letters.
+// What is drawn over pictures, which are on black in every theme: the one colour of each plane, in frames, lines and
+// letters, and the colours of the render box.
 #pragma once
 
 #include <QColor>
 
 #include "processing/document/planes.h"
+#include "widgets/theme_colours.h"
 
 namespace echolucent {
 
@@ -15,5 +17,11 @@ namespace echolucent {
     }
     return {};
 }
+
+/// Amber, and the accent for the side through which the box is looked into.
+[[nodiscard]] inline QColor boxColour() { return coloursOverPictures().warning; }
+[[nodiscard]] inline QColor boxFrontColour() { return coloursOverPictures().accent; }
+/// Of edges that the box itself hides.
+[[nodiscard]] inline QColor boxBehindColour() { return {0x8a, 0x6c, 0x38}; }
 
 }  // namespace echolucent

@@ -15,11 +15,9 @@ namespace echolucent {
 namespace {
 
 constexpr double gapAtReference = 9.0, referenceRadius = 5.0;
-const QColor words(0xd8, 0xdd, 0xe2), rimShade(0xd8, 0xdd, 0xe2, 40);
+constexpr int rimShade = 40;  // of 255
 
 QString textOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
-
-const QColor accent(0x4f, 0xb3, 0xbf), boxColour(0xe8, 0xb0, 0x4b);
 
 /// Faces and corners are squares, the centre a cross in a square, the turning grip a ring, the bow a diamond.
 void paintGrip(QPainter& painter, const BoxGrip& grip) {
@@ -36,7 +34,7 @@ void paintGrip(QPainter& painter, const BoxGrip& grip) {
     path.closeSubpath();
     painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
     painter.drawPath(path);
-    painter.setPen(QPen(bow ? accent : boxColour, 1.5));
+    painter.setPen(QPen(bow ? boxFrontColour() : boxColour(), 1.5));
     painter.setBrush(turn ? QBrush(Qt::NoBrush) : QBrush(QColor(0, 0, 0, 120)));
     painter.drawPath(path);
     painter.setBrush(Qt::NoBrush);
@@ -89,7 +87,7 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, 160), 3.0));
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
-    painter.setPen(QPen(words, 1.25));
+    painter.setPen(QPen(coloursOverPictures().text, 1.25));
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
 }
 
@@ -107,9 +105,9 @@ void PlanePane::paintBox(QPainter& painter) const {
     for (qsizetype i = 0; i < count; ++i) {
         const QPolygonF edge({shown.outline[i], shown.outline[(i + 1) % count]});
         const bool front = shown.faces[static_cast<std::size_t>(i)] == m_scene->box.front;
-        paintLine(edge, front ? accent : boxColour, front ? 3.0 : 1.5, Qt::SolidLine);
+        paintLine(edge, front ? boxFrontColour() : boxColour(), front ? 3.0 : 1.5, Qt::SolidLine);
     }
-    if (shown.startIsCut && !shown.startLine.isEmpty()) paintLine(shown.startLine, accent, 2.0, Qt::DashLine);
+    if (shown.startIsCut && !shown.startLine.isEmpty()) paintLine(shown.startLine, boxFrontColour(), 2.0, Qt::DashLine);
     for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
 }
 
@@ -120,6 +118,7 @@ void PlanePane::paintMeasured(QPainter& painter) const {
 }
 
 void PlanePane::paintWords(QPainter& painter) const {
+    const QColor words = coloursOverPictures().text;
     QFont font = painter.font();
     font.setBold(true);
     font.setPixelSize(18);
@@ -145,7 +144,9 @@ void PlanePane::paintRim(QPainter& painter) const {
     QPainterPath path;
     path.addRect(rect());
     path.addRoundedRect(QRectF(rect()).adjusted(rim, rim, -rim, -rim), rim / 2, rim / 2);
-    painter.fillPath(path, rimShade);
+    QColor shade = coloursOverPictures().text;
+    shade.setAlpha(rimShade);
+    painter.fillPath(path, shade);
 }
 
 }  // namespace echolucent

@@ -36,6 +36,7 @@ void PlanePane::createButtons() {
         button->setToolTip(words);
         button->setFocusPolicy(Qt::TabFocus);
         button->setAutoRaise(true);
+        button->setProperty("overPicture", true);
         button->setFixedSize(24, 22);
         return button;
     };

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "app/window/dark_theme.h"
+#include "app/window/theme.h"
 #include "io/restricted/reader_process.h"
 #include "io/restricted/restricted_reader.h"
 #include "tests/app/window_fixture.h"
@@ -38,7 +38,7 @@ class TestLoadingPicture : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
-        wearDarkTheme();
+        wearTheme(Theme::dark);
         m_small = file("small.mha", {smallPhantom(PhantomScene::shapes, 5)});
         m_large = largeFile();
     }

@@ -25,6 +25,8 @@ class TestOtfEditorPainting : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Every function runs in each theme.
+    void initTestCase_data();
     void init();
     void cleanup();
     void hiddenCurveIsNotPainted_data();
@@ -43,6 +45,12 @@ private:
     std::unique_ptr<CurveCanvas> m_canvas;
 };
 
+void TestOtfEditorPainting::initTestCase_data() {
+    QTest::addColumn<Theme>("theme");
+    QTest::newRow("dark") << Theme::dark;
+    QTest::newRow("light") << Theme::light;
+}
+
 void TestOtfEditorPainting::init() {
     m_model = std::make_unique<EditedModel>();
     OtfEditorState state;
@@ -51,10 +59,8 @@ void TestOtfEditorPainting::init() {
     for (int i = 0; i < 256; ++i) state.adaptive.opacities.push_back(std::min(1.0, 0.9 * std::sqrt(i / 255.0)));
     m_model->setState(state);
     m_canvas = std::make_unique<CurveCanvas>(*m_model);
-    QPalette dark;
-    dark.setColor(QPalette::Window, QColor(0x1e, 0x22, 0x26));
-    dark.setColor(QPalette::WindowText, QColor(0xd8, 0xdd, 0xe2));
-    m_canvas->setPalette(dark);
+    QFETCH_GLOBAL(Theme, theme);
+    m_canvas->setPalette(paletteOf(theme));
     m_canvas->resize(520, 340);
     m_canvas->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
@@ -78,7 +84,7 @@ double TestOtfEditorPainting::shareOfPathPainted(CurveKind kind) const {
         const double y = m_canvas->axes().positionOf({intensity, opacity}).y();
         ++columns;
         for (int row = static_cast<int>(y) - 2; row <= static_cast<int>(y) + 2; ++row)
-            if (distance(image.pixelColor(x, row), curveColor(kind)) < 60) {
+            if (distance(image.pixelColor(x, row), curveColor(kind, themeOf(m_canvas->palette()))) < 60) {
                 ++painted;
                 break;
             }
@@ -115,7 +121,8 @@ void TestOtfEditorPainting::activeCurveIsHeavier() {
         int count = 0;
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x)
-                if (distance(image.pixelColor(x, y), curveColor(CurveKind::quartic)) < 40) ++count;
+                if (distance(image.pixelColor(x, y), curveColor(CurveKind::quartic, themeOf(m_canvas->palette()))) < 40)
+                    ++count;
         return count;
     };
     const int inactive = pixelsLike();

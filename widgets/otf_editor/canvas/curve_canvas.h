@@ -8,6 +8,7 @@
 #include "processing/volume/histogram.h"
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
+#include "widgets/otf_editor/canvas/plot_colours.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 
 namespace echolucent {
@@ -76,10 +77,6 @@ private:
         AxisRange intensity;
         AxisRange opacity;
     };
-    /// Colours derived from the palette, so that the plot follows a light theme too.
-    struct Colors {
-        QColor background, text, secondary, grid, frame, histogram, histogramOutline;
-    };
 
     void layOutPlot();
     [[nodiscard]] Region regionAt(QPointF position) const;
@@ -92,14 +89,13 @@ private:
     bool nudgeSelected(const QKeyEvent& event);
     [[nodiscard]] bool handlesKey(const QKeyEvent& event) const;
 
-    [[nodiscard]] Colors colors() const;
-    void paintAxes(QPainter& painter, const Colors& colors) const;
-    void paintIntensityAxis(QPainter& painter, const Colors& colors) const;
-    void paintOpacityAxis(QPainter& painter, const Colors& colors) const;
-    void paintCurves(QPainter& painter, const Colors& colors) const;
-    void paintCurve(QPainter& painter, CurveKind kind, const Colors& colors) const;
-    void paintNodes(QPainter& painter, const Colors& colors) const;
-    void paintGuides(QPainter& painter, const Colors& colors) const;
+    void paintAxes(QPainter& painter, const PlotColours& colors) const;
+    void paintIntensityAxis(QPainter& painter, const PlotColours& colors) const;
+    void paintOpacityAxis(QPainter& painter, const PlotColours& colors) const;
+    void paintCurves(QPainter& painter, const PlotColours& colors) const;
+    void paintCurve(QPainter& painter, CurveKind kind, const PlotColours& colors) const;
+    void paintNodes(QPainter& painter, const PlotColours& colors) const;
+    void paintGuides(QPainter& painter, const PlotColours& colors) const;
     [[nodiscard]] QPolygonF curvePolygon(CurveKind kind) const;
     [[nodiscard]] QPolygonF polygonOf(const OpacityCurve& curve) const;
 

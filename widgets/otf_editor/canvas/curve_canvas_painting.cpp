@@ -25,22 +25,8 @@ double stepOf(const std::vector<double>& ticks) { return ticks.size() > 1 ? tick
 
 }  // namespace
 
-CurveCanvas::Colors CurveCanvas::colors() const {
-    constexpr int darker = 140;  // per cent: the plot lies deeper than a dark panel
-    const QColor panel = palette().color(QPalette::Window);
-    const QColor background = panel.lightness() < 128 ? panel.darker(darker) : palette().color(QPalette::Base);
-    const QColor text = palette().color(QPalette::WindowText);
-    return {background,
-            text,
-            mixed(background, text, 0.66),
-            mixed(background, text, 0.09),
-            mixed(background, text, 0.28),
-            mixed(background, text, 0.13),
-            mixed(background, text, 0.24)};
-}
-
 void CurveCanvas::paintEvent(QPaintEvent*) {
-    const Colors paints = colors();
+    const PlotColours paints = plotColours(themeOf(palette()));
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Window));
@@ -54,13 +40,13 @@ void CurveCanvas::paintEvent(QPaintEvent*) {
     paintGuides(painter, paints);
     paintNodes(painter, paints);
     if (hasFocus()) {
-        painter.setPen(QPen(accentColor, 1.0));
+        painter.setPen(QPen(coloursOf(palette()).accent, 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
 }
 
-void CurveCanvas::paintAxes(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintAxes(QPainter& painter, const PlotColours& colors) const {
     paintIntensityAxis(painter, colors);
     paintOpacityAxis(painter, colors);
     painter.setPen(QPen(colors.frame, 1.0));
@@ -68,7 +54,7 @@ void CurveCanvas::paintAxes(QPainter& painter, const Colors& colors) const {
     painter.drawRect(m_axes.rect.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
 
-void CurveCanvas::paintIntensityAxis(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintIntensityAxis(QPainter& painter, const PlotColours& colors) const {
     const QRectF& plot = m_axes.rect;
     const double rowHeight = painter.fontMetrics().height();
     const double cell = painter.fontMetrics().horizontalAdvance("0.0000");
@@ -95,7 +81,7 @@ void CurveCanvas::paintIntensityAxis(QPainter& painter, const Colors& colors) co
                          Qt::AlignRight, tr("stored"));
 }
 
-void CurveCanvas::paintOpacityAxis(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintOpacityAxis(QPainter& painter, const PlotColours& colors) const {
     const QRectF& plot = m_axes.rect;
     const double rowHeight = painter.fontMetrics().height();
     const int maxTicks = std::clamp(static_cast<int>(plot.height() / (1.6 * rowHeight)), 2, 6);
@@ -142,7 +128,7 @@ QPolygonF CurveCanvas::polygonOf(const OpacityCurve& curve) const {
     return polygon;
 }
 
-void CurveCanvas::paintCurves(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintCurves(QPainter& painter, const PlotColours& colors) const {
     const OtfEditorState& state = m_model.state();
     painter.save();
     painter.setClipRect(m_axes.rect.adjusted(-1, -2, 1, 2));
@@ -159,18 +145,18 @@ void CurveCanvas::paintCurves(QPainter& painter, const Colors& colors) const {
     }
 }
 
-void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const Colors& colors) const {
+void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColours& colors) const {
     const OtfEditorState& state = m_model.state();
     if (!state.visible[indexOf(kind)]) return;
     if (kind == CurveKind::adaptive && state.adaptive.opacities.empty()) return;
     const bool active = kind == state.active;
     const bool isAdjusted = active && state.adjustment != CurveAdjustment{};
     const QPolygonF polygon = isAdjusted ? polygonOf(renderedCurve(state)) : curvePolygon(kind);
-    const QPen pen = curvePen(kind, active);
+    const QPen pen = curvePen(kind, active, themeOf(palette()));
     painter.setBrush(Qt::NoBrush);
     if (isAdjusted) {
         // What is adjusted stays in sight, thin: its nodes are the ones that are edited.
-        painter.setPen(curvePen(kind, false));
+        painter.setPen(curvePen(kind, false, themeOf(palette())));
         painter.drawPolyline(curvePolygon(kind));
     }
     if (active) {
@@ -181,11 +167,11 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const Colors& co
     painter.drawPolyline(polygon);
 }
 
-void CurveCanvas::paintNodes(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintNodes(QPainter& painter, const PlotColours& colors) const {
     const OtfEditorState& state = m_model.state();
     if (!state.visible[indexOf(CurveKind::manual)]) return;
     const QRectF shown = m_axes.rect.adjusted(-1, -1, 1, 1);
-    const QColor color = curveColor(CurveKind::manual);
+    const QColor color = curveColor(CurveKind::manual, themeOf(palette()));
     for (int i = 0; i < static_cast<int>(state.manual.nodes.size()); ++i) {
         const QPointF centre = m_axes.positionOf(state.manual.nodes[static_cast<std::size_t>(i)]);
         if (!shown.contains(centre)) continue;
@@ -197,7 +183,7 @@ void CurveCanvas::paintNodes(QPainter& painter, const Colors& colors) const {
     }
 }
 
-void CurveCanvas::paintGuides(QPainter& painter, const Colors& colors) const {
+void CurveCanvas::paintGuides(QPainter& painter, const PlotColours& colors) const {
     const auto guideAt = [&](double intensity, const QColor& color, Qt::PenStyle style) {
         if (intensity < m_axes.intensity.lower || intensity > m_axes.intensity.upper) return;
         const QPointF onCurve = m_axes.positionOf({intensity, opacityAt(m_model.activeCurve(), intensity)});

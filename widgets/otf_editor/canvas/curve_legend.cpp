@@ -1,5 +1,6 @@
 #include "widgets/otf_editor/canvas/curve_legend.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -32,7 +33,6 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
         visible->setObjectName("otfEditor.legend." + curveKey(kind) + ".visible");
         visible->setAccessibleName(tr("Show the %1 curve in the plot").arg(curveName(kind)));
         visible->setToolTip(visible->accessibleName());
-        visible->setIcon(curveSample(kind));
         visible->setIconSize(curveSampleSize);
         connect(visible, &QCheckBox::toggled, this, [this, kind](bool on) { m_model.setVisible(kind, on); });
         grid->addWidget(visible, row, column + 1, Qt::AlignLeft);
@@ -44,6 +44,16 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
     for (const int visibleColumn : {1, 3}) grid->setColumnStretch(visibleColumn, 1);
     connect(&m_model, &OtfEditorModel::changed, this, &CurveLegend::showState);
     showState();
+    showSamples();
+}
+
+void CurveLegend::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) showSamples();
+    QWidget::changeEvent(event);
+}
+
+void CurveLegend::showSamples() {
+    for (const CurveKind kind : allCurveKinds) m_visible[indexOf(kind)]->setIcon(curveSample(kind, themeOf(palette())));
 }
 
 void CurveLegend::showState() {

@@ -17,8 +17,12 @@ class CurveLegend : public QWidget {
 public:
     explicit CurveLegend(OtfEditorModel& model, QWidget* parent = nullptr);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void showState();
+    void showSamples();
 
     OtfEditorModel& m_model;
     std::array<QRadioButton*, 5> m_active{};

@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "widgets/panels/panel_controls.h"
@@ -16,7 +15,7 @@ namespace {
 struct CurveStyle {
     QString shortName;
     QString name;
-    QColor color;
+    ColourOfThemes colour;
     double width;                // pixels, not active
     double activeWidth;          // pixels
     std::vector<double> dashes;  // pixels on and off in turn; without any the line is solid
@@ -24,12 +23,17 @@ struct CurveStyle {
 
 const CurveStyle& styleOf(CurveKind kind) {
     const auto translated = [](const char* text) { return QCoreApplication::translate("CurveStyle", text); };
+    static const ColourOfThemes accent{coloursOf(Theme::dark).accent, coloursOf(Theme::light).accent};
+    static const ColourOfThemes amber{{0xe8, 0xb0, 0x4b}, {0x96, 0x64, 0x00}};
+    static const ColourOfThemes grey{{0x9a, 0xa5, 0xb1}, {0x66, 0x71, 0x7d}};
+    static const ColourOfThemes violet{{0xb4, 0x8e, 0xad}, {0x90, 0x5a, 0x8a}};
+    static const ColourOfThemes green{{0x8f, 0xbc, 0x8f}, {0x3c, 0x7f, 0x3c}};
     static const std::array<CurveStyle, 5> styles{{
-        {translated("Adaptive"), translated("adaptive"), accentColor, 2.4, 3.2, {}},
-        {translated("Manual"), translated("manual"), QColor(0xe8, 0xb0, 0x4b), 1.4, 2.2, {}},
-        {translated("Linear"), translated("linear"), QColor(0x9a, 0xa5, 0xb1), 1.4, 2.2, {8, 5}},
-        {translated("x²"), translated("parabolic"), QColor(0xb4, 0x8e, 0xad), 1.6, 2.4, {2, 4}},
-        {translated("x⁴"), translated("quartic"), QColor(0x8f, 0xbc, 0x8f), 1.4, 2.2, {9, 4, 2, 4}},
+        {translated("Adaptive"), translated("adaptive"), accent, 2.4, 3.2, {}},
+        {translated("Manual"), translated("manual"), amber, 1.4, 2.2, {}},
+        {translated("Linear"), translated("linear"), grey, 1.4, 2.2, {8, 5}},
+        {translated("x²"), translated("parabolic"), violet, 1.6, 2.4, {2, 4}},
+        {translated("x⁴"), translated("quartic"), green, 1.4, 2.2, {9, 4, 2, 4}},
     }};
     return styles.at(indexOf(kind));
 }
@@ -63,19 +67,14 @@ QPixmap bentArrow(bool toTheLeft, const QColor& color, double scale) {
 
 }  // namespace
 
-QColor mixed(const QColor& from, const QColor& to, double share) {
-    const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
-    return {channel(from.red(), to.red()), channel(from.green(), to.green()), channel(from.blue(), to.blue())};
-}
-
 QString curveKey(CurveKind kind) { return textOf(nameOf(kind)); }
 QString curveShortName(CurveKind kind) { return styleOf(kind).shortName; }
 QString curveName(CurveKind kind) { return styleOf(kind).name; }
-QColor curveColor(CurveKind kind) { return styleOf(kind).color; }
+QColor curveColor(CurveKind kind, Theme theme) { return styleOf(kind).colour.in(theme); }
 
-QPen curvePen(CurveKind kind, bool active) {
+QPen curvePen(CurveKind kind, bool active, Theme theme) {
     const CurveStyle& style = styleOf(kind);
-    QPen pen(style.color, active ? style.activeWidth : style.width);
+    QPen pen(curveColor(kind, theme), active ? style.activeWidth : style.width);
     pen.setJoinStyle(Qt::RoundJoin);
     pen.setCapStyle(Qt::FlatCap);
     if (!style.dashes.empty()) {
@@ -86,17 +85,17 @@ QPen curvePen(CurveKind kind, bool active) {
     return pen;
 }
 
-QIcon curveSample(CurveKind kind) {
+QIcon curveSample(CurveKind kind, Theme theme) {
     QIcon icon;
     for (const double scale : iconScales) {
         QPixmap pixmap = transparentPixmap(curveSampleSize, scale);
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
-        QPen pen = curvePen(kind, true);
+        const QPen pen = curvePen(kind, true, theme);
         painter.setPen(pen);
         const QPointF middle = QRectF({}, QSizeF(curveSampleSize)).center();
         painter.drawLine(QPointF(0, middle.y()), QPointF(curveSampleSize.width(), middle.y()));
-        if (kind == CurveKind::manual) paintNode(painter, middle, 7, curveColor(kind), curveColor(kind));
+        if (kind == CurveKind::manual) paintNode(painter, middle, 7, pen.color(), pen.color());
         painter.end();
         icon.addPixmap(pixmap);
     }

@@ -8,14 +8,9 @@
 #include <QString>
 
 #include "widgets/otf_editor/otf_editor_state.h"
+#include "widgets/theme_colours.h"
 
 namespace echolucent {
-
-/// The accent of the program: what is active.
-inline constexpr QColor accentColor{0x4f, 0xb3, 0xbf};
-
-/// The colour at a share in [0,1] of the way from one colour to another, without transparency.
-[[nodiscard]] QColor mixed(const QColor& from, const QColor& to, double share);
 
 /// The part of object names that stands for a kind: "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] QString curveKey(CurveKind kind);
@@ -24,12 +19,14 @@ inline constexpr QColor accentColor{0x4f, 0xb3, 0xbf};
 /// The name in a sentence: "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] QString curveName(CurveKind kind);
 
-[[nodiscard]] QColor curveColor(CurveKind kind);
+/// The curve's one colour, in the light theme as dark as the ground asks for: at least 3 : 1 on plots and panels (WCAG
+/// 2.1, 1.4.11). Reports draw curves in the same colours.
+[[nodiscard]] QColor curveColor(CurveKind kind, Theme theme);
 /// Colour, width and dashes; the active curve is drawn heavier.
-[[nodiscard]] QPen curvePen(CurveKind kind, bool active);
+[[nodiscard]] QPen curvePen(CurveKind kind, bool active, Theme theme);
 inline constexpr QSize curveSampleSize{25, 12};  ///< pixels
 /// A short piece of the line, with a square node for the manual curve.
-[[nodiscard]] QIcon curveSample(CurveKind kind);
+[[nodiscard]] QIcon curveSample(CurveKind kind, Theme theme);
 
 /// The square of a manual curve's node around `centre`; `side` in pixels.
 void paintNode(QPainter& painter, QPointF centre, double side, const QColor& fill, const QColor& outline);
