@@ -1,6 +1,7 @@
 // The window at 1280 x 720: one column of tabs, nothing clipped, messages over the picture, the full screen.
 #include <QAbstractScrollArea>
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
@@ -57,6 +58,21 @@ private slots:
                  qPrintable(QString::number(window().minimumSizeHint().width())));
         window().resize(900, 600);
         QTRY_COMPARE(window().width(), 900);
+    }
+
+    void theMethodsChoicesMoveNothing() {
+        child<QDockWidget>("dock.method")->raise();
+        const int picture = window().volumeView().width();
+        QTest::mouseClick(child<QAbstractButton>("adaptive.advanced"), Qt::LeftButton);
+        auto* form = child<QComboBox>("adaptive.form");
+        for (int choice = 0; choice < form->count(); ++choice) {
+            form->setFocus();
+            QTest::keyClick(form, choice == 0 ? Qt::Key_Home : Qt::Key_Down);
+            QCOMPARE(form->currentIndex(), choice);
+            waitUntilIdle();
+            QCOMPARE(child<QDockWidget>("dock.method")->width(), 340);
+            QCOMPARE(window().volumeView().width(), picture);
+        }
     }
 
     void onePanelIsInFrontOfTheOthersOfItsColumn() {

@@ -136,6 +136,7 @@ QWidget* MethodPanel::createMainControls() {
 
     auto* controls = new QWidget;
     auto* grid = new QGridLayout(controls);
+    grid->setHorizontalSpacing(4);  // both forms fit the column
     grid->setContentsMargins(0, 0, 0, 0);
     // One of the two, as the form has it.
     grid->addWidget(m_strengthLabel, 0, 0);
@@ -183,19 +184,17 @@ QWidget* MethodPanel::createAdvancedControls() {
     auto* grid = new QGridLayout(hidden);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(labelFor(m_reading, tr("Reading")), 0, 0);
-    grid->addWidget(m_reading, 0, 1, 1, 3);
+    grid->addWidget(m_reading, 0, 1);
     grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
-    grid->addWidget(m_interfaceFunction, 1, 1, 1, 3);
+    grid->addWidget(m_interfaceFunction, 1, 1);
     constexpr int rowsAbove = 2;
     for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
         QWidget* control = controls[static_cast<std::size_t>(i)];
-        control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two columns fit a narrow dock
-        control->setMinimumWidth(84);
-        grid->addWidget(labelFor(control, control->accessibleName()), rowsAbove + i / 2, 2 * (i % 2));
-        grid->addWidget(control, rowsAbove + i / 2, 2 * (i % 2) + 1);
+        control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        grid->addWidget(labelFor(control, control->accessibleName()), rowsAbove + i, 0);
+        grid->addWidget(control, rowsAbove + i, 1);
     }
-    grid->setColumnStretch(1, 4);  // "automatic" is the longest text
-    grid->setColumnStretch(3, 3);
+    grid->setColumnStretch(1, 1);
     hidden->hide();
     connect(m_advanced, &QToolButton::toggled, this, [this, hidden](bool open) {
         m_advanced->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
