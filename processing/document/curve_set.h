@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "processing/designers/fetal_preset.h"
 #include "processing/document/curve_adjustment.h"
 #include "processing/opacity_curve.h"
 
@@ -27,8 +28,7 @@ inline constexpr std::array<CurveKind, 5> allCurveKinds{CurveKind::adaptive, Cur
 
 /// The curves that a person edits. The adaptive curve is computed from the volume and is none of them.
 struct CurveSet {
-    ManualCurve manual{
-        {{60.0 / 255.0, 0.0}, {120.0 / 255.0, 0.6}, {1.0, 0.8}}};  ///< the fetal preset that users of 3D Slicer know
+    ManualCurve manual{{fetalPresetNodes.begin(), fetalPresetNodes.end()}};  ///< users of 3D Slicer know it
     LinearCurve linear;
     PowerCurve parabolic{2, 1.0};  ///< the exponent stays 2
     PowerCurve quartic{4, 1.0};    ///< the exponent stays 4

@@ -1,0 +1,79 @@
+// Levoy 1988 as an OTF designer: opacity over intensity and gradient magnitude, along isovalue contours or region
+// boundaries, with the levels of fluid and tissue found in the volume (docs/designers/levoy.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "processing/designers/design.h"
+#include "processing/parameter.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+enum class LevoyForm : std::uint8_t {
+    isovalues,   ///< contours of values, as thick everywhere
+    boundaries,  ///< boundaries between regions of values, as opaque as they are steep
+};
+enum class LevoyLevels : std::uint8_t {
+    tubeCores,  ///< means before and at the surfaces that tube cores found (meanInterfaceOf())
+    otsu,       ///< means of the classes below and above Otsu's threshold
+    given,      ///< the config's own
+};
+/// What the gradient magnitude is divided by in region boundaries; larger ones count as 1.
+enum class LevoyGradientScale : std::uint8_t {
+    largest,   ///< the largest of the voxels with data
+    quantile,  ///< what 99 % of the voxels with data do not exceed
+};
+
+/// The ranges stand in parametersOf().
+struct LevoyConfig {
+    LevoyForm form = LevoyForm::isovalues;
+    LevoyLevels levels = LevoyLevels::tubeCores;
+    double fluidLevel = 0.1;       ///< where levels are given: normalised intensity, [0,1]
+    double tissueLevel = 0.4;      ///< the same of tissue
+    double fluidOpacity = 0.0;     ///< alpha of the fluid level, per unit
+    double tissueOpacity = 1.0;    ///< alpha of the tissue level, per unit
+    double surfaceOpacity = 1.0;   ///< alpha of the surface's contour between both, per unit; isovalues only
+    double surfaceShare = 0.5;     ///< its value: this share of the way from the fluid to the tissue level
+    double transitionWidth = 1.5;  ///< r, half the thickness of a contour, units; isovalues only
+    LevoyGradientScale gradientScale = LevoyGradientScale::quantile;  ///< boundaries only
+    friend bool operator==(const LevoyConfig&, const LevoyConfig&) = default;
+};
+
+/// Its table; the argument only selects it.
+[[nodiscard]] std::span<const Parameter<LevoyConfig>> parametersOf(const LevoyConfig&);
+
+/// A level of the intensity and what it is to look like.
+struct LevoyLevel {
+    double intensity = 0.0;  ///< normalised
+    double opacity = 0.0;    ///< alpha, per unit
+    friend bool operator==(const LevoyLevel&, const LevoyLevel&) = default;
+};
+
+/// Opacity of an isovalue contour (Levoy 1988): alpha where f is the level and g = 0; alpha (1 - |f_v - f| / (r g))
+/// where g > 0 and |f_v - f| <= r g; else 0. `gradient` is g per unit, `width` r in units.
+[[nodiscard]] double isovalueOpacity(double intensity, double gradient, const LevoyLevel& level, double width);
+
+/// Opacity of region boundaries (Levoy 1988): between neighbouring levels g (alpha_2 (f - f_1) + alpha_1 (f_2 - f)) /
+/// (f_2 - f_1). What is darker than the first level or brighter than the last one has that level's alpha. `levels`
+/// ascend, and there is one at least; `scaledGradient` is clamped into [0,1].
+[[nodiscard]] double boundaryOpacity(double intensity, double scaledGradient, std::span<const LevoyLevel> levels);
+
+/// A two-dimensional OTF of one of Levoy's forms. Levels and gradients are those of input.shown, but for the tube
+/// cores, which read input.raw along input.view. Where tube cores find no surface behind fluid, or both given levels
+/// are one, Otsu's levels stand in; where no level or no gradient is found, x^2 does; the message says either.
+///
+/// The table of isovalues moves each level to its nearest node of the intensity (by 1/2040 at most), so that the crest
+/// of a contour is exact, and errs between nodes by no more than alpha (d_f / (r g) + d_g / g), d the distances of the
+/// nodes and g the smaller gradient of the cell. The table of boundaries is exact but within the node distance d_f of a
+/// level, where it errs by |alpha_2 - alpha_1| / (f_2 - f_1) d_f / 4 at most.
+///
+/// The result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Throws
+/// std::invalid_argument where a parameter, or one of input.method, is out of its range, or the volumes have different
+/// grids.
+[[nodiscard]] std::optional<Design> design(const LevoyConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
+
+}  // namespace echolucent

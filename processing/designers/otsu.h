@@ -1,0 +1,53 @@
+// Otsu's threshold (1979) as an OTF designer: a ramp about the intensity that splits the voxels into a dark and a
+// bright class (docs/designers/otsu.md).
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "processing/designers/design.h"
+#include "processing/parameter.h"
+#include "processing/progress.h"
+#include "processing/volume/intensity_counts.h"
+
+namespace echolucent {
+
+/// The voxels on one side of a threshold.
+struct IntensityClass {
+    double share = 0.0;   ///< of the voxels with data, (0,1)
+    double mean = 0.0;    ///< normalised intensity
+    double spread = 0.0;  ///< standard deviation, normalised intensity
+    friend bool operator==(const IntensityClass&, const IntensityClass&) = default;
+};
+
+/// The split into two classes whose means differ most for their sizes.
+struct OtsuClasses {
+    double threshold = 0.0;  ///< half way between the largest intensity of `dark` and the smallest of `bright`
+    IntensityClass dark{}, bright{};
+    double betweenVariance = 0.0;  ///< product of the shares times the square of the difference of the means: the
+                                   ///< largest of any threshold
+    friend bool operator==(const OtsuClasses&, const OtsuClasses&) = default;
+};
+
+/// Nothing where fewer than two intensities were counted. Of thresholds that are equally good the lowest counts.
+[[nodiscard]] std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts);
+
+/// The ranges stand in parametersOf().
+struct OtsuConfig {
+    double spreads = 1.0;  ///< the ramp reaches this many class spreads to either side of the threshold
+    double opacity = 1.0;  ///< of the bright class beyond the ramp, per unit
+    friend bool operator==(const OtsuConfig&, const OtsuConfig&) = default;
+};
+
+/// Its table; the argument only selects it.
+[[nodiscard]] std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&);
+
+/// A curve that is clear below the ramp and rises in a straight line from the threshold minus the spread of the dark
+/// class to the threshold plus that of the bright class, both within [0,1]. It reads input.shown; voxels without data
+/// do not count. Where all data have one value, or there are none, the curve is x^2, and the message says so.
+/// The result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Throws
+/// std::invalid_argument where a parameter is out of its range or the volumes have different grids.
+[[nodiscard]] std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
+
+}  // namespace echolucent

@@ -1,0 +1,104 @@
+#include "processing/designers/percentile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "processing/designers/config_rows.h"
+#include "processing/designers/designer_contract.h"
+#include "processing/volume/intensity_counts.h"
+
+namespace echolucent {
+
+namespace {
+
+struct Ramp {
+    double begin, end;
+    std::string message{};
+};
+
+/// The counts of the intensities with an index in [first, last).
+IntensityCounts partOf(const IntensityCounts& counts, std::ptrdiff_t first, std::ptrdiff_t last) {
+    IntensityCounts part;
+    part.intensities.assign(counts.intensities.begin() + first, counts.intensities.begin() + last);
+    part.counts.assign(counts.counts.begin() + first, counts.counts.begin() + last);
+    for (const std::uint64_t times : part.counts) part.total += times;
+    return part;
+}
+
+/// `counts` holds two intensities or more.
+Ramp rampOf(const IntensityCounts& counts, const PercentileConfig& config) {
+    const double begin = percentileOf(counts, config.clear);
+    const double end = percentileOf(counts, std::max(config.clear, config.full));
+    if (begin < end || config.full <= config.clear) return {begin, end};
+    const auto found = std::ranges::lower_bound(counts.intensities, begin) - counts.intensities.begin();
+    const auto last = static_cast<std::ptrdiff_t>(counts.intensities.size());
+    const std::string shared =
+        "So many voxels have the intensity " + inWords(begin) + " that both percentiles are it: the voxels ";
+    if (found + 1 < last)
+        return {begin, percentileOf(partOf(counts, found + 1, last), config.full),
+                shared + "above it alone give the upper end."};
+    return {percentileOf(partOf(counts, 0, found), config.clear), end, shared + "below it alone give the lower end."};
+}
+
+/// The share of the voxels that an intensity is not exceeded by, at 256 intensities.
+DesignPlot sharesUpTo(const IntensityCounts& counts) {
+    DesignPlot plot{"share_up_to", "Voxels up to an intensity", "share", {}, {}};
+    std::uint64_t reached = 0;
+    std::size_t next = 0;
+    for (int i = 0; i < 256; ++i) {
+        const double intensity = i / 255.0;
+        for (; next < counts.counts.size() && counts.intensities[next] <= intensity; ++next)
+            reached += counts.counts[next];
+        plot.intensities.push_back(intensity);
+        plot.values.push_back(static_cast<double>(reached) / static_cast<double>(counts.total));
+    }
+    return plot;
+}
+
+const auto& rows() {
+    using namespace config_rows;
+    constexpr std::string_view byLooking = "docs/designers/percentile.md; chosen by looking";
+    static const std::array table{
+        number<&PercentileConfig::clear>(
+            {"clear", "Clear up to", "Percentile of the voxels up to which opacity is 0", "%", byLooking}, {0, 100}),
+        number<&PercentileConfig::full>({"full", "Full from",
+                                         "Percentile of the voxels from which opacity is full; a step where it is not "
+                                         "above the one up to which opacity is 0",
+                                         "%", byLooking},
+                                        {0, 100}),
+        number<&PercentileConfig::opacity>({"opacity", "Opacity", "Full opacity", "", byLooking}, {0, 1}),
+    };
+    return table;
+}
+
+}  // namespace
+
+std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&) { return rows(); }
+
+std::optional<Design> design(const PercentileConfig& config, const DesignerInput& input, const Progress& progress) {
+    requireDesignable("PercentileConfig", parametersOf(config), config, input);
+    const IntensityCounts counts = intensityCounts(input.shown);
+    if (progress.cancelled()) return std::nullopt;
+    progress.at(1.0);
+    if (counts.counts.size() < 2) {
+        Design design{PowerCurve{2, config.opacity}};
+        design.message = counts.total == 0 ? "No voxel carries data: x^2 is used."
+                                           : "All voxels with data have one intensity, between which no ramp can "
+                                             "stand: x^2 is used.";
+        return design;
+    }
+    Ramp ramp = rampOf(counts, config);
+    Design design{ManualCurve{{{ramp.begin, 0.0}, {ramp.end, config.opacity}}}};
+    design.explanation = {"The curve is clear up to " + inWords(ramp.begin) + ", percentile " + inWords(config.clear) +
+                          " of the voxels, and has its full opacity of " + inWords(config.opacity) + " from " +
+                          inWords(ramp.end) + " on, percentile " + inWords(config.full) + "."};
+    design.facts = {{"ramp_begin", "Ramp begins at", ramp.begin}, {"ramp_end", "Ramp ends at", ramp.end}};
+    design.plots = {sharesUpTo(counts)};
+    design.message = std::move(ramp.message);
+    return design;
+}
+
+}  // namespace echolucent
