@@ -1,5 +1,7 @@
 #include "io/json_document.h"
 
+#include <limits>
+
 #include "io/json_values.h"
 #include "processing/adaptive/method_parameters.h"
 
@@ -8,6 +10,8 @@ namespace echolucent {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr const char* withoutTubesKey = "without_tubes";
 
 /// The largest opacity scale and slope that a curve may have.
 double largestScale() {
@@ -52,6 +56,7 @@ CurveSet curvesIn(JsonFields fields) {
 ordered_json methodJson(const MethodChoice& method) {
     ordered_json parameters = parametersJson(methodParameters(), method.config);
     parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
+    if (const auto& without = method.config.grid.withoutTubes; !without.empty()) parameters[withoutTubesKey] = without;
     return {{"initial", nameOf(method.initial)}, {"initial_scale", method.initialScale}, {"parameters", parameters}};
 }
 
@@ -61,6 +66,10 @@ MethodChoice methodIn(JsonFields& fields) {
     method.initialScale = fields.number("initial_scale", 0, largestScale());
     JsonFields parameters = fields.object("parameters");
     parameters.parameters(methodParameters(), method.config);
+    if (parameters.has(withoutTubesKey)) {
+        const auto without = parameters.wholes(withoutTubesKey, 0, std::numeric_limits<int>::max());
+        method.config.grid.withoutTubes.assign(without.begin(), without.end());
+    }
     method.config.initial = AdaptiveOtfConfig{}.initial;
     if (const std::string problem = problemOf(method.config); !problem.empty()) fields.wrong("parameters", problem);
     return method;

@@ -25,7 +25,7 @@ nlohmann::ordered_json parametersJson(std::span<const Parameter<Values>> table, 
 [[nodiscard]] nlohmann::ordered_json curvesJson(const CurveSet& curves);
 [[nodiscard]] CurveSet curvesIn(JsonFields fields);
 
-/// All but the direction.
+/// All but the direction. Where all tube cores are placed, no key says so.
 [[nodiscard]] nlohmann::ordered_json methodJson(const MethodChoice& method);
 /// The direction stays as by default.
 [[nodiscard]] MethodChoice methodIn(JsonFields& fields);

@@ -188,6 +188,20 @@ std::vector<Vec3> JsonFields::vectors(const char* key) {
     return vectors;
 }
 
+std::vector<std::int64_t> JsonFields::wholes(const char* key, std::int64_t least, std::int64_t largest) {
+    const json* value = find(key);
+    std::vector<std::int64_t> wholes;
+    if (!value) return wholes;
+    bool good = value->is_array();
+    for (std::size_t i = 0; good && i < value->size(); ++i) {
+        const json& entry = (*value)[i];
+        good = entry.is_number_integer() && entry >= json(least) && entry <= json(largest);
+        if (good) wholes.push_back(entry.get<std::int64_t>());
+    }
+    if (!good) wrong(key, fmt::format("must be a list of whole numbers from {} to {}", least, largest));
+    return wholes;
+}
+
 std::vector<double> JsonFields::numbers(const char* key) {
     const json* value = find(key);
     std::vector<double> numbers;

@@ -58,6 +58,8 @@ public:
     Vec3 vector(const char* key);
     /// A list of triples of finite numbers.
     std::vector<Vec3> vectors(const char* key);
+    /// A list of whole numbers in [least, largest].
+    std::vector<std::int64_t> wholes(const char* key, std::int64_t least, std::int64_t largest);
     /// Finite numbers, as many as there are.
     std::vector<double> numbers(const char* key);
     /// A list of at most so many pairs of finite numbers.

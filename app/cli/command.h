@@ -110,12 +110,13 @@ private:
     const CLI::Option* m_elevation = nullptr;
 };
 
-/// The method's options: --reading, --initial, --tube-grid, and one for each row of methodParameters(). The reading
-/// sets everything; an option overrides it where it stands on the command line.
+/// The method's options: --reading, --initial, --tube-grid, --without-tube, and one for each row of methodParameters().
+/// The reading sets everything; an option overrides it where it stands on the command line.
 struct MethodOptions {
     std::string reading = "default";
     std::string initial = "parabolic";
     std::string tubeGrid;
+    std::vector<std::int64_t> withoutTubes;  ///< in any order, also twice
     std::optional<double> opacityScale;
     /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command);
@@ -137,6 +138,9 @@ private:
 
 /// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) where it is something else.
 [[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
+
+/// The grid in which tube cores of these indices are never placed; fails (wrong usage) where it has no such tube core.
+[[nodiscard]] Result<TubeGrid> gridWithout(const std::vector<std::int64_t>& tubes, TubeGrid grid);
 
 /// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
 /// and as placeOfOutput() does. The files of manual curves among `curveNames` (names as curveFromName() takes them) are

@@ -52,6 +52,12 @@ void MethodOptions::addTo(CLI::App& command) {
         ->type_name("NxM")
         ->excludes("--tube-columns")
         ->excludes("--tube-rows");
+    command
+        .add_option("--without-tube", withoutTubes,
+                    "Tube cores that are never placed, by row * columns + column; may be given several times")
+        ->type_name("N,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
 }
 
 void MethodOptions::add(CLI::App& command, const Row& row) {
@@ -111,6 +117,18 @@ Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid) {
     return grid;
 }
 
+Result<TubeGrid> gridWithout(const std::vector<std::int64_t>& tubes, TubeGrid grid) {
+    const std::int64_t count = std::int64_t{grid.columns} * grid.rows;
+    for (const std::int64_t tube : tubes)
+        if (tube < 0 || tube >= count)
+            return wrongUsage("--without-tube", fmt::format("must be 0 to {} in a grid of {}x{} tube cores, not {}",
+                                                            count - 1, grid.columns, grid.rows, tube));
+    grid.withoutTubes.assign(tubes.begin(), tubes.end());
+    std::ranges::sort(grid.withoutTubes);
+    grid.withoutTubes.erase(std::unique(grid.withoutTubes.begin(), grid.withoutTubes.end()), grid.withoutTubes.end());
+    return grid;
+}
+
 Result<AdaptiveOtfConfig> MethodOptions::get() const {
     const auto base = methodReadingFromName(reading);
     if (!base) return wrongUsage("--reading", "is \"" + reading + "\"", "Use published, settled or default.");
@@ -121,6 +139,9 @@ Result<AdaptiveOtfConfig> MethodOptions::get() const {
         if (!grid) return tl::unexpected<Failure>(grid.error());
         chosen.grid = *grid;
     }
+    const auto without = gridWithout(withoutTubes, chosen.grid);
+    if (!without) return tl::unexpected<Failure>(without.error());
+    chosen.grid = *without;
     if (m_initialOption->count() > 0 || opacityScale) {
         const auto curve = curveFromName(initial, opacityScale);
         if (!curve) return tl::unexpected<Failure>(curve.error());

@@ -8,6 +8,7 @@
 
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/tube_core/tube_grid.h"
 
 namespace echolucent::cli {
 
@@ -21,8 +22,10 @@ Json maybe(const std::optional<double>& value) { return value ? finite(*value) :
 Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
 Json maybe(const std::optional<Vec3>& value) { return value ? triple(*value) : Json(nullptr); }
 
-std::string_view nameOf(TubeStatus status) {
-    switch (status) {
+/// Of the tube core of an index; one that is never placed tells nothing of where it would lie.
+std::string_view statusOf(const AdaptiveOtf& otf, std::size_t tube) {
+    if (isNeverPlaced(otf.config.grid, tube)) return "never placed";
+    switch (otf.tubes[tube].status) {
         case TubeStatus::surface: return "surface";
         case TubeStatus::none: return "none";
         case TubeStatus::outside: return "outside";
@@ -71,6 +74,7 @@ Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double m
              {"initial_function", initialFunction(config.initial)},
              {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
              {"tube_grid", Json::array({config.grid.columns, config.grid.rows})},
+             {"without_tubes", config.grid.withoutTubes},
              {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
              {"unit_mm", otf.tubeLengthUnit}};
     for (const Parameter<AdaptiveOtfConfig>& row : methodParameters())
@@ -83,10 +87,10 @@ Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double m
     return all;
 }
 
-Json tubeObject(const TubeCore& tube) {
+Json tubeObject(const TubeCore& tube, std::string_view status) {
     return {{"u", tube.column},
             {"v", tube.row},
-            {"status", nameOf(tube.status)},
+            {"status", status},
             {"entry_voxel", maybe(tube.entryVoxel)},
             {"surface_voxel", maybe(tube.surfaceVoxel)},
             {"i_low", maybe(tube.lowIntensity)},
@@ -149,7 +153,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
     report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
     report["tubes"] = Json::array();
-    for (const TubeCore& tube : otf.tubes) report["tubes"].push_back(tubeObject(tube));
+    for (std::size_t t = 0; t < otf.tubes.size(); ++t)
+        report["tubes"].push_back(tubeObject(otf.tubes[t], statusOf(otf, t)));
     report["otf"] = curveObject(otf);
     // A file name in another encoding must not end the program.
     return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -167,11 +172,13 @@ std::string tubeTable(const AdaptiveOtf& otf) {
     std::string table =
         "u,v,status,entry_x,entry_y,entry_z,surface_x,surface_y,surface_z,i_low,i_high,i_low_max,slope,edge_to_noise,"
         "w_intensity,w_slope,w_extra,d\n";
-    for (const TubeCore& tube : otf.tubes)
-        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, nameOf(tube.status),
+    for (std::size_t t = 0; t < otf.tubes.size(); ++t) {
+        const TubeCore& tube = otf.tubes[t];
+        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, statusOf(otf, t),
                              cells(tube.entryVoxel), cells(tube.surfaceVoxel), cell(tube.lowIntensity),
                              cell(tube.highIntensity), cell(tube.lowIntensityMax), cell(tube.slope),
                              cell(tube.edgeToNoise), tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
+    }
     return table;
 }
 
@@ -186,6 +193,8 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                                    otf.view.azimuthDegrees, otf.view.elevationDegrees, otf.view.nearCutMm);
     text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
                         otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);
+    if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
+        text += fmt::format("{} of them {} never placed\n", left, left == 1 ? "is" : "are");
     text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
     text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
                         otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,

@@ -63,7 +63,7 @@ Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& opti
     if (!restricted::holdsSeries(place)) {
         auto study = restricted::readStudy(place, options, progress);
         if (!study) return tl::unexpected(study.error());
-        return ReadSession{{}, std::move(*study)};
+        return ReadSession{OpenedSession(), std::move(*study)};
     }
     auto listed = restricted::listSeries(place, progress);
     if (!listed) return tl::unexpected(listed.error());
@@ -72,7 +72,7 @@ Result<ReadSession> readPlaced(const std::string& place, const ReadOptions& opti
     if (!entry) return tl::unexpected(entry.error());
     auto study = restricted::readSeries(*list, **entry, options, progress);
     if (!study) return tl::unexpected(study.error());
-    return ReadSession{{}, std::move(*study), list->series.size() > 1 ? list : nullptr};
+    return ReadSession{OpenedSession(), std::move(*study), list->series.size() > 1 ? list : nullptr};
 }
 
 }  // namespace

@@ -245,7 +245,8 @@ Result<SavedSession> sessionFromJson(std::string_view text, const std::string& f
     if (fields.has("file")) session.file = fields.text("file");
     std::vector<JsonFields> snapshots = fields.list("snapshots", mostSnapshots);
     for (std::size_t i = 0; i < snapshots.size() && !problems.first; ++i) {
-        Snapshot snapshot{.name = snapshots[i].text("name"), .document = {}};
+        Snapshot snapshot;
+        snapshot.name = snapshots[i].text("name");
         if (const std::string problem = problemOfSnapshotName(snapshot.name); !problem.empty())
             snapshots[i].wrong("name", problem);
         (void)snapshots[i].object("document");  // says where it is missing

@@ -67,6 +67,7 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
 std::string messageFor(const AdaptiveOtf& otf) {
     const std::string consequence = ": the initial function is used.";
     if (otf.tubesWithWeight > 0) return {};
+    if (otf.config.grid.withoutTubes.size() == otf.tubes.size()) return "No tube core is placed" + consequence;
     if (otf.tubesMeetingVolume == 0) return "No tube core meets the volume's data" + consequence;
     int found = 0, usable = 0;
     for (const TubeCore& tube : otf.tubes) {

@@ -56,11 +56,11 @@ constexpr std::string_view withoutFluid =
 
 std::vector<Row> gridAndCells() {
     return {
-        number<&TubeGrid::columns>(
+        tubeCount<&TubeGrid::columns>(
             {"tube_columns", "Tube columns", "Tube cores across the picture", "", "Petersch 2005, 6.1"}, {1, 4096},
-            ParameterRange{1, 400}),
-        number<&TubeGrid::rows>({"tube_rows", "Tube rows", "Tube cores down the picture", "", "Petersch 2005, 6.1"},
-                                {1, 4096}, ParameterRange{1, 400}),
+            {1, 400}),
+        tubeCount<&TubeGrid::rows>({"tube_rows", "Tube rows", "Tube cores down the picture", "", "Petersch 2005, 6.1"},
+                                   {1, 4096}, {1, 400}),
         number<&TubeGrid::spacing>({"tube_spacing", "Tube spacing",
                                     "Distance of neighbouring tube cores; 0: automatic, the grid covers the volume",
                                     "units", "Petersch 2005, 6.1"},
@@ -271,6 +271,20 @@ std::vector<Row> allRows() {
     return all;
 }
 
+/// What is wrong with the list of tube cores that are never placed.
+std::string problemWithLeftOut(const TubeGrid& grid) {
+    const std::vector<int>& left = grid.withoutTubes;
+    const int count = grid.columns * grid.rows;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (left[i] < 0 || left[i] >= count)
+            return "the tube cores that are never placed must be 0 to " + std::to_string(count - 1) + ", not " +
+                   std::to_string(left[i]);
+        if (i > 0 && left[i] <= left[i - 1])
+            return "the tube cores that are never placed must ascend, and each must stand there once";
+    }
+    return {};
+}
+
 }  // namespace
 
 std::span<const Row> methodParameters() {
@@ -284,6 +298,7 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
     constexpr int mostTubes = 1 << 18;
     if (config.grid.columns * config.grid.rows > mostTubes)
         return "the tube grid must have at most " + std::to_string(mostTubes) + " tube cores";
+    if (std::string problem = problemWithLeftOut(config.grid); !problem.empty()) return problem;
     if (const auto* variance = std::get_if<VarianceRule>(&config.detection))
         if (variance->finestScale > variance->coarsestScale)
             return "the coarsest of the scales must not be below the finest scale";

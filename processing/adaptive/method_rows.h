@@ -94,6 +94,16 @@ bool setNumberIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
     return true;
 }
 
+/// Sets how many tube cores lie across or down. Where that changes, an index means another tube core: none is left out
+/// any more.
+template <auto member>
+bool setTubeCountIn(AdaptiveOtfConfig& config, const ParameterValue& value) {
+    const int before = config.grid.*member;
+    if (!setNumberIn<member>(config, value)) return false;
+    if (config.grid.*member != before) config.grid.withoutTubes.clear();
+    return true;
+}
+
 /// What the text fields of a row say.
 struct Words {
     std::string_view name, label, meaning, unit, source;
@@ -103,6 +113,13 @@ template <auto member>
 Row number(const Words& words, ParameterRange range, std::optional<ParameterRange> offered = {}) {
     return {words.name, words.label,      words.meaning,       words.unit, words.source,           range,
             {},         numberIn<member>, setNumberIn<member>, offered,    scopeOf<RuleOf<member>>};
+}
+
+template <auto member>
+Row tubeCount(const Words& words, ParameterRange range, ParameterRange offered) {
+    Row row = number<member>(words, range, offered);
+    row.set = setTubeCountIn<member>;
+    return row;
 }
 
 template <typename Value>

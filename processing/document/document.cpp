@@ -145,6 +145,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.motion.otfPhase = 0;
     opened.curves.adjustment = CurveAdjustment{};  // a first picture is right without it
     opened.method.direction = ViewDirection{};
+    opened.method.config.grid.withoutTubes.clear();
     opened.motionAngle = 0.0;
     return opened;
 }

@@ -123,8 +123,8 @@ struct Document {
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 
 /// A document of another study: the look, curves, method parameters and motion choices of `before`, those that
-/// count phases aside, seen along the assumed beam, whole, uncut, without a box, strokes and measurements, from its
-/// first phase on.
+/// count phases and the tube cores that are never placed aside, seen along the assumed beam, whole, uncut, without a
+/// box, strokes and measurements, from its first phase on.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule between parts, lower case, no full stop ("views[0].pose names no pose"); an empty text where

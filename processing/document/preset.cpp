@@ -48,6 +48,7 @@ Preset presetOf(const Document& document, int view, std::string name) {
     if (preset.curve == CurveKind::adaptive) {
         preset.method = document.method;
         preset.method->direction = ViewDirection{};
+        preset.method->config.grid.withoutTubes.clear();
         takeCurve(preset.curves, document.curves, initialCurveOf(*preset.method));
     }
     preset.look.step = Look{}.step;
@@ -66,9 +67,12 @@ Document withPreset(Document document, int view, const Preset& preset) {
     takeCurve(document.curves, preset.curves, preset.curve);
     document.curves.adjustment = preset.curves.adjustment;
     if (preset.curve != CurveKind::adaptive || !preset.method) return document;
-    const ViewDirection direction = document.method.direction;
-    document.method = *preset.method;
-    document.method.direction = direction;
+    const MethodChoice before = std::exchange(document.method, *preset.method);
+    document.method.direction = before.direction;
+    const TubeGrid& grid = before.config.grid;
+    TubeGrid& taken = document.method.config.grid;
+    taken.withoutTubes =
+        taken.columns == grid.columns && taken.rows == grid.rows ? grid.withoutTubes : std::vector<int>{};
     takeCurve(document.curves, preset.curves, initialCurveOf(*preset.method));
     return document;
 }

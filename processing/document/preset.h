@@ -16,8 +16,8 @@ struct Preset {
     std::string name;  ///< UTF-8, for people
     CurveKind curve = CurveKind::adaptive;
     CurveSet curves{};
-    /// How the adaptive curve is computed; nothing where a document keeps its own method. Its direction plays no part
-    /// and stays as by default.
+    /// How the adaptive curve is computed; nothing where a document keeps its own method. Its direction and the tube
+    /// cores that are never placed belong to a volume: they play no part and stay as by default.
     std::optional<MethodChoice> method{};
     Look look = lookAtStart();
     friend bool operator==(const Preset&, const Preset&) = default;
@@ -30,7 +30,8 @@ inline constexpr std::size_t longestPresetName = 60;
 [[nodiscard]] Preset presetOf(const Document& document, int view, std::string name);
 
 /// The document whose view is made as a preset says. What plays no part in such a picture stays as it was: the other
-/// curves; in another mode than direct every curve; the method where the curve is not the adaptive one.
+/// curves; in another mode than direct every curve; the method where the curve is not the adaptive one. The tube cores
+/// that are never placed stay where the grid has the columns and rows that it had; else none is left out.
 [[nodiscard]] Document withPreset(Document document, int view, const Preset& preset);
 
 /// Whether a view's picture is made as a preset says: whether withPreset() would change nothing.

@@ -13,6 +13,8 @@ Preset inMode(std::string name, RenderMode mode) {
     return preset;
 }
 
+Preset asTheProgramStarts() { return {.name = "Standard"}; }
+
 Preset softSkin() {
     Preset preset{.name = "Soft skin"};
     preset.look.reduction = SpeckleReduction::strong;
@@ -61,7 +63,7 @@ Preset plainParabola() {
 }  // namespace
 
 std::span<const Preset> standardPresets() {
-    static const std::array<Preset, 9> presets{Preset{.name = "Standard"},
+    static const std::array<Preset, 9> presets{asTheProgramStarts(),
                                                softSkin(),
                                                crispSurface(),
                                                seeThrough(),

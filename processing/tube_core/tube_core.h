@@ -11,7 +11,8 @@ namespace echolucent {
 enum class TubeStatus {
     surface,  ///< an interface was detected with at least one cell before it
     none,     ///< no interface was detected, or none with a cell in front of it; d is 0
-    outside,  ///< the tube core's axis misses the volume (or meets no data); it is not counted in T and N
+    outside,  ///< the tube core's axis misses the volume (or meets no data), or the tube core is never placed
+              ///< (TubeGrid::withoutTubes); it is not counted in T and N
 };
 
 /// One tube core. Intensities are normalised, lengths in units (the volume's smallest spacing), positions in voxel

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace echolucent {
@@ -138,13 +139,20 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
             if (onVoxels)
                 axis.pointMm = geometry.gridMmFromVoxel(
                     onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, cellSize));
-            if (const auto chord = chordOf(geometry, faces, axis.pointMm, view, nearDepth)) {
+            const auto chord = isNeverPlaced(grid, axes.size())
+                                   ? std::nullopt
+                                   : chordOf(geometry, faces, axis.pointMm, view, nearDepth);
+            if (chord) {
                 axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
                 axis.lengthUnits = (chord->end - chord->begin) / unit;
             }
             axes.push_back(axis);
         }
     return axes;
+}
+
+bool isNeverPlaced(const TubeGrid& grid, std::size_t tube) {
+    return std::ranges::binary_search(grid.withoutTubes, static_cast<std::int64_t>(tube));
 }
 
 }  // namespace echolucent

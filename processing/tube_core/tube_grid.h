@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,12 +12,15 @@
 
 namespace echolucent {
 
-/// How many tube cores there are and how far apart. The ranges stand in methodParameters().
+/// How many tube cores there are and how far apart. The ranges of the numbers stand in methodParameters().
 struct TubeGrid {
     int columns = 15;      ///< tube cores across the view's right axis (Petersch 2005, 6.1)
     int rows = 15;         ///< tube cores across the view's down axis
     double spacing = 0.0;  ///< units (the volume's smallest spacing) between tube cores; where it is 0, the grid covers
                            ///< the volume, or the view's box (13 in the paper's 199x197x199)
+    /// Tube cores that are never placed, by index (row * columns + column): ascending, each once, within the grid
+    /// (problemOf()). The method runs as if the grid had not held them; the others keep columns, rows and indices.
+    std::vector<int> withoutTubes{};
     friend bool operator==(const TubeGrid&, const TubeGrid&) = default;
 };
 
@@ -28,7 +32,8 @@ struct TubeAxis {
                             ///< view's box, where it has one)
     Vec3 directionMm{0, 0, 1};  ///< unit, grid mm: the view's forward
     /// Where the picture begins on the axis, voxel index space: entry into the volume's box or, if later, into the
-    /// view's box, the near cut or the cut surface. It is not set where the axis misses what the picture shows.
+    /// view's box, the near cut or the cut surface. It is not set where the axis misses what the picture shows, and of
+    /// a tube core that is never placed.
     std::optional<Vec3> entryVoxel;
     /// From there to where it leaves the box or, from behind, the cut surface, units; set where entryVoxel is.
     std::optional<double> lengthUnits;
@@ -51,5 +56,8 @@ struct TubeAxis {
 /// they are moved, by less than a voxel, so that the samples of a cell are voxels.
 [[nodiscard]] std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& view,
                                              const TubeGrid& grid, int cellSize);
+
+/// Whether the tube core of an index is never placed (TubeGrid::withoutTubes).
+[[nodiscard]] bool isNeverPlaced(const TubeGrid& grid, std::size_t tube);
 
 }  // namespace echolucent

@@ -282,5 +282,30 @@ TEST(OtfOfRealData, FindsSurfacesBehindTheChestsNearCut) {
     expectCurveFollowsFromTubes(otf, 2);
 }
 
+TEST(OtfJson, TubeCoresThatAreNeverPlacedAreSaidAndDoNotCount) {
+    const std::string options = "--beam-axis +z --tube-grid 5x4 ";
+    const json all = otfOf(shapesFile(), options);
+    const json otf = otfOf(shapesFile(), options + "--without-tube 17,3 --without-tube 0 --without-tube 3");
+    EXPECT_EQ(all["parameters"]["without_tubes"], json::array());
+    EXPECT_EQ(otf["parameters"]["without_tubes"], (json{0, 3, 17}));
+    EXPECT_EQ(all["parameters"]["tubes_meeting_volume"], 20);
+    EXPECT_EQ(otf["parameters"]["tubes_meeting_volume"], 17);
+    ASSERT_EQ(otf["tubes"].size(), 20u);
+    for (std::size_t t = 0; t < 20; ++t) {
+        EXPECT_EQ(otf["tubes"][t]["u"], t % 5);
+        EXPECT_EQ(otf["tubes"][t]["v"], t / 5);
+        EXPECT_EQ(otf["tubes"][t]["status"] == "never placed", t == 0 || t == 3 || t == 17) << t;
+    }
+    EXPECT_TRUE(otf["tubes"][3]["entry_voxel"].is_null());
+    EXPECT_EQ(otf["tubes"][3]["d"], 0.0);
+    EXPECT_DOUBLE_EQ(otf["parameters"]["d_max"].get<double>(), all["parameters"]["d_max"].get<double>() * 20 / 17);
+    const std::string summary = runProgram("otf \"" + shapesFile() + "\" " + options + "--without-tube 0,3,17").output;
+    EXPECT_NE(summary.find("17 of 20 tube cores meet the volume"), std::string::npos) << summary;
+    EXPECT_NE(summary.find("3 of them are never placed"), std::string::npos) << summary;
+    const std::string table =
+        runProgram("otf " + options + "--tubes-csv - --without-tube 3 \"" + shapesFile() + "\"").output;
+    EXPECT_NE(table.find("3,0,never placed,,,,"), std::string::npos) << table;
+}
+
 }  // namespace
 }  // namespace echolucent

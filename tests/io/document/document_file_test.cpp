@@ -33,6 +33,17 @@ TEST(DocumentFile, ReadsBackWhatItWroteBitForBit) {
     EXPECT_NE(jsonOf(unusualDocument()), jsonOf(Document{}));
 }
 
+TEST(DocumentFile, SaysWhichTubeCoresAreNeverPlacedOnlyWhereThereAreAny) {
+    const nlohmann::ordered_json::json_pointer place("/method/parameters/without_tubes");
+    EXPECT_FALSE(nlohmann::ordered_json::parse(jsonOf(Document{})).contains(place));
+    auto object = nlohmann::ordered_json::parse(jsonOf(unusualDocument()));
+    EXPECT_EQ(object.at(place), (nlohmann::ordered_json{0, 17, 464}));
+    object.at(place.parent_pointer()).erase("without_tubes");
+    const auto read = documentFromJson(object.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_TRUE(read->method.config.grid.withoutTubes.empty());
+}
+
 TEST(DocumentFile, GoesToAFileAndBack) {
     const TemporaryFolder folder;
     const std::string path = folder.file("session.json");
@@ -86,6 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/curves/adjustment/threshold", 0.51, "curves.adjustment.threshold", "-0.5 to 0.5"},
                     Wrong{"/method/initial", "cubic", "method.initial", "cubic"},
                     Wrong{"/method/parameters/tube_columns", 0, "method.parameters.tube_columns", "must be 1 to"},
+                    Wrong{"/method/parameters/without_tubes", {3, 465}, "method.parameters", "0 to 464, not 465"},
+                    Wrong{"/method/parameters/without_tubes", {3, 3}, "method.parameters", "once"},
+                    Wrong{"/method/parameters/without_tubes", {3, -1}, "method.parameters.without_tubes", "from 0 to"},
+                    Wrong{
+                        "/method/parameters/without_tubes", {3.5}, "method.parameters.without_tubes", "whole numbers"},
+                    Wrong{"/method/parameters/without_tubes", 3, "method.parameters.without_tubes", "list"},
                     Wrong{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},
                     Wrong{"/method/parameters/ramp_begin", 0.3, "method.parameters.ramp_begin", "must not be"},
                     Wrong{"/motion/angle", 46, "motion.angle", "-45 to 45"},

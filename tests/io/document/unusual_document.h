@@ -81,6 +81,7 @@ inline Document unusualDocument() {
     document.method.initialScale = 0.55;
     document.method.direction = {12.3, -4.5, 6.7};
     document.method.config.grid.columns = 31;
+    document.method.config.grid.withoutTubes = {0, 17, 464};
     document.method.config.detection = VarianceRule{};
     document.method.config.curve = ProductRule{.strength = 20.0 / 3.0};
     document.measurements = {{.id = 3,

@@ -44,7 +44,8 @@ ParameterValue valueLike(const ParameterValue& known, double number) {
 TEST(MethodParameters, EveryMemberOfEveryRuleHasARow) {
     // A new member does not compile here until it stands in these names, and then needs a row to be counted below.
     [[maybe_unused]] const auto& [grid, cells, detection, surface, weights, curve, initial] = AdaptiveOtfConfig{};
-    [[maybe_unused]] const auto& [columns, rows, spacing] = grid;
+    // The tube cores that are never placed are a list, which no row holds.
+    [[maybe_unused]] const auto& [columns, rows, spacing, withoutTubes] = grid;
     [[maybe_unused]] const auto& [size, sampling, precision] = cells;
     [[maybe_unused]] const auto& [coarsest, finest, sigma, kernelCut, kernelEnd, border, smoothing, significance,
                                   floorQuantile, trackingRange, coarsestMaximum, edgeToNoise] = VarianceRule{};
@@ -88,6 +89,36 @@ TEST(MethodParameters, AFloorAboveTheCeilingIsNamed) {
     AdaptiveOtfConfig config;
     std::get<RatioRule>(config.detection).contrastFloor = 5;
     EXPECT_EQ(problemOf(config), "the contrast floor must not be above the contrast ceiling");
+}
+
+TEST(MethodParameters, NamesTubeCoresThatTheGridDoesNotHaveOrThatStandTwice) {
+    AdaptiveOtfConfig config;
+    config.grid.columns = 4;
+    config.grid.rows = 3;
+    for (const auto& [left, problem] :
+         {std::pair(std::vector{0, 5, 11}, ""), std::pair(std::vector{12}, "must be 0 to 11, not 12"),
+          std::pair(std::vector{-1, 3}, "must be 0 to 11, not -1"), std::pair(std::vector{3, 3}, "once"),
+          std::pair(std::vector{7, 3}, "must ascend")}) {
+        config.grid.withoutTubes = left;
+        if (std::string_view(problem).empty())
+            EXPECT_EQ(problemOf(config), "");
+        else
+            EXPECT_NE(problemOf(config).find(problem), std::string::npos) << problemOf(config);
+    }
+}
+
+TEST(MethodParameters, AnotherNumberOfTubeCoresLeavesNoneOut) {
+    for (const std::string_view name : {"tube_columns", "tube_rows"}) {
+        const Row& row = *parameterNamed(methodParameters(), name);
+        AdaptiveOtfConfig config;
+        config.grid.withoutTubes = {3, 200};
+        ASSERT_TRUE(row.set(config, std::int64_t{15}));
+        EXPECT_EQ(config.grid.withoutTubes, (std::vector{3, 200})) << "the same number means the same tube cores";
+        EXPECT_FALSE(row.set(config, std::string("15")));
+        EXPECT_EQ(config.grid.withoutTubes.size(), 2u);
+        ASSERT_TRUE(row.set(config, std::int64_t{16}));
+        EXPECT_TRUE(config.grid.withoutTubes.empty());
+    }
 }
 
 TEST(MethodParameters, EveryChoiceCanBeMadeAndNoOther) {

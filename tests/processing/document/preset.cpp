@@ -47,6 +47,18 @@ TEST(Preset, GivesBackThePictureItWasMadeOf) {
         }
 }
 
+TEST(Preset, LeavesTubeCoresThatAreNeverPlacedAloneUntilTheGridIsAnother) {
+    Document document = changedDocument();
+    document.method.config.grid.withoutTubes = {2, 7};
+    Preset preset = presetOf(document, 1, "mine");
+    EXPECT_TRUE(preset.method->config.grid.withoutTubes.empty()) << "they belong to a volume";
+    EXPECT_EQ(withPreset(document, 1, preset), document);
+    EXPECT_TRUE(isMadeBy(document, 1, preset));
+    EXPECT_TRUE(withPreset(Document{}, 1, preset).method.config.grid.withoutTubes.empty());
+    preset.method->config.grid.columns = 9;
+    EXPECT_TRUE(withPreset(document, 1, preset).method.config.grid.withoutTubes.empty());
+}
+
 TEST(Preset, LeavesWhatPlaysNoPartInItsPicture) {
     const Document document = changedDocument();
     Preset preset{.name = "parabola", .curve = CurveKind::parabolic};
