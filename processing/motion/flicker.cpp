@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "processing/picture/view_limits.h"
@@ -29,6 +30,29 @@ void addPixels(const Picture& newest, const Picture& before, const Picture* seco
         const double change = static_cast<double>(newest.rgba[i]) - before.rgba[i];
         squares.add(second ? change - (static_cast<double>(before.rgba[i]) - second->rgba[i]) : change);
     }
+}
+
+/// Of OTFs of either kind.
+template <typename Otf, typename Renderer>
+std::optional<PictureFlicker> flickerOf(std::span<const SweepFrame> frames, std::span<const Otf> otfs,
+                                        const Renderer& render, const Progress& progress) {
+    if (frames.size() != otfs.size()) throw std::invalid_argument("pictureFlicker: as many OTFs as frames are needed");
+    if (std::ranges::adjacent_find(otfs, std::not_equal_to<>()) == otfs.end()) return PictureFlicker{};
+    SquareSum changes, flickers;
+    for (std::size_t k = 1; k < frames.size(); ++k) {
+        // Equal OTFs give equal pictures: nothing to render where an OTF stands still.
+        const auto newest = render(frames[k], otfs[k]);
+        const auto before = otfs[k] == otfs[k - 1] ? newest : render(frames[k], otfs[k - 1]);
+        if (!newest || !before) return std::nullopt;
+        addPixels(*newest, *before, nullptr, changes);
+        if (k >= 2) {
+            const auto second = otfs[k - 1] == otfs[k - 2] ? before : render(frames[k], otfs[k - 2]);
+            if (!second) return std::nullopt;
+            addPixels(*newest, *before, &*second, flickers);
+        }
+        progress.at(static_cast<double>(k) / static_cast<double>(frames.size() - 1));
+    }
+    return PictureFlicker{changes.rms(), flickers.rms()};
 }
 
 }  // namespace
@@ -73,22 +97,13 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
 
 std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames, std::span<const SampledCurve> otfs,
                                              const FrameRenderer& render, const Progress& progress) {
-    if (frames.size() != otfs.size()) throw std::invalid_argument("pictureFlicker: as many OTFs as frames are needed");
-    SquareSum changes, flickers;
-    for (std::size_t k = 1; k < frames.size(); ++k) {
-        // Equal OTFs give equal pictures: nothing to render where an OTF stands still.
-        const auto newest = render(frames[k], otfs[k]);
-        const auto before = otfs[k] == otfs[k - 1] ? newest : render(frames[k], otfs[k - 1]);
-        if (!newest || !before) return std::nullopt;
-        addPixels(*newest, *before, nullptr, changes);
-        if (k >= 2) {
-            const auto second = otfs[k - 1] == otfs[k - 2] ? before : render(frames[k], otfs[k - 2]);
-            if (!second) return std::nullopt;
-            addPixels(*newest, *before, &*second, flickers);
-        }
-        progress.at(static_cast<double>(k) / static_cast<double>(frames.size() - 1));
-    }
-    return PictureFlicker{changes.rms(), flickers.rms()};
+    return flickerOf(frames, otfs, render, progress);
+}
+
+std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
+                                             std::span<const Classification> classifications,
+                                             const ClassificationRenderer& render, const Progress& progress) {
+    return flickerOf(frames, classifications, render, progress);
 }
 
 SmoothingLag lagOf(OtfSmoothing smoothing) {

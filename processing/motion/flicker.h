@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "processing/classification.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/picture/picture.h"
@@ -30,6 +31,8 @@ struct PictureFlicker {
 
 /// Renders a frame's view and phase with an OTF. The result is empty only where the run was cancelled.
 using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, const SampledCurve&)>;
+/// The same with any classification.
+using ClassificationRenderer = std::function<std::optional<Picture>(const SweepFrame&, const Classification&)>;
 
 /// A renderer of these frames with these settings in parallel projection, for one thread at a time. Direction and near
 /// plane follow each frame's view. The scale is the same for all: the one at which the whole box is in every picture.
@@ -39,9 +42,15 @@ using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, co
 
 /// Measures the flicker of the OTFs as they are shown, one a frame; it renders up to three pictures a frame. The result
 /// is empty only where the run was cancelled. Throws std::invalid_argument where the numbers of frames and OTFs differ.
+/// Where all OTFs are equal nothing is rendered: equal OTFs give equal pictures.
 [[nodiscard]] std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
                                                            std::span<const SampledCurve> otfs,
                                                            const FrameRenderer& render, const Progress& progress = {});
+/// The same of any classifications.
+[[nodiscard]] std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
+                                                           std::span<const Classification> classifications,
+                                                           const ClassificationRenderer& render,
+                                                           const Progress& progress = {});
 
 /// How late a smoothing shows a change, measured on an OTF that changes between equal frames.
 struct SmoothingLag {

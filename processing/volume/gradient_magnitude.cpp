@@ -76,48 +76,59 @@ void GradientMagnitude::row(std::int64_t y, std::int64_t z, std::span<float> mag
 
 namespace {
 
-double magnitudeOfVoxel(const Volume& volume, const std::array<std::int64_t, 3>& at) {
-    const VolumeGeometry& geometry = volume.geometry();
-    const auto offset = [&](const std::array<std::int64_t, 3>& voxel) {
-        return geometry.offset(voxel[0], voxel[1], voxel[2]);
+/// The gradient magnitude of one voxel, by the arithmetic of a row.
+template <typename Voxel>
+double magnitudeOf(const VolumeGeometry& geometry, const Voxel* voxels, float perWhite,
+                   const std::array<std::int64_t, 3>& voxel) {
+    const auto intensity = [&](const std::array<std::int64_t, 3>& at) {
+        float value = 0.0f;
+        intensitiesOf(voxels + geometry.offset(at[0], at[1], at[2]), 1, perWhite, &value);
+        return value;
     };
-    double square = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<std::int64_t, 3> before = at, after = at;
-        before[axis] = std::max<std::int64_t>(at[axis] - 1, 0);
-        after[axis] = std::min(at[axis] + 1, geometry.size[axis] - 1);
-        if (!volume.hasData(offset(before))) before = at;
-        if (!volume.hasData(offset(after))) after = at;
-        if (before == after) continue;
-        const double units = static_cast<double>(after[axis] - before[axis]) *
-                             geometry.spacing[static_cast<int>(axis)] / geometry.unit();
-        const double derivative =
-            (volume.normalisedIntensity(offset(after)) - volume.normalisedIntensity(offset(before))) / units;
-        square += derivative * derivative;
+    float squares = 0.0f;
+    for (const std::size_t axis : {1u, 2u, 0u}) {
+        std::array<std::int64_t, 3> before = voxel, after = voxel;
+        before[axis] = std::max<std::int64_t>(voxel[axis] - 1, 0);
+        after[axis] = std::min(voxel[axis] + 1, geometry.size[axis] - 1);
+        if (before[axis] == after[axis]) continue;
+        const auto perUnit = static_cast<float>(geometry.unit() / (geometry.spacing[static_cast<int>(axis)] *
+                                                                   static_cast<double>(after[axis] - before[axis])));
+        const float derivative = (intensity(after) - intensity(before)) * perUnit;
+        squares += derivative * derivative;
     }
-    return std::sqrt(square);
+    return static_cast<double>(std::sqrt(squares));
 }
 
 }  // namespace
 
-double gradientMagnitudeAt(const Volume& volume, const Vec3& voxel) {
-    const VolumeGeometry& geometry = volume.geometry();
-    double sum = 0.0;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        std::array<std::int64_t, 3> at{};
-        double weight = 1.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int64_t last = geometry.size[axis] - 1;
-            const double inside = std::clamp(voxel[static_cast<int>(axis)], 0.0, static_cast<double>(last));
-            const auto low = static_cast<std::int64_t>(inside);
-            const double share = inside - static_cast<double>(low);
-            const bool upper = (corner >> axis & 1U) != 0;
-            at[axis] = upper ? std::min(low + 1, last) : low;
-            weight *= upper ? share : 1.0 - share;
-        }
-        if (weight > 0.0) sum += weight * magnitudeOfVoxel(volume, at);
+double GradientMagnitude::at(const Vec3& voxel) const {
+    const VolumeGeometry& geometry = m_volume.geometry();
+    const auto perWhite = static_cast<float>(1.0 / m_volume.whiteLevel());
+    std::array<std::int64_t, 3> low{}, high{};
+    std::array<double, 3> share{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::int64_t last = geometry.size[axis] - 1;
+        const double inside = std::clamp(voxel[static_cast<int>(axis)], 0.0, static_cast<double>(last));
+        low[axis] = static_cast<std::int64_t>(inside);
+        high[axis] = std::min(low[axis] + 1, last);
+        share[axis] = inside - static_cast<double>(low[axis]);
     }
-    return sum;
+    return std::visit(
+        [&](const auto& voxels) {
+            double mean = 0.0;
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                double weight = 1.0;
+                std::array<std::int64_t, 3> place = low;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const bool behind = (corner >> axis & 1u) != 0;
+                    weight *= behind ? share[axis] : 1.0 - share[axis];
+                    if (behind) place[axis] = high[axis];
+                }
+                if (weight > 0.0) mean += weight * magnitudeOf(geometry, voxels.data(), perWhite, place);
+            }
+            return mean;
+        },
+        m_volume.voxels());
 }
 
 std::optional<GradientRange> gradientRange(const Volume& volume, const Volume& filled, const Progress& progress) {

@@ -20,15 +20,12 @@ public:
     explicit GradientMagnitude(const Volume& filled);
     /// Of a row of voxels, `magnitudes` one for each voxel along x.
     void row(std::int64_t y, std::int64_t z, std::span<float> magnitudes) const;
+    /// At a place in voxels, clamped to the outermost voxel centres. For a few places; a picture takes rows.
+    [[nodiscard]] double at(const Vec3& voxel) const;
 
 private:
     const Volume& m_volume;
 };
-
-/// The gradient magnitude at a place in voxels, clamped to the outermost voxel centres: the trilinear mean of those of
-/// the voxels around, for whoever asks for single places. It reads the volume as it is: a voxel without data stands for
-/// the one beside which it lies.
-[[nodiscard]] double gradientMagnitudeAt(const Volume& volume, const Vec3& voxel);
 
 /// The largest gradient magnitude of the voxels with data, and a quantile of them; normalised intensity per unit.
 struct GradientRange {

@@ -9,8 +9,8 @@
 #include <functional>
 #include <vector>
 
-#include "app/measuring/measures/median.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks/opencv_otf.h"
 

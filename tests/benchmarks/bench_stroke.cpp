@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/measuring/measures/median.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
 #include "processing/ray_caster.h"

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/measuring/measures/median.h"
+#include "processing/median.h"
 
 namespace echolucent::bench {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include "app/measuring/measures/median.h"
 #include "io/input_file.h"
 #include "io/output/atomic_file.h"
+#include "processing/median.h"
 #include "tests/benchmarks/measured_cost.h"
 
 namespace echolucent::bench {

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/measuring/measures/median.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/median.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/phantom/phantom.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/measuring/light/study_light.h"
-#include "app/measuring/measures/median.h"
+#include "processing/median.h"
 
 namespace echolucent::cli {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/measuring/measures/surface_light.h"
 #include "app/measuring/otf/study_phantoms.h"
 #include "app/pages/html_page.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/comparison/surface_light.h"
 
 namespace echolucent::cli {
 

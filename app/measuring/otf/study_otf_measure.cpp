@@ -4,10 +4,10 @@
 #include <numeric>
 #include <tuple>
 
-#include "app/measuring/measures/median.h"
 #include "app/measuring/otf/study_otf.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/median.h"
 
 namespace echolucent::cli {
 

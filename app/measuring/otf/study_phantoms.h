@@ -9,9 +9,9 @@
 
 #include "app/cli/command.h"
 #include "app/measuring/measures/detection_quality.h"
-#include "app/measuring/measures/surface_contrast.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/adaptive/quiet_reading.h"
+#include "processing/comparison/surface_contrast.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {

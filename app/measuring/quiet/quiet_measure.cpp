@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "app/measuring/measures/median.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/median.h"
 #include "processing/phantom/speckle.h"
 #include "processing/speckle_reduction/gaussian_filter.h"
 
@@ -159,7 +159,7 @@ QuietTimes quietTimesOf(const QuietFilter& filter, int edgeTimed, int repeats) {
     return {medianTime(volume, filter, repeats), medianTime(sector(volume), filter, repeats)};
 }
 
-std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<ObjectRay>& rays,
+std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<SurfaceRay>& rays,
                                       const QuietFilter& filter) {
     const Viewpoint view;
     const Volume quiet = filter.run(phantom.volume);

@@ -39,7 +39,7 @@ struct QuietTimes {
 [[nodiscard]] QuietTimes quietTimesOf(const QuietFilter& filter, int edge, int repeats);
 
 /// CNR_S of the default reading's curve on the quiet voxels, for which it is meant.
-[[nodiscard]] std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<ObjectRay>& rays,
+[[nodiscard]] std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<SurfaceRay>& rays,
                                                     const QuietFilter& filter);
 
 }  // namespace echolucent::cli

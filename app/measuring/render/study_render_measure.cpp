@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/measuring/measures/median.h"
 #include "app/measuring/render/study_render.h"
+#include "processing/median.h"
 #include "processing/ray_caster.h"
 
 namespace echolucent::cli {

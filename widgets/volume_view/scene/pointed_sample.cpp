@@ -13,7 +13,7 @@ namespace {
 
 double opacityOf(const PictureRequest& request, const Vec3& voxel, double intensity) {
     const double gradient =
-        request.classification.isTwoDimensional() ? gradientMagnitudeAt(*request.volume, voxel) : 0.0;
+        request.classification.isTwoDimensional() ? GradientMagnitude(*request.volume).at(voxel) : 0.0;
     return opacityAt(request.classification, intensity, gradient);
 }
 

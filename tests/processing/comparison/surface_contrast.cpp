@@ -1,51 +1,28 @@
-// The measures of a picture against closed forms, on volumes small enough to work them out by hand.
+// CNR_S against closed forms, on volumes small enough to work them out by hand.
+#include "processing/comparison/surface_contrast.h"
+
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
 #include <array>
 #include <cmath>
-#include <cstring>
 
-#include "app/measuring/measures/detection_quality.h"
-#include "app/measuring/measures/line_samples.h"
-#include "app/measuring/measures/surface_contrast.h"
-#include "app/measuring/measures/surface_light.h"
-#include "processing/adaptive/adaptive_otf.h"
+#include "tests/processing/comparison/small_volumes.h"
 
 namespace echolucent {
 namespace {
 
-constexpr std::int64_t width = 6, depth = 40;
-constexpr int surfaceSlice = 20;
-/// The true surface lies between slices 19 and 20.
-constexpr double surfaceDepth = surfaceSlice - 0.5;
-
-VolumeGeometry smallGeometry() {
-    VolumeGeometry geometry;
-    geometry.size = {width, width, depth};
-    return geometry;
-}
-
-/// The voxels hold `before` up to the surface and `behind` from it on.
-Volume twoLayers(std::uint8_t before, std::uint8_t behind) {
-    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(width * width * depth), before);
-    std::fill(voxels.begin() + width * width * surfaceSlice, voxels.end(), behind);
-    return {smallGeometry(), voxels};
-}
-
 /// There is one ray through each voxel of the front face.
-std::vector<ObjectRay> allRays() {
-    std::vector<ObjectRay> rays;
+std::vector<SurfaceRay> allRays() {
+    std::vector<SurfaceRay> rays;
     for (int y = 0; y < width; ++y)
-        for (int x = 0; x < width; ++x) rays.push_back({Vec3(x, y, 0), surfaceDepth});
+        for (int x = 0; x < width; ++x) rays.push_back({.pointMm = Vec3(x, y, 0), .surfaceDepthMm = surfaceDepth});
     return rays;
 }
 
-SurfaceContrast contrastOf(const Volume& volume, const OpacityCurve& curve) {
-    return surfaceContrasts(volume, allRays(), Viewpoint{}, {&curve, 1}).front();
+SurfaceContrast contrastOf(const Volume& volume, const Classification& classification) {
+    return surfaceContrasts(volume, allRays(), Viewpoint{}, std::span(&classification, 1)).front();
 }
-
-OpacityCurve constantOpacity(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
 
 TEST(SurfaceContrast, LayersOfOneOpacityGiveAGeometricSeries) {
     // Samples lie on voxel centres. Of the true surface at 19.5 slices 18 (1.5 units before) to 25 (5.5 behind) count.
@@ -121,12 +98,6 @@ TEST(SurfaceContrast, NoDataIsClear) {
     EXPECT_EQ(contrast.meanRest, 0.0);
 }
 
-PhantomConfig smallShapes() {
-    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
-    config.size = {64, 60, 66};
-    return config;
-}
-
 TEST(SurfaceContrast, RaysAreThoseWhoseFirstInterfaceIsObject) {
     const PhantomConfig config = smallShapes();
     const PhantomTruth truth(config);
@@ -181,108 +152,75 @@ TEST(SurfaceContrast, ManyCurvesAtOnceEqualEachAlone) {
         EXPECT_EQ(together[i].contrastToNoise(), surfaceContrast(volume, truth, {}, curves[i]).contrastToNoise());
 }
 
-TEST(LineSamples, AreTrilinearBetweenVoxelsWithData) {
-    VolumeGeometry geometry;
-    geometry.size = {2, 1, 1};
-    const Volume volume(geometry, std::vector<float>{0.25f, 0.75f}, 1.0);
-    std::array<double, 6> samples{};
-    sampleLine(volume, {-0.75, 0, 0}, {0.5, 0, 0}, samples);
-    EXPECT_TRUE(std::isnan(samples[0]));  // -0.75: outside
-    EXPECT_DOUBLE_EQ(samples[1], 0.25);   // -0.25: clamped
-    EXPECT_DOUBLE_EQ(samples[2], 0.375);
-    EXPECT_DOUBLE_EQ(samples[3], 0.625);
-    EXPECT_DOUBLE_EQ(samples[4], 0.75);
-    EXPECT_TRUE(std::isnan(samples[5]));
-    const Volume half(geometry, std::vector<float>{NAN, 0.75f}, 1.0);
-    std::array<double, 2> near{};
-    sampleLine(half, {0.4, 0, 0}, {0.2, 0, 0}, near);
-    EXPECT_TRUE(std::isnan(near[0]));
-    EXPECT_DOUBLE_EQ(near[1], 0.75);
+/// A table of 256 intensities that says the same as a curve of as many samples, whatever the gradient magnitude.
+std::pair<OpacityCurve, Classification> sameInBothKinds(int gradients) {
+    SampledCurve curve;
+    for (int i = 0; i < 256; ++i)
+        curve.opacities.push_back(static_cast<double>(static_cast<float>(0.3 * i * i / 65025)));
+    const auto otf = tabulated(256, gradients, 0.4, [&](double f, double) { return opacityAt(curve, f); });
+    return {curve, Classification(otf)};
 }
 
-/// One tube core along z through the middle of a volume, with its surface in a given slice.
-AdaptiveOtf oneTube(double slice, double d) {
-    AdaptiveOtf otf;
-    otf.config.grid.columns = otf.config.grid.rows = 1;
-    otf.config.grid.spacing = 5;
-    TubeCore tube;
-    tube.status = TubeStatus::surface;
-    const Vec3 middle = tubeAxes(smallGeometry(), {}, otf.config.grid, otf.config.cells.size).front().pointMm;
-    tube.entryVoxel = Vec3(middle[0], middle[1], -0.5);
-    tube.firstSampleVoxel = Vec3(middle[0], middle[1], 0);
-    tube.surfaceVoxel = Vec3(middle[0], middle[1], slice);
-    tube.d = d;
-    otf.tubes = {tube};
-    return otf;
-}
-
-TEST(SurfaceLight, IsTheShareOfAGeometricSeries) {
-    constexpr double opacity = 0.07;
-    const SurfaceLight light = surfaceLight(twoLayers(51, 204), oneTube(20, 0.1), constantOpacity(opacity));
-    double all = 0.0, near = 0.0;
-    for (int k = 0; k < depth; ++k) {
-        const double own = std::pow(1 - opacity, k) * opacity * (k < surfaceSlice ? 0.2 : 0.8);
-        all += own;
-        if (std::abs(k - 20) <= 3) near += own;
+TEST(SurfaceContrast, ATableThatDoesNotAskTheGradientIsTheCurve) {
+    const PhantomConfig config = smallShapes();
+    const Volume volume = *makePhantom(config);
+    const PhantomTruth truth(config);
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 25, .elevationDegrees = 10}}) {
+        const auto [curve, table] = sameInBothKinds(3);
+        const SurfaceContrast ofCurve = surfaceContrast(volume, truth, view, curve);
+        const SurfaceContrast ofTable = surfaceContrast(volume, truth, view, table);
+        ASSERT_GT(ofCurve.rays, 100);
+        EXPECT_NEAR(ofTable.meanSurface, ofCurve.meanSurface, 1e-5);
+        EXPECT_NEAR(ofTable.meanRest, ofCurve.meanRest, 1e-5);
+        EXPECT_NEAR(*ofTable.contrastToNoise(), *ofCurve.contrastToNoise(), 1e-6);
     }
-    EXPECT_EQ(light.rays, 1);
-    EXPECT_NEAR(light.meanIntensity, all, 1e-12);
-    EXPECT_NEAR(light.meanShare, near / all, 1e-12);
-    EXPECT_EQ(light.medianShare, light.meanShare);
 }
 
-TEST(SurfaceLight, AllOfItBehindAnOpaqueSurfaceAndNoneWhereNothingIsOpaque) {
-    const OpacityCurve step = ManualCurve{{{0.4, 0.0}, {0.4, 1.0}}};
-    EXPECT_EQ(surfaceLight(twoLayers(30, 150), oneTube(20, 0.1), step).meanShare, 1.0);
-    EXPECT_EQ(surfaceLight(twoLayers(30, 150), oneTube(10, 0.1), step).meanShare, 0.0);
-    const SurfaceLight none = surfaceLight(twoLayers(30, 150), oneTube(20, 0.1), constantOpacity(0.0));
-    EXPECT_EQ(none.rays, 1);
-    EXPECT_EQ(none.meanShare, 0.0);
-    EXPECT_EQ(none.meanIntensity, 0.0);
+TEST(SurfaceContrast, OpacityOfTheGradientShowsTheStepAlone) {
+    // g is (0.8 - 0.2) / 2 in slices 19 and 20 and 0 elsewhere: half opaque twice.
+    const SurfaceContrast contrast = contrastOf(twoLayers(51, 204), opacityOfGradient(0.6));
+    EXPECT_NEAR(contrast.meanSurface, 0.5 * 51 + 0.5 * 0.5 * 204, 1e-4);
+    EXPECT_EQ(contrast.meanRest, 0.0);
 }
 
-TEST(SurfaceLight, TubesWithoutWeightOrSurfaceAreLeftOut) {
-    EXPECT_EQ(surfaceLight(twoLayers(30, 150), oneTube(20, 0.0), constantOpacity(0.5)).rays, 0);
-    AdaptiveOtf otf = oneTube(20, 0.1);
-    otf.tubes.front().surfaceVoxel.reset();
-    EXPECT_EQ(surfaceLight(twoLayers(30, 150), otf, constantOpacity(0.5)).rays, 0);
+TEST(SurfaceContrast, NoEdgeStandsWhereTheDataEnd) {
+    const Volume volume = twoLayers(0, 204);
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(width * width * depth), 1);
+    std::fill(mask.begin(), mask.begin() + width * width * surfaceSlice, std::uint8_t{0});
+    EXPECT_NEAR(contrastOf(volume, opacityOfGradient(0.6)).meanSurface, (1.0 / 3) * (2.0 / 3) * 204, 1e-4);
+    EXPECT_NEAR(contrastOf(volume.withDataMask(mask), opacityOfGradient(0.6)).meanSurface, 0.0, 1e-9);
 }
 
-/// A run of the method on the small shapes whose tubes all claim their surface `off` units behind the truth.
-DetectionQuality qualityOfClaims(double off) {
+TEST(SurfaceContrast, WhatIsNotShownOfARayGivesNoLight) {
+    constexpr double opacity = 0.1;
+    const Classification curve = constantOpacity(opacity);
+    std::vector<SurfaceRay> rays = allRays();
+    // From slice 12 on and up to slice 29: faces lie half a voxel beside the centres.
+    for (SurfaceRay& ray : rays) {
+        ray.fromDepthMm = 11.5;
+        ray.toDepthMm = 29.5;
+    }
+    const auto contrast = surfaceContrasts(twoLayers(100, 200), rays, {}, std::span(&curve, 1)).front();
+    double surface = 0.0, rest = 0.0;
+    for (int k = 12; k <= 29; ++k)
+        (k >= 18 && k <= 25 ? surface : rest) += std::pow(1 - opacity, k - 12) * opacity * (k < 20 ? 100 : 200);
+    EXPECT_NEAR(contrast.meanSurface, surface, 1e-9);
+    EXPECT_NEAR(contrast.meanRest, rest, 1e-9);
+    for (SurfaceRay& ray : rays) ray.toDepthMm = 11.0;
+    EXPECT_EQ(surfaceContrasts(twoLayers(100, 200), rays, {}, std::span(&curve, 1)).front().meanSurface, 0.0);
+}
+
+TEST(SurfaceContrast, BothKindsAtOnceEqualEachAlone) {
     const PhantomConfig config = smallShapes();
     const PhantomTruth truth(config);
     const Volume volume = *makePhantom(config);
-    AdaptiveOtfConfig method;
-    method.grid.columns = method.grid.rows = 7;
-    AdaptiveOtf otf = *adaptOpacity(volume, {}, method);
-    const auto truths = tubeTruths(truth, volume.geometry(), {}, method);
-    for (std::size_t t = 0; t < otf.tubes.size(); ++t) {
-        otf.tubes[t].d = 0.01;
-        if (!truths[t].interfaceDepthMm) continue;
-        const Vec3 first = otf.tubes[t].firstSampleVoxel;
-        const double z = (*truths[t].interfaceDepthMm + off * volume.geometry().unit()) / config.spacing[2];
-        otf.tubes[t].surfaceVoxel = Vec3(first[0], first[1], z);
+    const std::array<Classification, 3> mixed{PowerCurve{2, 1.0}, opacityOfGradient(0.3), LinearCurve{}};
+    const auto together = surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}), {}, mixed);
+    for (std::size_t i = 0; i < mixed.size(); ++i) {
+        const SurfaceContrast alone = surfaceContrast(volume, truth, {}, mixed[i]);
+        EXPECT_EQ(together[i].meanSurface, alone.meanSurface);
+        EXPECT_EQ(together[i].contrastToNoise(), alone.contrastToNoise());
     }
-    return detectionQuality(otf, truth, volume.geometry());
-}
-
-TEST(DetectionQuality, WhatIsClaimedAtTheTruthIsRight) {
-    const DetectionQuality right = qualityOfClaims(0);
-    ASSERT_GT(right.tubesWithInterface, 5);
-    EXPECT_EQ(right.foundShare(), 1.0);
-    EXPECT_NEAR(right.meanDistanceUnits(), 0.0, 1e-9);
-    EXPECT_NEAR(right.rightShare() + right.emptyShare(), 1.0, 1e-12);
-    EXPECT_GT(right.emptyShare(), 0.0);
-    EXPECT_NEAR(right.rightWeight, 0.01 * right.tubesWithInterface, 1e-12);
-}
-
-TEST(DetectionQuality, ThreeUnitsAreTheBorder) {
-    EXPECT_EQ(qualityOfClaims(2.99).foundShare(), 1.0);
-    const DetectionQuality wrong = qualityOfClaims(3.01);
-    EXPECT_EQ(wrong.tubesRight, 0);
-    EXPECT_EQ(wrong.rightShare(), 0.0);
-    EXPECT_NEAR(wrong.meanDistanceUnits(), 3.01, 1e-9);
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
-#include "app/measuring/measures/surface_contrast.h"
+#include "processing/comparison/surface_contrast.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "app/measuring/measures/line_samples.h"
+#include "processing/comparison/line_samples.h"
 #include "processing/parallel.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // what counts as the true surface's light
+constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // what counts as the surface's light
 constexpr double levels = 255.0;
 /// A hundred millionth of white can still come through, which is less than any figure shows.
 constexpr double leastTransmittance = 1e-8;
@@ -65,44 +65,42 @@ std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointM
     return forward.dot(*surface);
 }
 
-/// The intensities of a ray with the depth of the first, the near plane and the box respected.
+/// The samples of a ray with the depth of the first, the near plane, the box and what is shown of it respected.
 class SampledRay {
 public:
-    SampledRay(const Volume& volume, const Vec3& pointMm, const Vec3& forward, double nearPlane) {
-        const VolumeGeometry& geometry = volume.geometry();
-        const auto span = spanInBox(geometry, pointMm, forward);
+    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Vec3& forward, double nearPlane)
+        : m_surfaceDepth(ray.surfaceDepthMm), m_unit(sampler.volume().geometry().unit()) {
+        const VolumeGeometry& geometry = sampler.volume().geometry();
+        const auto span = spanInBox(geometry, ray.pointMm, forward);
         if (!span) return;
         constexpr double rounding = 1e-9;  // units
-        const double unit = geometry.unit(), pointDepth = forward.dot(pointMm);
+        const double pointDepth = forward.dot(ray.pointMm);
+        const double from = std::max(pointDepth + span->from, ray.fromDepthMm);
+        const double to = std::min(pointDepth + span->to, ray.toDepthMm);
         // Samples lie in the middle of steps counted from the near plane.
-        const double first = std::max(0.0, std::ceil((pointDepth + span->from - nearPlane) / unit - 0.5 - rounding));
-        const double last = std::floor((pointDepth + span->to - nearPlane) / unit - 0.5 + rounding);
+        const double first = std::max(0.0, std::ceil((from - nearPlane) / m_unit - 0.5 - rounding));
+        const double last = std::floor((to - nearPlane) / m_unit - 0.5 + rounding);
         if (last < first) return;
-        m_firstDepth = nearPlane + (first + 0.5) * unit;
-        m_intensities.resize(static_cast<std::size_t>(last - first) + 1);
-        const Vec3 firstMm = pointMm + forward * (m_firstDepth - pointDepth);
-        sampleLine(volume, geometry.voxelFromGridMm(firstMm), geometry.voxelFromGridMm(forward * unit), m_intensities);
+        m_firstDepth = nearPlane + (first + 0.5) * m_unit;
+        const Vec3 firstMm = ray.pointMm + forward * (m_firstDepth - pointDepth);
+        m_samples = sampler.along(geometry.voxelFromGridMm(firstMm), geometry.voxelFromGridMm(forward * m_unit),
+                                  static_cast<std::size_t>(last - first) + 1);
     }
 
-    /// Composites front to back (eq. 3).
-    [[nodiscard]] RayLight lightOf(const OpacityTable& table, double surfaceDepth, double unit) const {
+    [[nodiscard]] RayLight lightOf(const OpacityTable& table) const {
         RayLight light;
-        double transmittance = 1.0;
-        for (std::size_t i = 0; i < m_intensities.size() && transmittance > leastTransmittance; ++i) {
-            const double intensity = m_intensities[i];
-            if (std::isnan(intensity)) continue;
-            const double opacity = table.at(intensity);
-            const double behind = (m_firstDepth - surfaceDepth) / unit + static_cast<double>(i);
+        compositeAlong(m_samples, table, leastTransmittance, [&](std::size_t i, double contribution) {
+            const double behind = (m_firstDepth - m_surfaceDepth) / m_unit + static_cast<double>(i);
             const bool ofSurface = behind >= -unitsBefore && behind <= unitsBehind;
-            (ofSurface ? light.surface : light.rest) += transmittance * opacity * intensity * levels;
-            transmittance *= 1.0 - opacity;
-        }
+            (ofSurface ? light.surface : light.rest) += contribution * levels;
+        });
         return light;
     }
 
 private:
+    double m_surfaceDepth, m_unit;
     double m_firstDepth = 0.0;  ///< mm along forward
-    std::vector<double> m_intensities;
+    RaySamples m_samples;
 };
 
 /// Every stride-th value from `first` on.
@@ -133,37 +131,40 @@ std::optional<double> SurfaceContrast::contrastToNoise() const {
     return (meanSurface - meanRest) / std::sqrt(variance);
 }
 
-std::vector<ObjectRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view,
-                                  InterfaceInto into) {
+std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view,
+                                   InterfaceInto into) {
     const ViewFrame frame = frameOf(view);
     const RayLattice lattice(geometry, frame);
     const double nearPlane = nearPlaneDepthMm(view, geometry), unit = geometry.unit();
-    std::vector<std::vector<ObjectRay>> ofRow(static_cast<std::size_t>(lattice.rows));
+    std::vector<std::vector<SurfaceRay>> ofRow(static_cast<std::size_t>(lattice.rows));
     parallelFor(0, lattice.rows, [&](int row) {
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
             if (const auto depth = surfaceDepth(truth, point, frame.forward, nearPlane, unit, into))
-                ofRow[static_cast<std::size_t>(row)].push_back({point, *depth});
+                ofRow[static_cast<std::size_t>(row)].push_back({.pointMm = point, .surfaceDepthMm = *depth});
         }
     });
-    std::vector<ObjectRay> rays;
+    std::vector<SurfaceRay> rays;
     for (const auto& row : ofRow) rays.insert(rays.end(), row.begin(), row.end());
     return rays;
 }
 
-std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const ObjectRay> rays,
-                                              const Viewpoint& view, std::span<const OpacityCurve> curves) {
-    std::vector<OpacityTable> tables;
-    for (const OpacityCurve& curve : curves) tables.emplace_back(curve);
+std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
+                                              const Viewpoint& view, std::span<const Classification> classifications) {
+    const std::vector<OpacityTable> tables = tablesOf(classifications);
+    return surfaceContrasts(RaySampler(volume, anyTwoDimensional(tables)), rays, view, tables);
+}
+
+std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::span<const SurfaceRay> rays,
+                                              const Viewpoint& view, std::span<const OpacityTable> tables) {
     const Vec3 forward = frameOf(view).forward;
-    const double nearPlane = nearPlaneDepthMm(view, volume.geometry()), unit = volume.geometry().unit();
+    const double nearPlane = nearPlaneDepthMm(view, sampler.volume().geometry());
     std::vector<RayLight> lights(rays.size() * tables.size());
     parallelFor(tbb::blocked_range<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
         for (std::size_t r = some.begin(); r < some.end(); ++r) {
-            const SampledRay ray(volume, rays[r].pointMm, forward, nearPlane);
-            for (std::size_t c = 0; c < tables.size(); ++c)
-                lights[r * tables.size() + c] = ray.lightOf(tables[c], rays[r].surfaceDepthMm, unit);
+            const SampledRay ray(sampler, rays[r], forward, nearPlane);
+            for (std::size_t c = 0; c < tables.size(); ++c) lights[r * tables.size() + c] = ray.lightOf(tables[c]);
         }
     });
     // Each ray has its place and the sums are made in one order, so that any number of threads gives the same bits.
@@ -172,9 +173,16 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
     return contrasts;
 }
 
+std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
+                                              const Viewpoint& view, std::span<const OpacityCurve> curves) {
+    const std::vector<Classification> classifications(curves.begin(), curves.end());
+    return surfaceContrasts(volume, rays, view, classifications);
+}
+
 SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
-                                const OpacityCurve& curve) {
-    return surfaceContrasts(volume, objectRays(volume.geometry(), truth, view), view, {&curve, 1}).front();
+                                const Classification& classification) {
+    const auto rays = objectRays(volume.geometry(), truth, view);
+    return surfaceContrasts(volume, rays, view, std::span(&classification, 1)).front();
 }
 
 }  // namespace echolucent

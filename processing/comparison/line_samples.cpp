@@ -1,8 +1,9 @@
-#include "app/measuring/measures/line_samples.h"
+#include "processing/comparison/line_samples.h"
 
 #include <algorithm>
 #include <limits>
 
+#include "processing/volume/filled_volume.h"
 #include "processing/volume/sampler.h"
 
 namespace echolucent {
@@ -32,13 +33,45 @@ std::optional<LineSpan> spanInBox(const VolumeGeometry& geometry, const Vec3& po
     return span;
 }
 
-OpacityTable::OpacityTable(const OpacityCurve& curve) : m_opacities(sampledOpacities(curve, 256)) {}
+OpacityTable::OpacityTable(const Classification& classification) : m_twoDimensional(classification.twoDimensional()) {
+    if (!classification.isTwoDimensional()) m_opacities = sampledOpacities(classification.curve(), 256);
+}
 
-double OpacityTable::at(double intensity) const {
+double OpacityTable::at(double intensity, double gradient) const {
+    if (m_twoDimensional != nullptr) return opacityAt(*m_twoDimensional, intensity, gradient);
     const double place = intensity * static_cast<double>(m_opacities.size() - 1);
     const auto left = std::min(static_cast<std::size_t>(place), m_opacities.size() - 2);
     const double share = place - static_cast<double>(left);
     return m_opacities[left] + share * (m_opacities[left + 1] - m_opacities[left]);
+}
+
+std::vector<OpacityTable> tablesOf(std::span<const Classification> classifications) {
+    std::vector<OpacityTable> tables;
+    tables.reserve(classifications.size());
+    for (const Classification& classification : classifications) tables.emplace_back(classification);
+    return tables;
+}
+
+bool anyTwoDimensional(std::span<const OpacityTable> tables) {
+    return std::ranges::any_of(tables, &OpacityTable::isTwoDimensional);
+}
+
+RaySampler::RaySampler(const Volume& volume, bool withGradients) : m_volume(volume) {
+    if (!withGradients) return;
+    m_filled.emplace(filledVoxels(volume));
+    m_gradients.emplace(*m_filled);
+}
+
+RaySamples RaySampler::along(const Vec3& firstVoxel, const Vec3& stepVoxel, std::size_t count) const {
+    RaySamples ray;
+    ray.intensities.resize(count);
+    sampleLine(m_volume, firstVoxel, stepVoxel, ray.intensities);
+    if (!m_gradients) return ray;
+    ray.gradients.resize(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isnan(ray.intensities[i]))
+            ray.gradients[i] = m_gradients->at(firstVoxel + stepVoxel * static_cast<double>(i));
+    return ray;
 }
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-#include "app/measuring/measures/median.h"
+#include "processing/median.h"
 
 #include <algorithm>
 #include <stdexcept>
