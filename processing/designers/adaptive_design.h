@@ -1,0 +1,33 @@
+// The adaptive method as one of the designers.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/designers/design.h"
+#include "processing/parameter.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// The adaptive designer has no parameter of its own: DesignerInput::method holds them all, the tube cores that are
+/// never placed among them (TubeGrid::withoutTubes). docs/designers/adaptive.md says more.
+struct AdaptiveConfig {
+    friend bool operator==(const AdaptiveConfig&, const AdaptiveConfig&) = default;
+};
+
+/// No row.
+[[nodiscard]] std::span<const Parameter<AdaptiveConfig>> parametersOf(const AdaptiveConfig& config);
+
+/// Runs adaptOpacity() (Petersch 2005; docs/method.md): tube cores read the raw voxels along input.view, and the curve
+/// is meant for the shown ones. Where no surface is found the curve is the initial function, and `message` says so. The
+/// result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Throws
+/// std::invalid_argument where problemOf(input.method) is not empty, or where the volumes have different grids.
+[[nodiscard]] std::optional<Design> design(const AdaptiveConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
+
+/// The same of a run whose result is there already.
+[[nodiscard]] Design designOf(const AdaptiveOtf& otf);
+
+}  // namespace echolucent
