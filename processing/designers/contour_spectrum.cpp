@@ -1,0 +1,208 @@
+#include "processing/designers/contour_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "processing/designers/isovalue_spectrum.h"
+
+namespace echolucent {
+
+namespace {
+
+using Config = ContourSpectrumConfig;
+
+constexpr std::string_view page = "docs/designers/contour-spectrum.md";
+
+template <double Config::*member>
+std::optional<ParameterValue> get(const Config& config) {
+    return config.*member;
+}
+template <double Config::*member>
+bool set(Config& config, const ParameterValue& value) {
+    const std::optional<double> number = numberOf(value);
+    if (number) config.*member = *number;
+    return number.has_value();
+}
+
+/// The threshold means nothing while no person chooses it.
+std::optional<ParameterValue> getThreshold(const Config& config) {
+    return config.choice == IsovalueChoice::given ? get<&Config::threshold>(config) : std::nullopt;
+}
+bool setThreshold(Config& config, const ParameterValue& value) {
+    return config.choice == IsovalueChoice::given && set<&Config::threshold>(config, value);
+}
+
+bool setChoice(Config& config, const ParameterValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    const auto choice = name != nullptr ? isovalueChoiceFromName(*name) : std::nullopt;
+    if (choice) config.choice = *choice;
+    return choice.has_value();
+}
+
+const std::array<Parameter<Config>, 5>& rows() {
+    static const std::array<Parameter<Config>, 5> table{{
+        {"isovalue",
+         "Isovalue",
+         "Where the ramp stands: where the isosurfaces are steepest, or at a given threshold",
+         "",
+         "Bajaj, Pascucci, Schikore 1997",
+         {},
+         {nameOf(IsovalueChoice::steepest), nameOf(IsovalueChoice::given)},
+         [](const Config& config) -> std::optional<ParameterValue> { return std::string(nameOf(config.choice)); },
+         &setChoice},
+        {"threshold",
+         "Threshold",
+         "Intensity of the middle of the ramp",
+         "",
+         page,
+         {0, 1},
+         {},
+         &getThreshold,
+         &setThreshold,
+         {},
+         {"isovalue", nameOf(IsovalueChoice::given)}},
+        {"least_area",
+         "Least area",
+         "Isosurfaces that are smaller than this share of the largest one are not asked, because they are noise",
+         "share",
+         page,
+         {0, 1},
+         {},
+         &get<&Config::leastArea>,
+         &set<&Config::leastArea>},
+        {"half_width",
+         "Half-width",
+         "How far the ramp reaches to both sides of its middle",
+         "",
+         page,
+         {0, 1},
+         {},
+         &get<&Config::halfWidth>,
+         &set<&Config::halfWidth>,
+         ParameterRange{0, 0.5}},
+        {"opacity",
+         "Opacity",
+         "Opacity of what is brighter than the ramp",
+         "",
+         page,
+         {0, 1},
+         {},
+         &get<&Config::opacity>,
+         &set<&Config::opacity>},
+    }};
+    return table;
+}
+
+/// What of the ramp lies within [0,1].
+ManualCurve rampAt(double threshold, const Config& config) {
+    const double begin = threshold - config.halfWidth, end = threshold + config.halfWidth;
+    const auto at = [&](double intensity) { return config.opacity * (intensity - begin) / (end - begin); };
+    ManualCurve ramp;
+    ramp.nodes.push_back(begin < 0.0 ? CurveNode{0.0, at(0.0)} : CurveNode{begin, 0.0});
+    ramp.nodes.push_back(end > 1.0 ? CurveNode{1.0, at(1.0)} : CurveNode{end, config.opacity});
+    return ramp;
+}
+
+std::string rounded(double value, double step) { return textOf(std::round(value / step) * step); }
+
+/// Area and volume as a person reads them.
+struct Lengths {
+    double perUnit;  ///< mm, or 1 where the spacing is a guess
+    std::string area, volume, length;
+
+    explicit Lengths(const VolumeGeometry& geometry)
+        : perUnit(geometry.spacingKnown ? geometry.unit() : 1.0),
+          area(geometry.spacingKnown ? "mm²" : "units²"),
+          volume(geometry.spacingKnown ? "mm³" : "units³"),
+          length(geometry.spacingKnown ? "mm" : "units") {}
+};
+
+std::vector<double> times(std::vector<double> values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
+std::vector<DesignPlot> plotsOf(const ContourSpectrum& spectrum, const Lengths& lengths) {
+    std::vector<double> isovalues(ContourSpectrum::count);
+    for (std::size_t i = 0; i < isovalues.size(); ++i) isovalues[i] = ContourSpectrum::isovalue(i);
+    const double unit = lengths.perUnit;
+    return {{"area", "Area A(w)", lengths.area, isovalues, times(spectrum.area, unit * unit)},
+            {"volume", "Volume above V(w)", lengths.volume, isovalues, times(spectrum.volume, unit * unit * unit)},
+            {"gradient_integral", "Gradient integral G(w)", lengths.length, isovalues,
+             times(spectrum.gradientIntegral, unit)},
+            {"mean_gradient", "Mean gradient G/A", "per unit", isovalues, spectrum.meanGradient()}};
+}
+
+void addFacts(const ContourSpectrum& spectrum, double threshold, const std::vector<SpectrumMaximum>& maxima,
+              const Lengths& lengths, Design& design) {
+    const auto at = static_cast<std::size_t>(std::lround(threshold * (ContourSpectrum::count - 1)));
+    const double unit = lengths.perUnit;
+    const double area = spectrum.area[at];
+    design.facts = {
+        {"threshold", "Threshold", threshold, ""},
+        {"area", "Area at the threshold", area * unit * unit, lengths.area},
+        {"volume_above", "Volume above the threshold", spectrum.volume[at] * unit * unit * unit, lengths.volume},
+        {"mean_gradient", "Mean gradient at the threshold", area > 0.0 ? spectrum.gradientIntegral[at] / area : 0.0,
+         "per unit"}};
+    for (std::size_t i = 0; i < std::min(maxima.size(), mostMaximumFacts); ++i) {
+        const std::string number = std::to_string(i + 1);
+        design.facts.push_back({"maximum_" + number, "Maximum " + number, maxima[i].isovalue, ""});
+    }
+}
+
+/// Why no isovalue is the steepest.
+std::string whyNoMaximum(const ContourSpectrum& spectrum) {
+    if (!(spectrum.volume[0] > 0.0)) return "The volume holds no data";
+    if (!(*std::ranges::max_element(spectrum.area) > 0.0)) return "All data has one intensity and no isosurface";
+    return "No isosurface is steeper than those beside it";
+}
+
+}  // namespace
+
+std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&) { return rows(); }
+
+std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
+                             const Progress& progress) {
+    const std::string problem = problemIn(parametersOf(config), config);
+    if (!problem.empty()) throw std::invalid_argument("ContourSpectrumConfig: " + problem);
+    if (input.raw.geometry().size != input.shown.geometry().size)
+        throw std::invalid_argument("ContourSpectrumConfig: the shown voxels have another grid");
+    const auto spectrum = contourSpectrum(input.shown, progress);
+    if (!spectrum) return std::nullopt;
+    const Lengths lengths(input.shown.geometry());
+    const bool given = config.choice == IsovalueChoice::given;
+    const std::vector<SpectrumMaximum> maxima = maximaOf(*spectrum, config.leastArea);
+    Design design{PowerCurve{2, config.opacity}};
+    design.plots = plotsOf(*spectrum, lengths);
+    if (!given && maxima.empty()) {
+        design.message = whyNoMaximum(*spectrum) + ": the opacity grows with the square of the intensity.";
+        return design;
+    }
+    const double threshold = given ? config.threshold : maxima.front().isovalue;
+    design.classification = rampAt(threshold, config);
+    addFacts(*spectrum, threshold, maxima, lengths, design);
+    if (!(*std::ranges::max_element(spectrum->area) > 0.0))
+        design.message = whyNoMaximum(*spectrum) + ": the ramp stands at the given threshold all the same.";
+    design.explanation.push_back(given ? "The ramp stands at the given threshold " + rounded(threshold, 0.001) + "."
+                                       : "The isosurfaces are steepest at intensity " + rounded(threshold, 0.001) +
+                                             ", where the intensity rises by " +
+                                             rounded(maxima.front().meanGradient, 0.001) +
+                                             " per unit in the mean: the ramp stands there.");
+    design.explanation.push_back(
+        "The isosurface of this intensity has an area of " + rounded(design.facts[1].value, 1.0) + " " + lengths.area +
+        ", and " + rounded(design.facts[2].value, 1.0) + " " + lengths.volume + " of the volume are brighter.");
+    const std::size_t first = given ? 0 : 1, end = std::min(maxima.size(), mostMaximumFacts);
+    if (first < end) {
+        std::string others = given ? "Isosurfaces are steepest at" : "Isosurfaces are steep, too, at";
+        for (std::size_t i = first; i < end; ++i)
+            others += (i > first ? ", " : " ") + rounded(maxima[i].isovalue, 0.001);
+        design.explanation.push_back(others + ".");
+    }
+    return design;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,52 @@
+// The OTF designer "contour_spectrum": an opacity ramp at the isovalue whose isosurfaces are steepest (Bajaj, Pascucci,
+// Schikore 1997; docs/designers/contour-spectrum.md).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "processing/choice_names.h"
+#include "processing/designers/design.h"
+#include "processing/parameter.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// Where the middle of the ramp comes from.
+enum class IsovalueChoice {
+    steepest,  ///< the steepest of maximaOf() the spectrum
+    given,     ///< a person's choice
+};
+inline constexpr std::array allIsovalueChoices{IsovalueChoice::steepest, IsovalueChoice::given};
+inline constexpr ChoiceNames<allIsovalueChoices.size()> isovalueChoiceNames{"steepest", "given"};
+/// "steepest", "given".
+[[nodiscard]] inline std::string_view nameOf(IsovalueChoice choice) { return nameIn(isovalueChoiceNames, choice); }
+[[nodiscard]] inline std::optional<IsovalueChoice> isovalueChoiceFromName(std::string_view name) {
+    return choiceNamed<IsovalueChoice>(isovalueChoiceNames, name);
+}
+
+struct ContourSpectrumConfig {
+    IsovalueChoice choice = IsovalueChoice::steepest;
+    double threshold = 0.2;   ///< normalised intensity, [0,1]; it plays a part where it is the choice
+    double leastArea = 0.1;   ///< share of the largest area, [0,1]: what smaller isosurfaces are like is noise
+    double halfWidth = 0.08;  ///< of the ramp, normalised intensity, [0,1]
+    double opacity = 0.6;     ///< behind the ramp, per unit, [0,1]
+    friend bool operator==(const ContourSpectrumConfig&, const ContourSpectrumConfig&) = default;
+};
+
+[[nodiscard]] std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&);
+
+/// The ramp rises from 0 at the threshold less the half-width to the opacity at the threshold plus the half-width; what
+/// of it lies outside [0,1] is cut off. The plots are "area", "volume", "gradient_integral" and "mean_gradient"; the
+/// facts "threshold", "area", "volume_above" and "mean_gradient" at the ramp, and "maximum_1", "maximum_2", ..., at
+/// most mostMaximumFacts, the isovalues of maximaOf(), steepest first. Areas and volumes are in mm² and mm³ where the
+/// spacing is known, else in units² and units³. Where no isovalue is the steepest, the curve is opacity * x², and the
+/// message says why. It throws std::invalid_argument where a value is out of its range, or where the shown voxels have
+/// another grid.
+[[nodiscard]] std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
+inline constexpr std::size_t mostMaximumFacts = 6;
+
+}  // namespace echolucent
