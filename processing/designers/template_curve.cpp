@@ -1,0 +1,191 @@
+#include "processing/designers/template_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace echolucent {
+
+namespace {
+
+using Config = TemplateConfig;
+
+constexpr std::string_view page = "docs/designers/template.md";
+constexpr int nodes = 256;
+
+template <double Config::*member>
+std::optional<ParameterValue> get(const Config& config) {
+    return config.*member;
+}
+template <double Config::*member>
+bool set(Config& config, const ParameterValue& value) {
+    const std::optional<double> number = numberOf(value);
+    if (number) config.*member = *number;
+    return number.has_value();
+}
+
+bool setComparison(Config& config, const ParameterValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    const auto comparison = name != nullptr ? templateComparisonFromName(*name) : std::nullopt;
+    if (comparison) config.comparison = *comparison;
+    return comparison.has_value();
+}
+
+const std::array<Parameter<Config>, 3>& rows() {
+    static const std::array<Parameter<Config>, 3> table{{
+        {"comparison",
+         "Comparison",
+         "What the intensities of the volume and of the template are compared by: the logarithms of their shares, "
+         "which "
+         "asks little how much of a tissue there is, or the cumulative distributions, which find a change of gain "
+         "alone more exactly",
+         "",
+         page,
+         {},
+         {nameOf(TemplateComparison::logarithm), nameOf(TemplateComparison::cumulative)},
+         [](const Config& config) -> std::optional<ParameterValue> { return std::string(nameOf(config.comparison)); },
+         &setComparison},
+        {"least_slope",
+         "Least slope",
+         "How much the intensity axis of the template may be pressed together",
+         "times",
+         "Rezk-Salama and others 2000",
+         {1.0 / 8.0, 1},
+         {},
+         &get<&Config::leastSlope>,
+         &set<&Config::leastSlope>},
+        {"largest_slope",
+         "Largest slope",
+         "How much the intensity axis of the template may be stretched",
+         "times",
+         "Rezk-Salama and others 2000",
+         {1, 8},
+         {},
+         &get<&Config::largestSlope>,
+         &set<&Config::largestSlope>},
+    }};
+    return table;
+}
+
+/// Throws where a reference that came from elsewhere holds no histogram.
+void check(const std::vector<double>& histogram) {
+    const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
+    const bool areShares = std::ranges::all_of(histogram, [](double share) { return share >= 0.0; });
+    if (histogram.size() != warpBins || !areShares || !(sum == 0.0 || std::abs(sum - 1.0) < 1e-6))
+        throw std::invalid_argument(
+            "TemplateConfig: the histogram of the reference must be 256 shares with a sum of 1, or 0");
+}
+
+std::string rounded(double value, double step) { return textOf(std::round(value / step) * step); }
+
+/// Why a histogram cannot be compared; empty where it can.
+std::string whyNotCompared(const std::vector<double>& histogram, const std::string& what) {
+    const auto filled = std::ranges::count_if(histogram, [](double share) { return share > 0.0; });
+    if (filled == 0) return what + " holds no data";
+    return filled == 1 ? "All data of " + what + " has one intensity" : std::string();
+}
+
+std::string sentence(std::string words) {
+    if (!words.empty() && words[0] == 't') words[0] = 'T';
+    return words;
+}
+
+/// Intensities at the middle of the bins, and the shares there.
+DesignPlot plotOf(std::string name, std::string label, const std::vector<double>& histogram) {
+    DesignPlot plot{std::move(name), std::move(label), "share", {}, histogram};
+    for (std::size_t bin = 0; bin < warpBins; ++bin)
+        plot.intensities.push_back((static_cast<double>(bin) + 0.5) / static_cast<double>(warpBins));
+    return plot;
+}
+
+DesignPlot plotOf(const IntensityWarp& warp) {
+    DesignPlot plot{"warp", "Warp t(v)", "", {}, {}};
+    for (int i = 0; i < nodes; ++i) {
+        const double v = static_cast<double>(i) / (nodes - 1), t = warp.at(v);
+        plot.intensities.push_back(v);
+        plot.values.push_back(t >= 0.0 && t <= 1.0 ? t : std::numeric_limits<double>::quiet_NaN());
+    }
+    return plot;
+}
+
+struct Shift {
+    double from = 0.0, by = 0.0;
+};
+Shift largestShift(const IntensityWarp& warp) {
+    Shift largest;
+    for (int i = 0; i < nodes; ++i) {
+        const double v = static_cast<double>(i) / (nodes - 1), t = warp.at(v);
+        if (t >= 0.0 && t <= 1.0 && std::abs(t - v) > std::abs(largest.by)) largest = {v, t - v};
+    }
+    return largest;
+}
+
+bool isClear(const OpacityCurve& curve) {
+    return std::ranges::all_of(sampledOpacities(curve, nodes), [](double opacity) { return opacity == 0.0; });
+}
+
+SampledCurve carried(const OpacityCurve& curve, const IntensityWarp& warp) {
+    SampledCurve carried;
+    for (int i = 0; i < nodes; ++i)
+        carried.opacities.push_back(opacityAt(curve, warp.inverse(static_cast<double>(i) / (nodes - 1))));
+    return carried;
+}
+
+void describe(const FoundWarp& found, const std::string& name, Design& design) {
+    const std::vector<double>& values = found.warp.values;
+    const Shift shift = largestShift(found.warp);
+    const double slope = values.back() - values.front();
+    design.facts = {{"largest_shift", "Largest shift", shift.by, ""},
+                    {"mean_slope", "Mean slope", slope, ""},
+                    {"distance_before", "Distance before", found.distanceBefore, ""},
+                    {"distance", "Distance", found.distance, ""}};
+    design.explanation = {
+        "The curve of the template \"" + name + "\" was carried over: what is " + rounded(shift.from, 0.001) +
+            " there is " + rounded(shift.from + shift.by, 0.001) + " here, which is the largest shift.",
+        "The distributions of intensities were " + rounded(found.distanceBefore, 0.001) + " apart before and are " +
+            rounded(found.distance, 0.001) + " apart now; the warp has a mean slope of " + rounded(slope, 0.001) + "."};
+}
+
+}  // namespace
+
+std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&) { return rows(); }
+
+std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input, const Progress& progress) {
+    const std::string problem = problemIn(parametersOf(config), config);
+    if (!problem.empty()) throw std::invalid_argument("TemplateConfig: " + problem);
+    const TemplateReference& reference = *config.reference;
+    check(reference.histogram);
+    if (input.raw.geometry().size != input.shown.geometry().size)
+        throw std::invalid_argument("TemplateConfig: the shown voxels have another grid");
+    if (progress.cancelled()) return std::nullopt;
+    const std::vector<double> shown = templateFrom(input.shown, {}, {}).histogram;
+    Design design{reference.curve};
+    design.plots = {plotOf("reference_histogram", "Intensities of the template", reference.histogram),
+                    plotOf("histogram", "Intensities", shown)};
+    std::string why = whyNotCompared(shown, "the volume");
+    if (why.empty()) why = whyNotCompared(reference.histogram, "the template");
+    if (isClear(reference.curve)) {
+        design.classification = PowerCurve{2, 1.0};
+        design.message = "The template's curve shows nothing: the square of the intensity is used.";
+        return design;
+    }
+    if (!why.empty()) {
+        design.message = sentence(why) + ": the curve of the template is used as it is.";
+        return design;
+    }
+    const auto found =
+        findWarp(reference.histogram, shown, {config.comparison, config.leastSlope, config.largestSlope}, progress);
+    if (!found) return std::nullopt;
+    design.classification = carried(reference.curve, found->warp);
+    design.plots.insert(design.plots.begin(), plotOf(found->warp));
+    describe(*found, reference.name, design);
+    return design;
+}
+
+}  // namespace echolucent
