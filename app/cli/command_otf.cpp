@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/design_report.h"
+#include "app/cli/designer_options.h"
 #include "app/cli/look_options.h"
 #include "app/cli/otf_report.h"
 #include "io/output/atomic_file.h"
@@ -17,6 +20,7 @@ struct OtfOptions {
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
+    DesignerOptions designer;
     std::string json, csv, tubesCsv;
 };
 
@@ -36,6 +40,24 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
     return {};
 }
 
+/// What a designer other than the adaptive one makes.
+Result<void> write(const OtfOptions& options, const Volume& volume, const DesignRun& run, const ChosenBeam& beam) {
+    if (options.json.empty() && options.csv.empty()) return writeFileAtomically("-", summary(run));
+    if (!options.json.empty())
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, run, beam)); !done) return done;
+    if (!options.csv.empty())
+        if (auto done = writeFileAtomically(options.csv, curveTable(run.design)); !done) return done;
+    if (!run.design.message.empty()) std::fprintf(stderr, "%s\n", run.design.message.c_str());
+    return {};
+}
+
+DesignRun runOf(const DesignerConfig& designer, const DesignerInput& input) {
+    const auto begin = std::chrono::steady_clock::now();
+    Design made = *design(designer, input);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    return {designer, std::move(made), input.view, input.reduction, took.count()};
+}
+
 Result<void> computeOtf(const OtfOptions& options) {
     const int toStandardOutput = (options.json == "-") + (options.csv == "-") + (options.tubesCsv == "-");
     if (toStandardOutput > 1)
@@ -47,6 +69,12 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (!view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
+    const auto designer = options.designer.get();
+    if (!designer) return tl::unexpected<Failure>(designer.error());
+    const bool adaptive = !*designer || designerOf(**designer) == Designer::adaptive;
+    if (!adaptive && !options.tubesCsv.empty())
+        return wrongUsage("--tubes-csv", "plays no part beside --designer " + options.designer.name,
+                          "Leave it out: only the adaptive OTF comes from tube cores alone.");
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
     const auto volume = options.volume.readPhase(outputs);
@@ -55,6 +83,8 @@ Result<void> computeOtf(const OtfOptions& options) {
     const auto cut = options.view.get(**volume, beam);
     if (!cut) return tl::unexpected<Failure>(cut.error());
     const auto quiet = quietVolume(**volume, look->reduction);
+    if (!adaptive)
+        return write(options, **volume, runOf(**designer, {**volume, *quiet, look->reduction, *cut, *config}), beam);
     const auto otf = adaptOpacity(**volume, *cut, *config, {}, {&*quiet, look->reduction});
     return write(options, **volume, *otf, beam);
 }
@@ -63,14 +93,18 @@ Result<void> computeOtf(const OtfOptions& options) {
 
 void addOtfCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<OtfOptions>();
-    CLI::App& command = *program.add_subcommand("otf", "Computes the adaptive opacity transfer function of a volume");
+    CLI::App& command = *program.add_subcommand(
+        "otf", "Computes an opacity transfer function of a volume: the adaptive one, or that of another designer");
     options->volume.addTo(command);
     options->view.addTo(command);
     options->method.addTo(command);
     options->look.addTo(command, {"reduction"});
+    options->designer.addTo(command);
     command.add_option("--json", options->json, "Everything as JSON (docs/cli-otf.md); - is standard output")
         ->type_name("FILE");
-    command.add_option("--csv", options->csv, "The curve: intensity,opacity,log_opacity,initial_opacity")
+    command
+        .add_option("--csv", options->csv,
+                    "The curve: intensity,opacity,log_opacity,initial_opacity; of other designers without the last two")
         ->type_name("FILE");
     command.add_option("--tubes-csv", options->tubesCsv, "The tube cores, one a row")->type_name("FILE");
     command.footer("Example: echolucent-cli otf chest.mha --beam-axis +y --near 18 --json chest-otf.json");

@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/designer_options.h"
 #include "app/cli/document_render.h"
 #include "app/cli/look_options.h"
 #include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
 #include "io/import_report.h"
 #include "io/output/picture_file.h"
-#include "processing/adaptive/adaptive_otf.h"
 #include "processing/picture/empty_picture.h"
 #include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
@@ -24,6 +24,7 @@ struct RenderOptions {
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
+    DesignerOptions designer;
     std::string otf = "adaptive";
     std::string size = "512x512";
     std::string background = "0,0,0";
@@ -58,21 +59,22 @@ Result<Vec3> backgroundFrom(const std::string& text) {
     return colour;
 }
 
-/// The curve that was asked for; the adaptive one is computed for the rendered view, near cut included.
-OpacityCurve curveFor(const Volume& volume, const QuietVoxels& shown, const Viewpoint& view,
-                      const std::optional<OpacityCurve>& named, const AdaptiveOtfConfig& config) {
-    if (named) return *named;
-    const auto otf = adaptOpacity(volume, view, config, {}, shown);
-    if (!otf->message.empty()) std::fprintf(stderr, "%s\n", otf->message.c_str());
-    return otf->curve;
+/// What the picture is rendered with: the curve that was asked for, or what a designer makes for the rendered view,
+/// near cut included.
+Classification classificationFor(const std::optional<OpacityCurve>& named,
+                                 const std::optional<DesignerConfig>& designer, const DesignerInput& input) {
+    if (named && !designer) return *named;
+    auto made = design(designer.value_or(AdaptiveConfig{}), input);
+    if (!made->message.empty()) std::fprintf(stderr, "%s\n", made->message.c_str());
+    return std::move(made->classification);
 }
 
 /// Says on stderr why nothing is seen, where the curve is the reason.
-void explainEmptiness(const Picture& picture, const OpacityCurve& curve, const Volume& volume) {
+void explainEmptiness(const Picture& picture, const Classification& classification, const Volume& volume) {
     constexpr float leastSeen = 1.0f / 255.0f;
     for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4)
         if (picture.rgba[alpha] >= leastSeen) return;
-    const std::string why = whyNothingShows(curve, intensityHistogram(volume));
+    const std::string why = whyNothingShows(upperCurveOf(classification), intensityHistogram(volume));
     if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
 }
 
@@ -88,7 +90,7 @@ Result<void> renderDocument(const RenderOptions& options, const CLI::App& comman
     const auto shown = cli::renderDocument(options.document, options.volume, *size, options.output);
     if (!shown) return tl::unexpected<Failure>(shown.error());
     if (!shown->message.empty()) std::fprintf(stderr, "%s\n", shown->message.c_str());
-    if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->curve, *shown->voxels);
+    if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->classification, *shown->voxels);
     return writePng(options.output, shown->picture.width, shown->picture.height,
                     overBackground(shown->picture, *background));
 }
@@ -107,7 +109,12 @@ Result<void> render(const RenderOptions& options) {
     if (!look) return tl::unexpected<Failure>(look.error());
     auto settings = settingsFrom(options, *look);
     if (!settings) return tl::unexpected<Failure>(settings.error());
-    if (settings->mode != RenderMode::direct) *named = PowerCurve{};  // no curve is computed that plays no part
+    auto designer = options.designer.get();
+    if (!designer) return tl::unexpected<Failure>(designer.error());
+    if (settings->mode != RenderMode::direct) {  // no OTF is computed that plays no part
+        *named = PowerCurve{};
+        designer->reset();
+    }
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
 
@@ -124,9 +131,10 @@ Result<void> render(const RenderOptions& options) {
     settings->camera.projection = projection;
     *settings = limitedTo(*view, geometry, *settings);
     const Volume shown = *quietVolume(*volume, look->reduction);
-    const OpacityCurve curve = curveFor(*volume, {&shown, look->reduction}, *view, *named, *config);
-    const auto picture = castRays(shown, curve, *settings);
-    if (settings->mode == RenderMode::direct) explainEmptiness(*picture, curve, shown);
+    const Classification classification =
+        classificationFor(*named, *designer, {*volume, shown, look->reduction, *view, *config});
+    const auto picture = castRays(shown, classification, *settings);
+    if (settings->mode == RenderMode::direct) explainEmptiness(*picture, classification, shown);
     std::vector<std::uint8_t> rgb = overBackground(*picture, *background);
     writeWords(rgb, picture->width, picture->height, pictureWordsOf(geometry));
     return writePng(options.output, picture->width, picture->height, rgb);
@@ -145,6 +153,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
                     "linear, parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
         ->type_name("NAME")
         ->capture_default_str();
+    options->designer.addTo(command);
+    command.get_option("--designer")->excludes("--otf");
     options->view.addTo(command);
     options->method.addTo(command);
     options->look.addTo(command);

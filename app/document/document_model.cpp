@@ -97,6 +97,7 @@ void DocumentModel::set(Document next) {
     if (after.motionAngle != before.motionAngle) emit motionAngleChanged();
     if (after.looks != before.looks) emit looksChanged();
     if (after.curves != before.curves) emit curvesChanged();
+    if (after.designs != before.designs) emit designsChanged();
     if (after.method != before.method) emit methodChanged();
     if (after != before) emit changed();
 }

@@ -65,6 +65,8 @@ signals:
     void strokesChanged();
     void measurementsChanged();
     void curvesChanged();
+    /// Designs that views are rendered with were added, removed or set otherwise.
+    void designsChanged();
     void methodChanged();
     void motionChanged();
     /// Another phase is shown.

@@ -17,6 +17,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     addStudyLightCommand(study, action);
     addStudyQuietCommand(study, action);
     addStudyCutCommand(study, action);
+    addStudyDesignersCommand(study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }
 

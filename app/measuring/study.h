@@ -21,6 +21,7 @@ void addStudyRenderCommand(CLI::App& study, Action& action);
 void addStudyLightCommand(CLI::App& study, Action& action);
 void addStudyQuietCommand(CLI::App& study, Action& action);
 void addStudyCutCommand(CLI::App& study, Action& action);
+void addStudyDesignersCommand(CLI::App& study, Action& action);
 
 /// Where a study writes its files.
 class StudyFolder {

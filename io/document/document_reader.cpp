@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "io/document/design_json.h"
 #include "io/document/session_file.h"
 #include "io/input_file.h"
 #include "io/json_document.h"
@@ -149,10 +150,16 @@ std::vector<Shared<Value>> listIn(JsonFields& root, const char* key, Value (*val
 
 std::vector<View> viewsIn(JsonFields& root) {
     std::vector<View> views;
-    for (JsonFields& fields : root.list("views", mostEntries))
+    for (JsonFields& fields : root.list("views", mostEntries)) {
         views.push_back({idIn(fields), idIn(fields, "pose"), idIn(fields, "cut"), idIn(fields, "look"),
                          idIn(fields, "phase"), fields.choice("curve", &curveKindFromName), idIn(fields, "box"),
                          idIn(fields, "planes"), idIn(fields, "strokes")});
+        // Documents that were written before there were designers have neither.
+        if (fields.has("design")) views.back().design = idIn(fields, "design");
+        if (fields.has("without_tubes"))
+            for (const std::int64_t tube : fields.wholes("without_tubes", 0, largestId))
+                views.back().withoutTubes.push_back(static_cast<int>(tube));
+    }
     return views;
 }
 
@@ -197,6 +204,7 @@ Document documentIn(JsonFields root) {
     document.measurements = measurementsIn(root);
     document.phases = listIn(root, "phases", &phaseIn);
     document.curves = curvesIn(root.object("curves"));
+    if (root.has("designs")) document.designs = listIn(root, "designs", &designIn);
     JsonFields method = root.object("method");
     document.method = methodIn(method);
     document.method.direction = directionIn(method.object("direction"));

@@ -3,6 +3,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "io/document/design_json.h"
 #include "io/document/session_file.h"
 #include "io/json_document.h"
 #include "io/json_values.h"
@@ -122,7 +123,7 @@ ordered_json listJson(const std::vector<Shared<Value>>& list, ordered_json (*val
 
 ordered_json viewsJson(const std::vector<View>& views) {
     ordered_json entries = ordered_json::array();
-    for (const View& view : views)
+    for (const View& view : views) {
         entries.push_back({{"id", view.id},
                            {"pose", view.pose},
                            {"cut", view.cut},
@@ -132,6 +133,10 @@ ordered_json viewsJson(const std::vector<View>& views) {
                            {"box", view.box},
                            {"planes", view.planes},
                            {"strokes", view.strokes}});
+        // Most views have neither.
+        if (view.design != 0) entries.back()["design"] = view.design;
+        if (!view.withoutTubes.empty()) entries.back()["without_tubes"] = view.withoutTubes;
+    }
     return entries;
 }
 
@@ -186,6 +191,7 @@ ordered_json documentJson(const Document& document) {
     object["measurements"] = measurementsJson(document.measurements);
     object["phases"] = phasesJson(document.phases);
     object["curves"] = curvesJson(document.curves);
+    if (!document.designs.empty()) object["designs"] = listJson(document.designs, &designJson);
     object["method"] = methodJson(document.method);
     object["method"]["direction"] = directionJson(document.method.direction);
     object["motion"] = motionJson(document);

@@ -17,23 +17,55 @@ double riseOf(const std::vector<double>& opacities) {
     return static_cast<double>(at - opacities.begin()) / static_cast<double>(opacities.size() - 1);
 }
 
+/// Of which intensity before the adjustment an intensity shows the opacity, where the curve had these opacities.
+class StretchedIntensities {
+public:
+    StretchedIntensities(const std::vector<double>& opacities, double threshold)
+        : m_threshold(threshold),
+          m_rise(std::clamp(riseOf(opacities), leastRise, mostRise)),
+          m_moved(std::clamp(m_rise + threshold, leastRise, mostRise)) {}
+    [[nodiscard]] double before(double intensity) const {
+        if (m_threshold == 0.0) return intensity;
+        return intensity <= m_moved ? intensity * m_rise / m_moved
+                                    : 1.0 - (1.0 - intensity) * (1.0 - m_rise) / (1.0 - m_moved);
+    }
+
+private:
+    double m_threshold, m_rise, m_moved;
+};
+
+bool isClear(const std::vector<double>& opacities) {
+    return std::ranges::all_of(opacities, [](double opacity) { return opacity == 0.0; });
+}
+
+double depthFactorOf(const CurveAdjustment& adjustment) { return std::pow(4.0, -adjustment.transparency); }
+
 }  // namespace
 
 OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustment) {
     if (adjustment == CurveAdjustment{}) return curve;
     SampledCurve sampled{sampledOpacities(curve, tableIntensities)};
-    if (std::ranges::all_of(sampled.opacities, [](double opacity) { return opacity == 0.0; })) return curve;
-    const double rise = std::clamp(riseOf(sampled.opacities), leastRise, mostRise);
-    const double moved = std::clamp(rise + adjustment.threshold, leastRise, mostRise);
-    const double depth = std::pow(4.0, -adjustment.transparency);
+    if (isClear(sampled.opacities)) return curve;
+    const StretchedIntensities stretched(sampled.opacities, adjustment.threshold);
+    const double depth = depthFactorOf(adjustment);
     for (int i = 0; i < tableIntensities; ++i) {
-        const double intensity = static_cast<double>(i) / (tableIntensities - 1);
-        const double before = adjustment.threshold == 0.0 ? intensity
-                              : intensity <= moved        ? intensity * rise / moved
-                                                          : 1.0 - (1.0 - intensity) * (1.0 - rise) / (1.0 - moved);
+        const double before = stretched.before(static_cast<double>(i) / (tableIntensities - 1));
         sampled.opacities[static_cast<std::size_t>(i)] = opacityForStep(opacityAt(curve, before), depth);
     }
     return sampled;
+}
+
+Classification adjusted(const Classification& classification, const CurveAdjustment& adjustment) {
+    if (!classification.isTwoDimensional()) return adjusted(classification.curve(), adjustment);
+    if (adjustment == CurveAdjustment{}) return classification;
+    const std::vector<double> upper = sampledOpacities(upperCurveOf(classification), tableIntensities);
+    if (isClear(upper)) return classification;
+    const TwoDimensionalOtf& otf = *classification.twoDimensional();
+    const StretchedIntensities stretched(upper, adjustment.threshold);
+    const double depth = depthFactorOf(adjustment);
+    return Classification(tabulated(otf.intensities, otf.gradients, otf.largestGradient, [&](double f, double g) {
+        return opacityForStep(opacityAt(otf, stretched.before(f), g), depth);
+    }));
 }
 
 }  // namespace echolucent

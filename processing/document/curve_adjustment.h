@@ -1,7 +1,7 @@
 // Two sliders that move whichever curve is rendered.
 #pragma once
 
-#include "processing/opacity_curve.h"
+#include "processing/classification.h"
 
 namespace echolucent {
 
@@ -21,5 +21,8 @@ inline constexpr double largestThreshold = 0.5, largestTransparency = 1.0;
 /// The rise is where the curve first reaches half of its largest opacity. Below and above it intensities are stretched
 /// linearly, so that 0 and 1 stay where they are.
 [[nodiscard]] OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustment);
+/// The same of whatever is rendered. Of a two-dimensional OTF the rise is that of its upper curve, and intensities are
+/// stretched at every gradient alike; its nodes stay as many as they are.
+[[nodiscard]] Classification adjusted(const Classification& classification, const CurveAdjustment& adjustment);
 
 }  // namespace echolucent

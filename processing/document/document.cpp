@@ -117,7 +117,53 @@ OpacityCurve curveOf(const Document& document, int view, const SampledCurve& ada
     return renderedCurve(document.curves, viewOf(document, view).curve, adaptive);
 }
 
+const DesignerConfig* designOf(const Document& document, int view) {
+    const int design = viewOf(document, view).design;
+    return design == 0 ? nullptr : &withId(document.designs, design, "design").value;
+}
+
+namespace {
+
+void removeUnusedDesigns(Document& document) {
+    std::erase_if(document.designs, [&](const Shared<DesignerConfig>& design) {
+        return std::ranges::none_of(document.views, [&](const View& view) { return view.design == design.id; });
+    });
+}
+
+}  // namespace
+
+Document withDesign(Document document, int view, const DesignerConfig& config) {
+    View& shown = viewOf(document, view);
+    if (shown.design == 0) {
+        int free = 1;
+        while (has(document.designs, free)) ++free;
+        shown.design = free;
+        document.designs.push_back({free, config});
+    } else {
+        withId(document.designs, shown.design, "design").value = config;
+    }
+    removeUnusedDesigns(document);
+    return document;
+}
+
+Document withCurve(Document document, int view, CurveKind curve) {
+    viewOf(document, view).curve = curve;
+    viewOf(document, view).design = 0;
+    removeUnusedDesigns(document);
+    return document;
+}
+
 AdaptiveOtfConfig configOf(const Document& document) { return configOf(document.method, document.curves); }
+
+AdaptiveOtfConfig configOf(const Document& document, int view) {
+    AdaptiveOtfConfig config = configOf(document);
+    std::vector<int>& without = config.grid.withoutTubes;
+    for (const int tube : viewOf(document, view).withoutTubes)
+        if (tube < config.grid.columns * config.grid.rows) without.push_back(tube);
+    std::ranges::sort(without);
+    without.erase(std::unique(without.begin(), without.end()), without.end());
+    return config;
+}
 
 Document withShown(Document document, const Document& shown) {
     document.phases = shown.phases;
@@ -140,6 +186,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     }
     for (auto& strokes : opened.strokes) strokes.value.list.clear();
     opened.measurements.clear();
+    for (View& view : opened.views) view.withoutTubes.clear();
     for (Shared<int>& phase : opened.phases) phase.value = 0;
     opened.motion.phaseRange.reset();
     opened.motion.otfPhase = 0;
@@ -160,6 +207,11 @@ std::string problemOf(const Document& document) {
     if (!unique(document.planes)) return "planes must have an id of its own each";
     if (!unique(document.strokes)) return "strokes must have an id of its own each";
     if (!unique(document.phases)) return "phases must have an id of its own each";
+    if (!unique(document.designs)) return "designs must have an id of its own each";
+    if (has(document.designs, 0)) return "designs must have ids from 1 on";
+    for (std::size_t i = 0; i < document.designs.size(); ++i)
+        if (const std::string problem = problemOf(document.designs[i].value); !problem.empty())
+            return "designs[" + std::to_string(i) + "] " + problem;
     if (!unique(document.measurements)) return "measurements must have an id of its own each";
     if (const std::string problem = problemOf(document.motion); !problem.empty()) return "motion." + problem;
     for (std::size_t i = 0; i < document.measurements.size(); ++i)
@@ -185,6 +237,9 @@ std::string problemOf(const Document& document) {
         if (!has(document.boxes, view.box)) return place + "box names no box";
         if (!has(document.planes, view.planes)) return place + "planes names no planes";
         if (!has(document.strokes, view.strokes)) return place + "strokes names no strokes";
+        if (view.design != 0 && !has(document.designs, view.design)) return place + "design names no design";
+        if (std::ranges::any_of(view.withoutTubes, [](int tube) { return tube < 0; }))
+            return place + "without_tubes must hold numbers from 0 on";
     }
     return {};
 }

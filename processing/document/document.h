@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "processing/cut_surface.h"
+#include "processing/designers/designer.h"
 #include "processing/document/box.h"
 #include "processing/document/curve_set.h"
 #include "processing/document/measurement.h"
@@ -63,6 +64,10 @@ struct View {
     int box = 1;
     int planes = 1;
     int strokes = 1;
+    int design = 0;  ///< of Document::designs: the designer whose OTF is rendered in the curve's place; 0 is none
+    /// Row-major numbers of tube cores that are never placed for this view's adaptive OTF, beside those of the method
+    /// (TubeGrid::withoutTubes).
+    std::vector<int> withoutTubes{};
     friend bool operator==(const View&, const View&) = default;
 };
 
@@ -79,6 +84,7 @@ struct Document {
     std::vector<Shared<Strokes>> strokes{{}};
     std::vector<Measurement> measurements{};  ///< of the volume: every view shows them
     CurveSet curves;
+    std::vector<Shared<DesignerConfig>> designs{};  ///< of the designers that views are rendered with
     MethodChoice method;
     MotionChoice motion;
     // What plays. Showing another phase or frame is no step of the undo stack (withShown()).
@@ -114,10 +120,20 @@ struct Document {
 [[nodiscard]] Viewpoint viewpointOf(const Document& document, int view);
 /// From where the adaptive OTF of a view is computed: the method's direction, the view's cut and its box.
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, int view);
-/// The curve that a view is rendered with, adjusted; `adaptive` as in curveOf(CurveSet, ...).
+/// The curve that a view is rendered with where it has no design, adjusted; `adaptive` as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive);
+/// The designer that a view is rendered with, as it is configured; null where it is rendered with a curve.
+[[nodiscard]] const DesignerConfig* designOf(const Document& document, int view);
+/// The document in which a view is rendered with a designer: a view of its own design keeps that one, which becomes
+/// `config`; else a design is added. Designs that no view refers to are removed.
+[[nodiscard]] Document withDesign(Document document, int view, const DesignerConfig& config);
+/// The document in which a view is rendered with a curve and no design.
+[[nodiscard]] Document withCurve(Document document, int view, CurveKind curve);
 /// What adaptOpacity() is to be run with.
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document);
+/// The same for a view, without the tube cores that are never placed for it. Those that its grid does not hold are left
+/// out.
+[[nodiscard]] AdaptiveOtfConfig configOf(const Document& document, int view);
 
 /// The document with the phases and the frame of the motion that another one shows.
 [[nodiscard]] Document withShown(Document document, const Document& shown);

@@ -63,7 +63,7 @@ Document withPreset(Document document, int view, const Preset& preset) {
         return taken;
     }();
     if (look.mode != RenderMode::direct) return document;
-    viewOf(document, view).curve = preset.curve;
+    document = withCurve(std::move(document), view, preset.curve);
     takeCurve(document.curves, preset.curves, preset.curve);
     document.curves.adjustment = preset.curves.adjustment;
     if (preset.curve != CurveKind::adaptive || !preset.method) return document;
@@ -82,6 +82,7 @@ bool isMadeBy(const Document& document, int view, const Preset& preset) {
     Document parts;
     lookOf(parts, 1) = lookOf(document, view);
     viewOf(parts, 1).curve = viewOf(document, view).curve;
+    if (const DesignerConfig* config = designOf(document, view)) parts = withDesign(parts, 1, *config);
     parts.curves = document.curves;
     parts.method = document.method;
     return withPreset(parts, 1, preset) == parts;

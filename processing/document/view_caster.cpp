@@ -36,8 +36,20 @@ RayCastSettings castSettingsOf(const Document& document, int view, const VolumeG
     return limitedTo(limits, geometry, std::move(settings));
 }
 
-bool needsAdaptiveOtf(const Document& document, int view) {
-    return viewOf(document, view).curve == CurveKind::adaptive && lookOf(document, view).mode == RenderMode::direct;
+bool needsComputedOtf(const Document& document, int view) {
+    const View& shown = viewOf(document, view);
+    const bool computed = shown.design != 0 || shown.curve == CurveKind::adaptive;
+    return computed && lookOf(document, view).mode == RenderMode::direct;
+}
+
+Classification classificationOf(const Document& document, int view, const ViewOtf& otf) {
+    if (designOf(document, view) == nullptr) return curveOf(document, view, otf.curve);
+    return adjusted(otf.designed.value_or(ManualCurve{}), document.curves.adjustment);
+}
+
+DesignerInput designerInputOf(const Document& document, int view, const Volume& raw, const Volume& shown,
+                              SpeckleReduction reduction) {
+    return {raw, shown, reduction, otfViewpointOf(document, view), configOf(document, view)};
 }
 
 int otfPhaseOf(const Document& document, int view, int phases) {
@@ -75,11 +87,16 @@ std::optional<ViewOtf> ViewCaster::otf(const Document& document, int view, const
     const Progress silent{{}, progress.cancel};
     const Voxels* of = voxels(document, view, otfPhaseOf(document, view, phaseCount()), silent);
     if (!of) return std::nullopt;
+    if (const DesignerConfig* config = designOf(document, view)) {
+        auto made = design(*config, designerInputOf(document, view, *of->raw, *of->shown, of->reduction), silent);
+        if (!made) return std::nullopt;
+        return ViewOtf{.designed = std::move(made->classification), .message = std::move(made->message)};
+    }
     const QuietVoxels shown =
         of->reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{of->shown.get(), of->reduction};
-    auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, view), configOf(document), silent, shown);
+    auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, view), configOf(document, view), silent, shown);
     if (!otf) return std::nullopt;
-    return ViewOtf{std::move(otf->curve), std::move(otf->message)};
+    return ViewOtf{.curve = std::move(otf->curve), .message = std::move(otf->message)};
 }
 
 std::optional<ViewPicture> ViewCaster::picture(const Document& document, int view, int width, int height,
@@ -88,13 +105,13 @@ std::optional<ViewPicture> ViewCaster::picture(const Document& document, int vie
     if (!of) return std::nullopt;
     const RayCastSettings settings =
         converged(castSettingsOf(document, view, of->shown->geometry(), of->shown->dataBox(), width, height));
-    const OpacityCurve curve = curveOf(document, view, otf.curve);
+    const Classification classification = classificationOf(document, view, otf);
     // From the samples of a view that is cast again pictures follow to half a level only.
     if (!m_rays || m_rays->volume() != of->shown || m_cast == settings) m_rays.emplace(of->shown);
     m_cast = settings;
-    auto picture = m_rays->cast(curve, settings, progress);
+    auto picture = m_rays->cast(classification, settings, progress);
     if (!picture) return std::nullopt;
-    return ViewPicture{std::move(*picture), settings, curve, of->shown, otf.message};
+    return ViewPicture{std::move(*picture), settings, classification, of->shown, otf.message};
 }
 
 }  // namespace echolucent

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "processing/classification.h"
 #include "processing/document/document.h"
-#include "processing/opacity_curve.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
@@ -26,9 +26,9 @@ namespace echolucent {
 struct ViewPicture {
     Picture picture;
     RayCastSettings cast;                  ///< what it was cast with
-    OpacityCurve curve;                    ///< that it is rendered with
+    Classification classification;         ///< that it is rendered with
     std::shared_ptr<const Volume> voxels;  ///< quiet where speckle is reduced, and cut by the strokes
-    std::string message;                   ///< what the adaptive OTF has to say; else empty
+    std::string message;                   ///< what the OTF that was computed has to say; else empty
 };
 
 /// The phases of a study.
@@ -40,16 +40,25 @@ struct StudyPhases {
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of `quiet`; a view of another one makes its own
 };
 
-/// The curve that a view is shown with where it is adaptive.
+/// What is computed of the voxels to render a view with.
 struct ViewOtf {
-    SampledCurve curve{};
-    std::string message{};  ///< what the adaptive OTF has to say
+    SampledCurve curve{};                      ///< the adaptive one, where the view is rendered with it
+    std::optional<Classification> designed{};  ///< what its designer made, where it has a design
+    std::string message{};                     ///< what either has to say
 };
 
-/// Whether the adaptive OTF plays a part in a view's picture: in direct mode, where the view is rendered with it.
-[[nodiscard]] bool needsAdaptiveOtf(const Document& document, int view);
+/// Whether an OTF that is computed plays a part in a view's picture: in direct mode, where the view is rendered with
+/// the adaptive one or with a design.
+[[nodiscard]] bool needsComputedOtf(const Document& document, int view);
 
-/// The phase whose adaptive OTF a view shows: where one OTF is chosen for all frames of a study of several phases,
+/// What a view is rendered with, adjusted. A design that is not computed yet is clear everywhere.
+[[nodiscard]] Classification classificationOf(const Document& document, int view, const ViewOtf& otf);
+
+/// What the designer of a view is given, where it has one; the volumes outlive it. The view is otfViewpointOf().
+[[nodiscard]] DesignerInput designerInputOf(const Document& document, int view, const Volume& raw, const Volume& shown,
+                                            SpeckleReduction reduction);
+
+/// The phase whose computed OTF a view shows: where one OTF is chosen for all frames of a study of several phases,
 /// MotionChoice::otfPhase, or the last phase where there are not so many; else the phase that the view shows.
 [[nodiscard]] int otfPhaseOf(const Document& document, int view, int phases);
 
@@ -61,10 +70,12 @@ public:
 
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_phases.scans.size()); }
     /// The adaptive OTF of a view, computed from raw voxels of the phase otfPhaseOf() along otfViewpointOf(), for the
-    /// voxels that are shown of that phase. The result is empty only where progress.cancel was raised.
+    /// voxels that are shown of that phase; or what the designer of its design makes of that phase. The result is empty
+    /// only where progress.cancel was raised.
     [[nodiscard]] std::optional<ViewOtf> otf(const Document& document, int view, const Progress& progress = {});
-    /// The converged picture of the phase that a view shows; `otf` is its adaptive curve, where that plays a part. The
-    /// result is empty only where progress.cancel was raised. Throws std::out_of_range where there is no such phase.
+    /// The converged picture of the phase that a view shows; `otf` is what is computed to render it with, where that
+    /// plays a part. The result is empty only where progress.cancel was raised. Throws std::out_of_range where there is
+    /// no such phase.
     [[nodiscard]] std::optional<ViewPicture> picture(const Document& document, int view, int width, int height,
                                                      const ViewOtf& otf, const Progress& progress = {});
 

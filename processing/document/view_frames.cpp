@@ -53,6 +53,8 @@ std::optional<ViewOtf> ViewFrames::unsmoothed(int frame, const Progress& progres
 }
 
 std::optional<ViewOtf> ViewFrames::otf(int frame, const Progress& progress) {
+    // What designers make may be two-dimensional, and is not smoothed.
+    if (designOf(m_document, m_view) != nullptr) return unsmoothed(frame, progress);
     const OtfSmoothing smoothing = smoothingOf(m_document.motion.otf).value_or(OtfSmoothing::none);
     OtfHistory history(smoothing);
     ViewOtf shown;
@@ -61,14 +63,14 @@ std::optional<ViewOtf> ViewFrames::otf(int frame, const Progress& progress) {
         const int place = ((frame - before) % count() + count()) % count();
         const auto own = unsmoothed(place, progress);
         if (!own) return std::nullopt;
-        shown = {history.add(-before, own->curve), own->message};
+        shown = {.curve = history.add(-before, own->curve), .message = own->message};
     }
     return shown;
 }
 
 std::optional<ViewPicture> ViewFrames::picture(int frame, int width, int height, const Progress& progress) {
     ViewOtf shown;
-    if (needsAdaptiveOtf(m_document, m_view)) {
+    if (needsComputedOtf(m_document, m_view)) {
         auto computed = otf(frame, progress);
         if (!computed) return std::nullopt;
         shown = std::move(*computed);

@@ -9,7 +9,7 @@ std::optional<ViewPicture> viewPicture(const Document& document, int view,
                                        const Progress& progress) {
     ViewCaster caster({.scans = {scans.begin(), scans.end()}});
     ViewOtf otf;
-    if (needsAdaptiveOtf(document, view)) {
+    if (needsComputedOtf(document, view)) {
         auto computed = caster.otf(document, view, progress);
         if (!computed) return std::nullopt;
         otf = std::move(*computed);

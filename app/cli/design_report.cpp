@@ -1,0 +1,120 @@
+#include "app/cli/design_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace echolucent::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const Vec3& vector) { return Json::array({vector[0], vector[1], vector[2]}); }
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json parameters(const DesignerConfig& config) {
+    Json all = Json::object();
+    forEachParameter(config, [&](const auto& row, const auto& values) {
+        if (const auto value = row.get(values))
+            std::visit([&](const auto& plain) { all[std::string(row.name)] = plain; }, *value);
+    });
+    return all;
+}
+
+double intensityOf(int sample) { return static_cast<double>(sample) / (AdaptiveOtf::sampleCount - 1); }
+
+Json otfObject(const Classification& classification) {
+    if (classification.isTwoDimensional()) {
+        const TwoDimensionalOtf& otf = *classification.twoDimensional();
+        return {{"dimensions", 2},
+                {"intensities", otf.intensities},
+                {"gradients", otf.gradients},
+                {"largest_gradient", otf.largestGradient},
+                {"opacity", otf.opacities}};
+    }
+    Json intensities = Json::array(), opacities = Json::array();
+    for (int i = 0; i < AdaptiveOtf::sampleCount; ++i) {
+        intensities.push_back(intensityOf(i));
+        opacities.push_back(opacityAt(classification.curve(), intensityOf(i)));
+    }
+    return {{"dimensions", 1}, {"intensity", intensities}, {"opacity", opacities}};
+}
+
+Json plotsArray(const Design& design) {
+    Json plots = Json::array();
+    for (const DesignPlot& plot : design.plots) {
+        Json values = Json::array();
+        for (const double value : plot.values) values.push_back(finite(value));
+        plots.push_back({{"name", plot.name},
+                         {"label", plot.label},
+                         {"unit", plot.unit},
+                         {"intensity", plot.intensities},
+                         {"value", values}});
+    }
+    return plots;
+}
+
+}  // namespace
+
+std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenBeam& beam) {
+    const VolumeGeometry& geometry = volume.geometry();
+    Json report;
+    report["designer"] = echolucent::nameOf(designerOf(run.config));
+    report["message"] = run.design.message;
+    report["explanation"] = run.design.explanation;
+    report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
+                        {"spacing_mm", triple(geometry.spacing)},
+                        {"spacing_known", geometry.spacingKnown},
+                        {"type", volume.typeName()},
+                        {"white_level", volume.whiteLevel()}};
+    report["view"] = {{"beam_axis", echolucent::nameOf(run.view.beamAxis)},
+                      {"azimuth", run.view.azimuthDegrees},
+                      {"elevation", run.view.elevationDegrees},
+                      {"near_mm", run.view.nearCutMm}};
+    report["beam"] = {{"axis", echolucent::nameOf(beam.axis)},
+                      {"source", beam.source},
+                      {"confidence", beam.confidence ? Json(*beam.confidence) : Json()}};
+    report["reduction"] = echolucent::nameOf(run.reduction);
+    report["parameters"] = parameters(run.config);
+    report["time_ms"] = run.milliseconds;
+    report["facts"] = Json::object();
+    for (const DesignFact& fact : run.design.facts)
+        report["facts"][fact.name] = {{"label", fact.label}, {"value", finite(fact.value)}, {"unit", fact.unit}};
+    report["plots"] = plotsArray(run.design);
+    report["otf"] = otfObject(run.design.classification);
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string curveTable(const Design& design) {
+    if (!design.classification.isTwoDimensional()) {
+        std::string table = "intensity,opacity\n";
+        for (int i = 0; i < AdaptiveOtf::sampleCount; ++i)
+            table += fmt::format("{},{}\n", intensityOf(i), opacityAt(design.classification.curve(), intensityOf(i)));
+        return table;
+    }
+    const TwoDimensionalOtf& otf = *design.classification.twoDimensional();
+    std::string table = "intensity,gradient,opacity\n";
+    for (int j = 0; j < otf.gradients; ++j)
+        for (int i = 0; i < otf.intensities; ++i)
+            table += fmt::format("{},{},{}\n", static_cast<double>(i) / (otf.intensities - 1),
+                                 otf.largestGradient * j / (otf.gradients - 1),
+                                 otf.opacities[static_cast<std::size_t>(j) * static_cast<std::size_t>(otf.intensities) +
+                                               static_cast<std::size_t>(i)]);
+    return table;
+}
+
+std::string summary(const DesignRun& run) {
+    std::string text = fmt::format("{}: {} OTF in {:.2f} ms\n", labelOf(designerOf(run.config)),
+                                   run.design.classification.isTwoDimensional() ? "two-dimensional" : "one-dimensional",
+                                   run.milliseconds);
+    for (const std::string& sentence : run.design.explanation) text += sentence + "\n";
+    for (const DesignFact& fact : run.design.facts)
+        text += fmt::format("{}: {:.6g}{}{}\n", fact.label, fact.value, fact.unit.empty() ? "" : " ", fact.unit);
+    if (!run.design.message.empty()) text += run.design.message + "\n";
+    return text;
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,112 @@
+#include <chrono>
+#include <utility>
+
+#include "app/measuring/designers/study_designers.h"
+#include "app/measuring/measures/median.h"
+#include "app/measuring/otf/study_phantoms.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/ray_caster.h"
+#include "processing/ray_caster/plain/plain_caster.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+template <typename Work>
+double millisecondsOf(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+Design designOnce(const ComparedDesigner& designer, const DesignerInput& input) {
+    if (!designer.config) return Design{parabolaCurve()};
+    return *design(*designer.config, input);
+}
+
+/// The error of the kernel's picture from the plain route's at equal settings, of a small picture.
+PictureError errorOf(const Classification& classification, const DesignerCase& one) {
+    constexpr int edge = 96;
+    RayCastSettings settings = one.settings;
+    settings.width = settings.height = edge;
+    settings.terminationTransmittance = 0.0;
+    const PlainCasting casting{.leastLitOpacity = std::min(1.0, settings.step) / 128};
+    return pictureError(*castRays(*one.shown, classification, settings),
+                        *castRaysPlainly(*one.shown, classification, settings, casting));
+}
+
+/// Each picture is seen from a little farther round, so that nothing of the one before can serve.
+double castTime(RayCaster& caster, const Classification& classification, const DesignerCase& one, int repeats) {
+    std::vector<double> times;
+    (void)caster.cast(classification, one.settings);
+    for (int turn = 1; turn <= repeats; ++turn) {
+        RayCastSettings settings = one.settings;
+        Viewpoint view = one.view;
+        view.azimuthDegrees += 0.01 * turn;
+        settings.camera = defaultCamera(one.shown->dataBox(), view, 1.0);
+        times.push_back(millisecondsOf([&] { (void)caster.cast(classification, settings); }));
+    }
+    return medianOf(std::move(times));
+}
+
+}  // namespace
+
+std::vector<ComparedDesigner> comparedDesigners() {
+    std::vector<ComparedDesigner> all{{"x2", std::nullopt}};
+    for (const Designer designer : allDesigners)
+        all.push_back({std::string(echolucent::nameOf(designer)), defaultConfigOf(designer)});
+    return all;
+}
+
+DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& input, int repeats) {
+    DesignTimed timed{designOnce(designer, input)};
+    if (!designer.config) return timed;
+    std::vector<double> times;
+    for (int run = 0; run < repeats; ++run) times.push_back(millisecondsOf([&] { (void)designOnce(designer, input); }));
+    timed.milliseconds = medianOf(std::move(times));
+    return timed;
+}
+
+std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, SpeckleReduction reduction, int repeats) {
+    std::vector<ContrastRow> rows;
+    for (const NamedPhantom& condition : contrastConditions(base)) {
+        const StudyPhantom phantom(condition.config);
+        const Volume quiet = *quietVolume(phantom.volume, reduction);
+        const Viewpoint view;
+        const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
+        std::vector<Classification> classifications;
+        const std::size_t first = rows.size();
+        for (const ComparedDesigner& designer : comparedDesigners()) {
+            const DesignTimed made = timedDesign(designer, {phantom.volume, quiet, reduction, view, {}}, repeats);
+            classifications.push_back(made.design.classification);
+            rows.push_back({designer.name, condition.name, base.seed, std::nullopt, made.milliseconds});
+        }
+        const auto contrasts = surfaceContrasts(quiet, rays, view, classifications);
+        for (std::size_t i = 0; i < contrasts.size(); ++i) rows[first + i].contrast = contrasts[i].contrastToNoise();
+    }
+    return rows;
+}
+
+std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats) {
+    std::vector<DesignerPicture> pictures;
+    std::vector<Classification> classifications;
+    const RayCaster packed(one.shown);
+    const DesignerInput input{*one.raw, *one.shown, one.reduction, one.view, one.method};
+    for (const ComparedDesigner& designer : comparedDesigners()) {
+        DesignTimed made = timedDesign(designer, input, repeats);
+        const Classification& classification = made.design.classification;
+        RayCaster caster = packed.sharing();
+        Picture picture = *caster.cast(classification, one.settings);
+        const double castMilliseconds = castTime(caster, classification, one, repeats);
+        classifications.push_back(classification);
+        const PictureError error = errorOf(classification, one);
+        pictures.push_back({designer.name, std::move(made), std::move(picture), castMilliseconds, error, {}});
+    }
+    const auto otf = adaptOpacity(*one.raw, one.view, one.method, {}, {one.shown.get(), one.reduction});
+    const auto measures = measuresOf(*one.shown, *otf, classifications);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        if ((*measures)[i].contrast.rays > 0) pictures[i].measures = (*measures)[i];
+    return pictures;
+}
+
+}  // namespace echolucent::cli

@@ -1,0 +1,82 @@
+// The parts of `study designers`: what is measured of each OTF designer, and the page about it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/measuring/measures/picture_difference.h"
+#include "processing/comparison/classification_measures.h"
+#include "processing/designers/designer.h"
+#include "processing/phantom/phantom_config.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+
+namespace echolucent::cli {
+
+/// A designer that is compared: with its defaults, or under another name where a page compares two forms of it.
+struct ComparedDesigner {
+    std::string name;  ///< that of the designer, or "x2": the parabola x^2, which no designer makes
+    std::optional<DesignerConfig> config;
+};
+/// x^2 first, then all designers with their defaults, in the order of allDesigners.
+[[nodiscard]] std::vector<ComparedDesigner> comparedDesigners();
+
+/// What one designer made of one voxel set, and how long that took.
+struct DesignTimed {
+    Design design;
+    double milliseconds = 0.0;  ///< median of the runs, wall time; 0 for x^2
+};
+[[nodiscard]] DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& input, int repeats);
+
+/// One designer on one simulated scan whose truth is known.
+struct ContrastRow {
+    std::string designer, condition;
+    std::uint64_t seed = 0;
+    std::optional<double> contrast;  ///< CNR_S
+    double milliseconds = 0.0;       ///< of the designer
+};
+/// All designers on the six conditions of a scan.
+[[nodiscard]] std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, SpeckleReduction reduction,
+                                                        int repeats);
+
+/// A volume that is shown with each designer's OTF.
+struct DesignerCase {
+    std::string name;
+    std::shared_ptr<const Volume> raw, shown;
+    SpeckleReduction reduction = SpeckleReduction::off;
+    Viewpoint view;
+    AdaptiveOtfConfig method;
+    RayCastSettings settings;
+};
+/// What is shown and known of one designer on a case.
+struct DesignerPicture {
+    std::string designer;
+    DesignTimed made;
+    Picture picture;
+    double castMilliseconds = 0.0;                   ///< median of a picture that is cast anew, with light
+    PictureError error;                              ///< of a small picture by the kernel from the plain route's, lit
+    std::optional<ClassificationMeasures> measures;  ///< by the tube cores' surfaces
+};
+[[nodiscard]] std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats);
+
+/// Everything `study designers` found.
+struct DesignersStudy {
+    std::string seeds;
+    SpeckleReduction reduction = SpeckleReduction::off;
+    int repeats = 0;
+    std::vector<ContrastRow> contrasts;
+    struct Shown {
+        std::string name;
+        std::vector<DesignerPicture> pictures;
+    };
+    std::vector<Shown> shown;
+};
+[[nodiscard]] std::string designersCsv(const DesignersStudy& study);
+[[nodiscard]] std::string designersPage(const DesignersStudy& study);
+/// The table of contrasts and the tables of what is shown, for a terminal.
+[[nodiscard]] std::string designersSummary(const DesignersStudy& study);
+
+}  // namespace echolucent::cli
