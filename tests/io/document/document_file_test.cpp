@@ -118,11 +118,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/strokes/1/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
                     Wrong{"/strokes/1/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
                     Wrong{"/views/1/strokes", 3, "", "views[1].strokes names no strokes"},
+                    Wrong{"/views/0/design", 3, "", "views[0].design names no design"},
+                    Wrong{"/views/1/without_tubes", {1, -2}, "views[1].without_tubes", "whole numbers"},
+                    Wrong{"/designs/0/designer", "sakas", "designs[0].designer", "must not be \"sakas\""},
+                    Wrong{"/designs/0/parameters/transition_width", -1, "designs[0].parameters.transition_width", "to"},
+                    Wrong{"/designs/0/id", 2, "", "designs must have an id of its own each"},
+                    Wrong{"/designs/0/id", 0, "", "designs must have ids from 1 on"},
+                    Wrong{"/designs/1/drawn", {{1, 2}}, "", "designs[1] "},
                     Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
                     Wrong{"/study/file/path", 5, "study.file.path", "text"}));
 
-/// Whether the key at a place may be missing: a parameter of the method or of a look, and all of a raw layout but its
-/// size, have defaults.
+/// Whether the key at a place may be missing: a parameter of the method, of a designer or of a look, and all of a raw
+/// layout but its size, have defaults; most views have no design.
 bool mayBeMissing(const std::string& place) {
     const std::string looks = "/looks/";
     if (place.starts_with(looks) && place.find('/', looks.size()) != std::string::npos) return !place.ends_with("/id");
@@ -130,6 +137,9 @@ bool mayBeMissing(const std::string& place) {
     for (const char* optional :
          {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes", "/study/file/study_mebibytes"})
         if (place == optional) return true;
+    for (const char* ending : {"/design", "/without_tubes", "/drawn", "/reference"})
+        if (place.ends_with(ending)) return true;
+    if (place.starts_with("/designs/") && place.find("/parameters") != std::string::npos) return true;
     return place.starts_with("/method/parameters/");
 }
 

@@ -72,6 +72,16 @@ inline Document unusualDocument() {
                                            .linesIn3d = true};
     document.strokes = {{1, {}}, {2, {unusualStrokes()}}};
     document.views = {{3, 7, 4, 9, 1, CurveKind::quartic, 6, 5, 2}, {8, 2, 5, 9, 1, CurveKind::manual, 1, 5, 1}};
+    LevoyConfig levoy;
+    levoy.form = LevoyForm::boundaries;
+    levoy.transitionWidth = 4.0 / 3.0;
+    KindlmannConfig kindlmann;
+    kindlmann.emphasis = BoundaryEmphasis::drawn;
+    kindlmann.drawn = {{-1.0 / 3.0, 0.1}, {0.2, 0.7}, {0.2, 0.0}};
+    document.designs = {{4, levoy}, {2, kindlmann}};
+    document.views[0].design = 4;
+    document.views[1].design = 2;
+    document.views[1].withoutTubes = {0, 7, 112};
     document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
     document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
     document.curves.parabolic.scale = 0.1;

@@ -1,0 +1,131 @@
+// The real program's OTF designers: `otf --designer`, `render --designer` and `study designers`.
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+#include "processing/designers/designer.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/cli/program.h"
+
+namespace echolucent {
+namespace {
+
+nlohmann::json designOf(const std::string& arguments) {
+    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --json - " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+}
+
+/// What the program's own library makes of the same voxels.
+Design made(const DesignerConfig& config) {
+    const auto study = readStudy(shapesFile());
+    const Volume& raw = *study->phases.front();
+    const Volume quiet = *quietVolume(raw, defaultSpeckleReduction);
+    return *design(config, {raw, quiet, defaultSpeckleReduction, {}, {}});
+}
+
+TEST(DesignersCommand, EveryDesignerButTheAdaptiveOneReportsItsOtf) {
+    for (const Designer designer : allDesigners) {
+        if (designer == Designer::adaptive) continue;
+        const std::string name(nameOf(designer));
+        const auto report = designOf("--designer " + name);
+        EXPECT_EQ(report["designer"], name);
+        EXPECT_FALSE(report["explanation"].empty()) << name;
+        const Design expected = made(defaultConfigOf(designer));
+        const auto& otf = report["otf"];
+        if (expected.classification.isTwoDimensional()) {
+            EXPECT_EQ(otf["dimensions"], 2) << name;
+            EXPECT_EQ(otf["opacity"].get<std::vector<float>>(), expected.classification.twoDimensional()->opacities);
+        } else {
+            EXPECT_EQ(otf["dimensions"], 1) << name;
+            for (int i = 0; i < 256; ++i)
+                ASSERT_EQ(otf["opacity"][static_cast<std::size_t>(i)].get<double>(),
+                          opacityAt(expected.classification.curve(), i / 255.0))
+                    << name << " " << i;
+        }
+        for (const DesignFact& fact : expected.facts)
+            EXPECT_EQ(report["facts"][fact.name]["value"].get<double>(), fact.value) << name << " " << fact.name;
+    }
+}
+
+TEST(DesignersCommand, TheAdaptiveDesignerIsTheReportWithoutOne) {
+    auto with = designOf("--designer adaptive"), without = designOf("");
+    with.erase("times_ms");
+    without.erase("times_ms");
+    EXPECT_EQ(with, without);
+}
+
+TEST(DesignersCommand, ParametersAreSetByName) {
+    const auto report = designOf("--designer percentile --set lower=50 --set upper=90");
+    PercentileConfig config;
+    forEachParameter(DesignerConfig(config), [&](const auto& row, const auto&) {
+        EXPECT_TRUE(report["parameters"].contains(std::string(row.name)));
+    });
+    EXPECT_EQ(report["parameters"]["lower"], 50.0);
+    EXPECT_NE(report["otf"], designOf("--designer percentile")["otf"]);
+}
+
+TEST(DesignersCommand, WhatMakesNoSenseIsRefusedInWords) {
+    const std::string otf = "otf \"" + shapesFile() + "\" ";
+    struct Row {
+        const char *arguments, *words;
+    };
+    for (const Row& row :
+         {Row{"--designer sakas", "Use adaptive, levoy, kindlmann, template, contour-spectrum, otsu"},
+          Row{"--designer levoy --set form", "Write NAME=VALUE"},
+          Row{"--designer levoy --set colour=1", "which is no parameter of levoy"},
+          Row{"--designer levoy --set form=cubes", "Use isovalues or boundaries."},
+          Row{"--designer levoy --set transition_width=-1", "Use a number from"},
+          Row{"--designer levoy --set transition_width=wide", "Use a number from"},
+          Row{"--designer levoy --tubes-csv -", "plays no part beside --designer levoy"},
+          Row{"--designer fetal-preset --set opacity=1", "It has none."}, Row{"--set form=isovalues", "--designer"}}) {
+        const Outcome outcome = runProgram(otf + row.arguments);
+        EXPECT_EQ(outcome.status, 2) << row.arguments;
+        EXPECT_NE(outcome.errors.find(row.words), std::string::npos) << row.arguments << ": " << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    }
+}
+
+TEST(DesignersCommand, RenderShowsEachDesignersPicture) {
+    const Folder folder;
+    std::vector<cv::Mat> pictures;
+    for (const char* designer : {"levoy", "otsu", "fetal-preset"}) {
+        const std::string path = folder / (std::string(designer) + ".png");
+        const Outcome outcome =
+            runProgram("render \"" + shapesFile() + "\" --size 64x64 --designer " + designer + " -o \"" + path + "\"");
+        ASSERT_EQ(outcome.status, 0) << outcome.errors;
+        pictures.push_back(cv::imread(path));
+        EXPECT_GT(cv::sum(pictures.back())[0], 1000.0) << designer;
+    }
+    EXPECT_GT(cv::norm(pictures[0], pictures[1]), 100.0);
+    EXPECT_GT(cv::norm(pictures[1], pictures[2]), 100.0);
+    const std::string render = "render \"" + shapesFile() + "\" --size 64x64 -o \"" + folder / "x.png" + "\" ";
+    EXPECT_EQ(runProgram(render + "--designer levoy --otf linear").status, 2);
+    // A curve that a designer knows as its own is the same picture.
+    ASSERT_EQ(runProgram(render + "--designer adaptive").status, 0);
+    const std::string adaptive = contentsOf(folder / "x.png");
+    ASSERT_EQ(runProgram(render + "--otf adaptive").status, 0);
+    EXPECT_EQ(contentsOf(folder / "x.png"), adaptive);
+}
+
+TEST(DesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
+    const Folder folder;
+    const Outcome outcome =
+        runProgram("study designers --size 40 --seeds 1,2 --repeats 1 --picture-size 24 -o \"" + folder / "d" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const std::string csv = contentsOf(folder / "d/designers.csv");
+    EXPECT_TRUE(csv.starts_with("designer,condition,seed,contrast,ms\n"));
+    // x^2 and nine designers on six conditions and two seeds, and on two scans that are shown.
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 10 * 6 * 2 + 10 * 2);
+    const std::string page = contentsOf(folder / "d/designers.html");
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+    for (const Designer designer : allDesigners)
+        EXPECT_NE(page.find(std::string(labelOf(designer))), std::string::npos) << labelOf(designer);
+    EXPECT_NE(outcome.output.find("hard_log_compressed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace echolucent
