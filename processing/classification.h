@@ -35,9 +35,10 @@ template <typename Opacity>
 /// by itself.
 class Classification {
 public:
+    /// Clear everywhere.
+    Classification() = default;
     template <typename Curve>
-    requires std::constructible_from<OpacityCurve, Curve> Classification(Curve&& curve)
-        : m_curve(std::forward<Curve>(curve)) {}
+    requires std::constructible_from<OpacityCurve, Curve> Classification(Curve curve) : m_curve(std::move(curve)) {}
     /// Throws std::invalid_argument where a member is out of its range.
     explicit Classification(TwoDimensionalOtf otf);
 

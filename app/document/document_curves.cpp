@@ -21,8 +21,9 @@ void DocumentCurves::preview(const EditedCurves& next, const QString& what) { m_
 Document DocumentCurves::with(const EditedCurves& edited) const {
     Document document = m_model.document();
     document.curves = edited.curves;
-    viewOf(document, m_view).curve = edited.active;
-    return document;
+    // Whoever chooses a curve leaves the view's design; an edit of the curve that is chosen already does not.
+    if (viewOf(document, m_view).curve == edited.active) return document;
+    return withCurve(std::move(document), m_view, edited.active);
 }
 
 }  // namespace echolucent

@@ -13,7 +13,7 @@ void OtfComputing::begin() {
     sayPhase();
     m_ofDocument = otfViewpointOf(m_model.document(), m_view);
     m_asked = m_ofDocument;
-    m_config = configOf(m_model.document());
+    m_config = configOf(m_model.document(), m_view);
 }
 
 void OtfComputing::sayPhase() {
@@ -29,7 +29,7 @@ void OtfComputing::follow() {
     // Between one OTF and each frame's own, whoever shows the frames asks.
     const bool otherPhase = before && m_phase && before != m_phase;
     const Viewpoint ofDocument = otfViewpointOf(m_model.document(), m_view);
-    const AdaptiveOtfConfig config = configOf(m_model.document());
+    const AdaptiveOtfConfig config = configOf(m_model.document(), m_view);
     if (ofDocument == m_ofDocument && config == m_config && !otherPhase) return;
     Viewpoint onlyCut = m_ofDocument;
     onlyCut.nearCutMm = ofDocument.nearCutMm;
@@ -50,7 +50,7 @@ void OtfComputing::follow() {
 
 void OtfComputing::computeFor(const Viewpoint& viewpoint) {
     m_asked = viewpoint;
-    m_openStudy.requestOtf(viewpoint, configOf(m_model.document()));
+    m_openStudy.requestOtf(viewpoint, configOf(m_model.document(), m_view));
 }
 
 void OtfComputing::computeForThisView() {

@@ -56,7 +56,7 @@ QString lightLine(const Look& look) {
 /// Where the phases move the line stands in every frame: else it would go for the one whose OTF it is.
 QString otfLine(const Document& document, int view) {
     const MotionChoice& motion = document.motion;
-    if (motion.otf != MotionOtf::oneOtf || !needsAdaptiveOtf(document, view)) return {};
+    if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, view)) return {};
     if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, view)) return {};
     return tr("OTF of phase %1").arg(motion.otfPhase + 1);
 }

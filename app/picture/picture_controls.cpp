@@ -111,7 +111,7 @@ void PictureControls::resetAll(const Document& opened) {
         next.curves = opened.curves;
         next.method.direction = opened.method.direction;
         next.motionAngle = 0.0;
-        viewOf(next, view()).curve = viewOf(opened, view()).curve;
+        next = withCurve(std::move(next), view(), viewOf(opened, view()).curve);
         cutOf(next, view()) = cutOf(opened, view());
         lookOf(next, view()) = lookOf(opened, view());
         boxOf(next, view()) = boxOf(opened, view());

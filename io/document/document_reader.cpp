@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "io/document/design_json.h"
 #include "io/document/session_file.h"
 #include "io/input_file.h"
+#include "io/json_design.h"
 #include "io/json_document.h"
 #include "io/json_values.h"
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "io/document/design_json.h"
 #include "io/document/session_file.h"
+#include "io/json_design.h"
 #include "io/json_document.h"
 #include "io/json_values.h"
 #include "io/output/atomic_file.h"

@@ -88,10 +88,7 @@ std::vector<std::string> explanationOf(const AdaptiveOtf& otf) {
     if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
         sentences.push_back(std::to_string(left) + (left == 1 ? " tube core was" : " tube cores were") +
                             " left out by hand and " + (left == 1 ? "is" : "are") + " never placed.");
-    if (otf.tubesWithWeight == 0 || otf.surfacesWhereDataBegin) {
-        sentences.push_back(otf.message);
-        return sentences;
-    }
+    if (otf.tubesWithWeight == 0 || otf.surfacesWhereDataBegin) return sentences;  // the message says all
     sentences.push_back(surfaceSentence(otf));
     sentences.emplace_back(
         std::holds_alternative<RatioRule>(otf.config.detection)

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "processing/designers/config_rows.h"
+#include "processing/designers/designer_contract.h"
 #include "processing/designers/isovalue_spectrum.h"
 
 namespace echolucent {
@@ -17,83 +19,28 @@ using Config = ContourSpectrumConfig;
 
 constexpr std::string_view page = "docs/designers/contour-spectrum.md";
 
-template <double Config::*member>
-std::optional<ParameterValue> get(const Config& config) {
-    return config.*member;
-}
-template <double Config::*member>
-bool set(Config& config, const ParameterValue& value) {
-    const std::optional<double> number = numberOf(value);
-    if (number) config.*member = *number;
-    return number.has_value();
-}
-
 /// The threshold means nothing while no person chooses it.
-std::optional<ParameterValue> getThreshold(const Config& config) {
-    return config.choice == IsovalueChoice::given ? get<&Config::threshold>(config) : std::nullopt;
-}
-bool setThreshold(Config& config, const ParameterValue& value) {
-    return config.choice == IsovalueChoice::given && set<&Config::threshold>(config, value);
-}
+bool isGiven(const Config& config) { return config.choice == IsovalueChoice::given; }
 
-bool setChoice(Config& config, const ParameterValue& value) {
-    const auto* name = std::get_if<std::string>(&value);
-    const auto choice = name != nullptr ? isovalueChoiceFromName(*name) : std::nullopt;
-    if (choice) config.choice = *choice;
-    return choice.has_value();
-}
-
-const std::array<Parameter<Config>, 5>& rows() {
-    static const std::array<Parameter<Config>, 5> table{{
-        {"isovalue",
-         "Isovalue",
-         "Where the ramp stands: where the isosurfaces are steepest, or at a given threshold",
-         "",
-         "Bajaj, Pascucci, Schikore 1997",
-         {},
-         {nameOf(IsovalueChoice::steepest), nameOf(IsovalueChoice::given)},
-         [](const Config& config) -> std::optional<ParameterValue> { return std::string(nameOf(config.choice)); },
-         &setChoice},
-        {"threshold",
-         "Threshold",
-         "Intensity of the middle of the ramp",
-         "",
-         page,
-         {0, 1},
-         {},
-         &getThreshold,
-         &setThreshold,
-         {},
-         {"isovalue", nameOf(IsovalueChoice::given)}},
-        {"least_area",
-         "Least area",
-         "Isosurfaces that are smaller than this share of the largest one are not asked, because they are noise",
-         "share",
-         page,
-         {0, 1},
-         {},
-         &get<&Config::leastArea>,
-         &set<&Config::leastArea>},
-        {"half_width",
-         "Half-width",
-         "How far the ramp reaches to both sides of its middle",
-         "",
-         page,
-         {0, 1},
-         {},
-         &get<&Config::halfWidth>,
-         &set<&Config::halfWidth>,
-         ParameterRange{0, 0.5}},
-        {"opacity",
-         "Opacity",
-         "Opacity of what is brighter than the ramp",
-         "",
-         page,
-         {0, 1},
-         {},
-         &get<&Config::opacity>,
-         &set<&Config::opacity>},
-    }};
+const std::vector<Parameter<Config>>& rows() {
+    using namespace config_rows;
+    static const std::vector<Parameter<Config>> table{
+        choice<&Config::choice, isovalueChoiceNames>(
+            {"isovalue", "Isovalue",
+             "Where the ramp stands: where the isosurfaces are steepest, or at a given threshold", "",
+             "Bajaj, Pascucci, Schikore 1997"}),
+        number<&Config::threshold, isGiven>({"threshold", "Threshold", "Intensity of the middle of the ramp", "", page},
+                                            {0, 1}, {}, {"isovalue", "given"}),
+        number<&Config::leastArea>(
+            {"least_area", "Least area",
+             "Isosurfaces that are smaller than this share of the largest one are not asked, because they are noise",
+             "share", page},
+            {0, 1}),
+        number<&Config::halfWidth>(
+            {"half_width", "Half-width", "How far the ramp reaches to both sides of its middle", "", page}, {0, 1},
+            ParameterRange{0, 0.5}),
+        number<&Config::opacity>({"opacity", "Opacity", "Opacity of what is brighter than the ramp", "", page}, {0, 1}),
+    };
     return table;
 }
 
@@ -167,10 +114,7 @@ std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpec
 
 std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
                              const Progress& progress) {
-    const std::string problem = problemIn(parametersOf(config), config);
-    if (!problem.empty()) throw std::invalid_argument("ContourSpectrumConfig: " + problem);
-    if (input.raw.geometry().size != input.shown.geometry().size)
-        throw std::invalid_argument("ContourSpectrumConfig: the shown voxels have another grid");
+    requireDesignable("ContourSpectrumConfig", parametersOf(config), config, input);
     const auto spectrum = contourSpectrum(input.shown, progress);
     if (!spectrum) return std::nullopt;
     const Lengths lengths(input.shown.geometry());

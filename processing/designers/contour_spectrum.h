@@ -1,4 +1,4 @@
-// The OTF designer "contour_spectrum": an opacity ramp at the isovalue whose isosurfaces are steepest (Bajaj, Pascucci,
+// The OTF designer "contour-spectrum": an opacity ramp at the isovalue whose isosurfaces are steepest (Bajaj, Pascucci,
 // Schikore 1997; docs/designers/contour-spectrum.md).
 #pragma once
 

@@ -16,7 +16,7 @@ namespace echolucent {
 /// What designers may look at. The volumes outlive the call.
 struct DesignerInput {
     const Volume& raw;    ///< as it was read: tube cores read it
-    const Volume& shown;  ///< what the picture is made of, on the same grid: all other designers read it
+    const Volume& shown;  ///< what the picture is made of, on the same grid: designers read it for all else
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of `shown`
     Viewpoint view{};                                    ///< along which tube cores are placed
     AdaptiveOtfConfig method{};                          ///< how tube cores are read and weighed
@@ -47,7 +47,9 @@ struct Design {
     std::vector<std::string> explanation{};
     std::vector<DesignFact> facts{};
     std::vector<DesignPlot> plots{};
-    std::string message{};  ///< a sentence where something could not be done, and what is shown in place; else empty
+    /// A sentence where something could not be done, and what is shown in place; else empty. It is no part of the
+    /// explanation.
+    std::string message{};
 };
 
 }  // namespace echolucent

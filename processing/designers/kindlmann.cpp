@@ -1,13 +1,14 @@
 #include "processing/designers/kindlmann.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
 #include "processing/designers/boundary_position.h"
+#include "processing/designers/config_rows.h"
+#include "processing/designers/designer_contract.h"
 #include "processing/designers/histogram_volume.h"
 
 namespace echolucent {
@@ -16,126 +17,50 @@ namespace {
 
 constexpr int gradientNodes = 64;
 
-template <auto member>
-std::optional<ParameterValue> getNumber(const KindlmannConfig& config) {
-    return config.*member;
-}
-template <auto member>
-bool setNumber(KindlmannConfig& config, const ParameterValue& value) {
-    const std::optional<double> number = numberOf(value);
-    if (number) config.*member = *number;
-    return number.has_value();
-}
+bool isHat(const KindlmannConfig& config) { return config.emphasis == BoundaryEmphasis::hat; }
 
-template <auto member>
-std::optional<ParameterValue> getChoice(const KindlmannConfig& config) {
-    return std::string(nameOf(config.*member));
-}
-template <auto member, auto fromName>
-bool setChoice(KindlmannConfig& config, const ParameterValue& value) {
-    const auto* name = std::get_if<std::string>(&value);
-    const auto choice = name != nullptr ? fromName(*name) : std::nullopt;
-    if (choice) config.*member = *choice;
-    return choice.has_value();
-}
-
-/// Numbers that mean nothing of what a person drew.
-template <auto member>
-std::optional<ParameterValue> getOfHat(const KindlmannConfig& config) {
-    if (config.emphasis != BoundaryEmphasis::hat) return std::nullopt;
-    return config.*member;
-}
-template <auto member>
-bool setOfHat(KindlmannConfig& config, const ParameterValue& value) {
-    return config.emphasis == BoundaryEmphasis::hat && setNumber<member>(config, value);
-}
-
-constexpr ParameterScope ofHat{"emphasis", "hat"};
 constexpr std::string_view theirs = "Kindlmann and Durkin 1998, section 5";
 constexpr std::string_view page = "docs/designers/kindlmann.md";
 
-const std::array<Parameter<KindlmannConfig>, 8>& rows() {
-    static const std::array<Parameter<KindlmannConfig>, 8> table{{
-        {"dimensions",
-         "Dimensions",
-         "Whether opacity follows the intensity alone, or the intensity and the gradient magnitude",
-         "",
-         theirs,
-         {},
-         {nameOf(KindlmannDimensions::one), nameOf(KindlmannDimensions::two)},
-         &getChoice<&KindlmannConfig::dimensions>,
-         &setChoice<&KindlmannConfig::dimensions, &kindlmannDimensionsFromName>},
-        {"prefilter",
-         "Prefilter",
-         "Standard deviation of the Gaussian under which derivatives are taken; 0 takes them of the voxels themselves",
-         "units",
-         page,
-         {0, 8},
-         {},
-         &getNumber<&KindlmannConfig::prefilter>,
-         &setNumber<&KindlmannConfig::prefilter>,
-         ParameterRange{0, 4}},
-        {"smoothing",
-         "Smoothing over the intensity",
-         "Standard deviation of the Gaussian that smooths the mean derivatives over the intensity",
-         "levels of 255",
-         page,
-         {0, 16},
-         {},
-         &getNumber<&KindlmannConfig::smoothing>,
-         &setNumber<&KindlmannConfig::smoothing>},
-        {"threshold",
-         "Gradient threshold",
-         "Share of the largest mean gradient magnitude that is taken for the floor of speckle and noise",
-         "share",
-         page,
-         {0, 0.9},
-         {},
-         &getNumber<&KindlmannConfig::threshold>,
-         &setNumber<&KindlmannConfig::threshold>},
-        {"emphasis",
-         "Boundary emphasis",
-         "Whether the opacity over the position in a boundary is a hat or was drawn by hand",
-         "",
-         theirs,
-         {},
-         {nameOf(BoundaryEmphasis::hat), nameOf(BoundaryEmphasis::drawn)},
-         &getChoice<&KindlmannConfig::emphasis>,
-         &setChoice<&KindlmannConfig::emphasis, &boundaryEmphasisFromName>},
-        {"centre",
-         "Centre of the hat",
-         "Position in the boundary where the opacity is largest; 0 is its middle, below 0 is its darker side",
-         "standard deviations",
-         theirs,
-         {-4, 4},
-         {},
-         &getOfHat<&KindlmannConfig::centre>,
-         &setOfHat<&KindlmannConfig::centre>,
-         {},
-         ofHat},
-        {"half_width",
-         "Half-width of the hat",
-         "How far from its centre the hat ends",
-         "standard deviations",
-         theirs,
-         {0.05, 8},
-         {},
-         &getOfHat<&KindlmannConfig::halfWidth>,
-         &setOfHat<&KindlmannConfig::halfWidth>,
-         ParameterRange{0.05, 4},
-         ofHat},
-        {"peak",
-         "Peak of the hat",
-         "Largest opacity of the hat",
-         "per unit",
-         theirs,
-         {0, 1},
-         {},
-         &getOfHat<&KindlmannConfig::peak>,
-         &setOfHat<&KindlmannConfig::peak>,
-         {},
-         ofHat},
-    }};
+const std::vector<Parameter<KindlmannConfig>>& rows() {
+    using namespace config_rows;
+    using Config = KindlmannConfig;
+    // Numbers of the hat mean nothing of what a person drew.
+    constexpr ParameterScope ofHat{"emphasis", "hat"};
+    static const std::vector<Parameter<Config>> table{
+        choice<&Config::dimensions, kindlmannDimensionsNames>(
+            {"dimensions", "Dimensions",
+             "Whether opacity follows the intensity alone, or the intensity and the gradient magnitude", "", theirs}),
+        number<&Config::prefilter>(
+            {"prefilter", "Prefilter",
+             "Standard deviation of the Gaussian under which derivatives are taken; 0 takes them "
+             "of the voxels themselves",
+             "units", page},
+            {0, 8}, ParameterRange{0, 4}),
+        number<&Config::smoothing>(
+            {"smoothing", "Smoothing over the intensity",
+             "Standard deviation of the Gaussian that smooths the mean derivatives over the intensity", "levels of 255",
+             page},
+            {0, 16}),
+        number<&Config::threshold>(
+            {"threshold", "Gradient threshold",
+             "Share of the largest mean gradient magnitude that is taken for the floor of speckle and noise", "share",
+             page},
+            {0, 0.9}),
+        choice<&Config::emphasis, boundaryEmphasisNames>(
+            {"emphasis", "Boundary emphasis",
+             "Whether the opacity over the position in a boundary is a hat or was drawn by hand", "", theirs}),
+        number<&Config::centre, isHat>(
+            {"centre", "Centre of the hat",
+             "Position in the boundary where the opacity is largest; 0 is its middle, below 0 is its darker side",
+             "standard deviations", theirs},
+            {-4, 4}, {}, ofHat),
+        number<&Config::halfWidth, isHat>({"half_width", "Half-width of the hat",
+                                           "How far from its centre the hat ends", "standard deviations", theirs},
+                                          {0.05, 8}, ParameterRange{0.05, 4}, ofHat),
+        number<&Config::peak, isHat>({"peak", "Peak of the hat", "Largest opacity of the hat", "per unit", theirs},
+                                     {0, 1}, {}, ofHat),
+    };
     return table;
 }
 
@@ -233,7 +158,7 @@ std::vector<DesignFact> factsOf(const Findings& findings) {
         const BoundaryWidth& width = *findings.width;
         facts = {{"sigma", "Blur of the boundaries", width.sigma, "units"},
                  {"smoothed_sigma", "Blur under the prefilter", width.smoothed, "units"},
-                 {"largest_gradient", "Largest mean gradient", width.largestGradient, "per unit"},
+                 {"largest_mean_gradient", "Largest mean gradient", width.largestGradient, "per unit"},
                  {"largest_second", "Largest mean second derivative", width.largestSecond, "per square unit"},
                  {"least_second", "Least mean second derivative", width.leastSecond, "per square unit"}};
     }
@@ -287,14 +212,6 @@ double widestSigma(const VolumeGeometry& geometry) {
     return 0.25 * longest / geometry.unit();
 }
 
-void requireSoundInput(const KindlmannConfig& config, const DesignerInput& input) {
-    if (const std::string problem = problemOf(config); !problem.empty())
-        throw std::invalid_argument("KindlmannConfig: " + problem);
-    const VolumeGeometry &raw = input.raw.geometry(), &shown = input.shown.geometry();
-    if (raw.size != shown.size || raw.spacing != shown.spacing)
-        throw std::invalid_argument("KindlmannConfig: the volumes have different grids");
-}
-
 }  // namespace
 
 std::span<const Parameter<KindlmannConfig>> parametersOf(const KindlmannConfig&) { return rows(); }
@@ -310,7 +227,9 @@ double emphasisAt(const KindlmannConfig& config, double position) {
 }
 
 std::optional<Design> design(const KindlmannConfig& config, const DesignerInput& input, const Progress& progress) {
-    requireSoundInput(config, input);
+    requireDesignable("KindlmannConfig", parametersOf(config), config, input);
+    if (const std::string problem = problemOfDrawn(config.drawn); !problem.empty())
+        throw std::invalid_argument("KindlmannConfig: " + problem);
     const bool flat = config.dimensions == KindlmannDimensions::one;
     std::optional<HistogramVolume> histogram =
         histogramVolume(input.shown, {config.prefilter, flat ? 0 : gradientNodes}, progress);
@@ -323,7 +242,6 @@ std::optional<Design> design(const KindlmannConfig& config, const DesignerInput&
     Design result{PowerCurve{}, {}, factsOf(findings), plotsOf(findings), {}};
     if (!findings.width) {
         result.message = "No boundary was found in this volume; the parabola x² is shown in its place.";
-        result.explanation = {result.message};
         return result;
     }
     const BoundaryWidth& width = *findings.width;
@@ -341,7 +259,7 @@ std::optional<Design> design(const KindlmannConfig& config, const DesignerInput&
         result.classification = std::move(found);
     }
     result.explanation.push_back(sentenceOfMiddles(findings.positions));
-    result.explanation.push_back(result.message.empty() ? sentenceOfEmphasis(config) : result.message);
+    if (result.message.empty()) result.explanation.push_back(sentenceOfEmphasis(config));
     return result;
 }
 

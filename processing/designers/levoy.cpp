@@ -107,7 +107,7 @@ std::optional<Levels> tubeCoreLevels(const DesignerInput& input, const Progress&
                   "They are the means before and at the surfaces that " + std::to_string(otf->tubesWithWeight) +
                       " of " + std::to_string(otf->tubesMeetingVolume) + " tube cores found.",
                   {},
-                  {{"tube_cores", "Tube cores with a surface", static_cast<double>(otf->tubesWithWeight)}}};
+                  {{"surfaces_with_weight", "Surfaces with a weight", static_cast<double>(otf->tubesWithWeight)}}};
 }
 
 /// Nothing where the run was cancelled.

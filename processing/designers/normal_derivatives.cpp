@@ -98,7 +98,9 @@ void NormalDerivativeSlices::readIntensities(std::int64_t first, std::int64_t en
                     const std::int64_t from = z * m_slice + i;
                     const bool isData = mask == nullptr || mask[from] != 0;
                     const double stored = static_cast<double>(voxels[static_cast<std::size_t>(from)]);
-                    to[i] = isData ? static_cast<float>(std::clamp(stored / white, 0.0, 1.0)) : 0.0F;
+                    // Whoever set a mask may not have asked what is finite; written so that NaN becomes 0.
+                    const double share = isData ? stored / white : 0.0;
+                    to[i] = share > 0.0 ? static_cast<float>(std::min(share, 1.0)) : 0.0F;
                 }
             });
         },

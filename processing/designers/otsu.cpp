@@ -107,7 +107,7 @@ std::optional<Design> design(const OtsuConfig& config, const DesignerInput& inpu
     progress.at(1.0);
     const auto classes = otsuClasses(counts);
     if (!classes) {
-        Design design{PowerCurve{2, config.opacity}};
+        Design design{PowerCurve{2, 1.0}};
         design.message = counts.total == 0 ? "No voxel carries data: x^2 is used."
                                            : "All voxels with data have one intensity, which no threshold splits: x^2 "
                                              "is used.";
@@ -116,16 +116,15 @@ std::optional<Design> design(const OtsuConfig& config, const DesignerInput& inpu
     const double begin = std::max(0.0, classes->threshold - config.spreads * classes->dark.spread);
     const double end = std::min(1.0, classes->threshold + config.spreads * classes->bright.spread);
     Design design{ManualCurve{{{begin, 0.0}, {end, config.opacity}}}};
-    design.explanation = {"Otsu's threshold splits the voxels at " + inWords(classes->threshold) +
-                              " into a dark class (" + percentInWords(classes->dark.share) + " of them, mean " +
-                              inWords(classes->dark.mean) + ", spread " + inWords(classes->dark.spread) +
-                              ") and a bright one (mean " + inWords(classes->bright.mean) + ", spread " +
-                              inWords(classes->bright.spread) + ").",
-                          "The curve is clear up to " + inWords(begin) +
-                              ", below the threshold by the dark class's spread, and has its "
-                              "full opacity of " +
-                              inWords(config.opacity) + " from " + inWords(end) +
-                              " on, above the threshold by the bright class's spread."};
+    design.explanation = {
+        "Otsu's threshold splits the voxels at " + inWords(classes->threshold) + " into a dark class (" +
+            percentInWords(classes->dark.share) + " of them, mean " + inWords(classes->dark.mean) + ", spread " +
+            inWords(classes->dark.spread) + ") and a bright one (mean " + inWords(classes->bright.mean) + ", spread " +
+            inWords(classes->bright.spread) + ").",
+        "The curve is clear up to " + inWords(begin) + " and has its full opacity of " + inWords(config.opacity) +
+            " from " + inWords(end) + " on: the ramp reaches " + inWords(config.spreads) +
+            " times the dark class's spread below the threshold and as many times the bright "
+            "class's above it, within 0 and 1."};
     design.facts = {{"threshold", "Threshold", classes->threshold},
                     {"dark_mean", "Mean of the dark class", classes->dark.mean},
                     {"dark_spread", "Spread of the dark class", classes->dark.spread},

@@ -84,7 +84,7 @@ std::optional<Design> design(const PercentileConfig& config, const DesignerInput
     if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
     if (counts.counts.size() < 2) {
-        Design design{PowerCurve{2, config.opacity}};
+        Design design{PowerCurve{2, 1.0}};
         design.message = counts.total == 0 ? "No voxel carries data: x^2 is used."
                                            : "All voxels with data have one intensity, between which no ramp can "
                                              "stand: x^2 is used.";
@@ -92,9 +92,14 @@ std::optional<Design> design(const PercentileConfig& config, const DesignerInput
     }
     Ramp ramp = rampOf(counts, config);
     Design design{ManualCurve{{{ramp.begin, 0.0}, {ramp.end, config.opacity}}}};
-    design.explanation = {"The curve is clear up to " + inWords(ramp.begin) + ", percentile " + inWords(config.clear) +
-                          " of the voxels, and has its full opacity of " + inWords(config.opacity) + " from " +
-                          inWords(ramp.end) + " on, percentile " + inWords(config.full) + "."};
+    design.explanation = {"The curve is clear up to " + inWords(ramp.begin) + " and has its full opacity of " +
+                          inWords(config.opacity) + " from " + inWords(ramp.end) + " on."};
+    if (ramp.message.empty() && config.clear < config.full)
+        design.explanation.push_back("They are percentile " + inWords(config.clear) + " and percentile " +
+                                     inWords(config.full) + " of the voxels with data.");
+    else if (ramp.message.empty())
+        design.explanation.push_back("Full opacity is asked for from no higher percentile than clear up to, " +
+                                     inWords(config.clear) + ", so that the curve is a step there.");
     design.facts = {{"ramp_begin", "Ramp begins at", ramp.begin}, {"ramp_end", "Ramp ends at", ramp.end}};
     design.plots = {sharesUpTo(counts)};
     design.message = std::move(ramp.message);

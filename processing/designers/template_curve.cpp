@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "processing/designers/config_rows.h"
+#include "processing/designers/designer_contract.h"
+
 namespace echolucent {
 
 namespace {
@@ -19,67 +22,32 @@ using Config = TemplateConfig;
 constexpr std::string_view page = "docs/designers/template.md";
 constexpr int nodes = 256;
 
-template <double Config::*member>
-std::optional<ParameterValue> get(const Config& config) {
-    return config.*member;
-}
-template <double Config::*member>
-bool set(Config& config, const ParameterValue& value) {
-    const std::optional<double> number = numberOf(value);
-    if (number) config.*member = *number;
-    return number.has_value();
-}
-
-bool setComparison(Config& config, const ParameterValue& value) {
-    const auto* name = std::get_if<std::string>(&value);
-    const auto comparison = name != nullptr ? templateComparisonFromName(*name) : std::nullopt;
-    if (comparison) config.comparison = *comparison;
-    return comparison.has_value();
-}
-
-const std::array<Parameter<Config>, 3>& rows() {
-    static const std::array<Parameter<Config>, 3> table{{
-        {"comparison",
-         "Comparison",
-         "What the intensities of the volume and of the template are compared by: the logarithms of their shares, "
-         "which "
-         "asks little how much of a tissue there is, or the cumulative distributions, which find a change of gain "
-         "alone more exactly",
-         "",
-         page,
-         {},
-         {nameOf(TemplateComparison::logarithm), nameOf(TemplateComparison::cumulative)},
-         [](const Config& config) -> std::optional<ParameterValue> { return std::string(nameOf(config.comparison)); },
-         &setComparison},
-        {"least_slope",
-         "Least slope",
-         "How much the intensity axis of the template may be pressed together",
-         "times",
-         "Rezk-Salama and others 2000",
-         {1.0 / 8.0, 1},
-         {},
-         &get<&Config::leastSlope>,
-         &set<&Config::leastSlope>},
-        {"largest_slope",
-         "Largest slope",
-         "How much the intensity axis of the template may be stretched",
-         "times",
-         "Rezk-Salama and others 2000",
-         {1, 8},
-         {},
-         &get<&Config::largestSlope>,
-         &set<&Config::largestSlope>},
-    }};
+const std::vector<Parameter<Config>>& rows() {
+    using namespace config_rows;
+    static const std::vector<Parameter<Config>> table{
+        choice<&Config::comparison, templateComparisonNames>(
+            {"comparison", "Comparison",
+             "What the intensities of the volume and of the template are compared by: the logarithms of their shares, "
+             "which asks little how much of a tissue there is, or the cumulative distributions, which find a change of "
+             "gain alone more exactly",
+             "", page}),
+        number<&Config::leastSlope>(
+            {"least_slope", "Least slope", "How much the intensity axis of the template may be pressed together",
+             "times", "Rezk-Salama and others 2000"},
+            {1.0 / 8.0, 1}),
+        number<&Config::largestSlope>(
+            {"largest_slope", "Largest slope", "How much the intensity axis of the template may be stretched", "times",
+             "Rezk-Salama and others 2000"},
+            {1, 8}),
+    };
     return table;
 }
 
-/// Throws where a reference that came from elsewhere holds no histogram.
-void check(const std::vector<double>& histogram) {
+/// Whether a reference that came from elsewhere holds a histogram.
+bool isHistogram(const std::vector<double>& histogram) {
     const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
     const bool areShares = std::ranges::all_of(histogram, [](double share) { return share >= 0.0; });
-    if (histogram.size() != warpBins || !areShares || !(sum == 0.0 || std::abs(sum - 1.0) < 1e-6))
-        throw std::invalid_argument(
-            "TemplateConfig: the histogram of the reference must be 256 shares with a sum of 1, or 0");
+    return histogram.size() == warpBins && areShares && (sum == 0.0 || std::abs(sum - 1.0) < 1e-6);
 }
 
 std::string rounded(double value, double step) { return textOf(std::round(value / step) * step); }
@@ -156,13 +124,17 @@ void describe(const FoundWarp& found, const std::string& name, Design& design) {
 
 std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&) { return rows(); }
 
+std::string problemOf(const TemplateConfig& config) {
+    if (std::string problem = problemIn(parametersOf(config), config); !problem.empty()) return problem;
+    if (isHistogram(config.reference->histogram)) return {};
+    return "the histogram of the reference must be 256 shares, 0 or more, with a sum of 1, or 0";
+}
+
 std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input, const Progress& progress) {
-    const std::string problem = problemIn(parametersOf(config), config);
-    if (!problem.empty()) throw std::invalid_argument("TemplateConfig: " + problem);
+    if (const std::string problem = problemOf(config); !problem.empty())
+        throw std::invalid_argument("TemplateConfig: " + problem);
+    requireDesignable("TemplateConfig", parametersOf(config), config, input);
     const TemplateReference& reference = *config.reference;
-    check(reference.histogram);
-    if (input.raw.geometry().size != input.shown.geometry().size)
-        throw std::invalid_argument("TemplateConfig: the shown voxels have another grid");
     if (progress.cancelled()) return std::nullopt;
     const std::vector<double> shown = templateFrom(input.shown, {}, {}).histogram;
     Design design{reference.curve};

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "processing/designers/design.h"
 #include "processing/designers/intensity_warp.h"
@@ -22,6 +23,9 @@ struct TemplateConfig {
 };
 
 [[nodiscard]] std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&);
+
+/// What is wrong in a config, lower case, no full stop, its reference included; empty where nothing is.
+[[nodiscard]] std::string problemOf(const TemplateConfig& config);
 
 /// The curve alpha(t^-1(v)) at 256 equidistant intensities v, alpha the reference's curve and t the warp that
 /// findWarp() finds between the reference's histogram and that of the shown voxels. The plots are "warp" (NaN where the

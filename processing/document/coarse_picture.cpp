@@ -41,7 +41,8 @@ std::optional<Picture> coarsePicture(const Document& before, int view, const Coa
     poseOf(document, view) =
         wholeVolumePose(volume.dataBox(), viewAlongBeam(document.beam), lookOf(document, view).projection, aspect);
     SampledCurve adaptive;
-    if (needsAdaptiveOtf(document, view)) {
+    // What a design would make of so few voxels is not asked: the view's curve stands in for it.
+    if (viewOf(document, view).curve == CurveKind::adaptive && lookOf(document, view).mode == RenderMode::direct) {
         auto otf = adaptOpacity(volume, otfViewpointOf(document, view), configOf(document), silent);
         if (!otf) return std::nullopt;
         adaptive = std::move(otf->curve);

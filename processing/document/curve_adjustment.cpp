@@ -55,7 +55,7 @@ OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustme
     return sampled;
 }
 
-Classification adjusted(const Classification& classification, const CurveAdjustment& adjustment) {
+Classification adjustedClassification(const Classification& classification, const CurveAdjustment& adjustment) {
     if (!classification.isTwoDimensional()) return adjusted(classification.curve(), adjustment);
     if (adjustment == CurveAdjustment{}) return classification;
     const std::vector<double> upper = sampledOpacities(upperCurveOf(classification), tableIntensities);

@@ -23,6 +23,7 @@ inline constexpr double largestThreshold = 0.5, largestTransparency = 1.0;
 [[nodiscard]] OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustment);
 /// The same of whatever is rendered. Of a two-dimensional OTF the rise is that of its upper curve, and intensities are
 /// stretched at every gradient alike; its nodes stay as many as they are.
-[[nodiscard]] Classification adjusted(const Classification& classification, const CurveAdjustment& adjustment);
+[[nodiscard]] Classification adjustedClassification(const Classification& classification,
+                                                    const CurveAdjustment& adjustment);
 
 }  // namespace echolucent

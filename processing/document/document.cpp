@@ -211,7 +211,7 @@ std::string problemOf(const Document& document) {
     if (has(document.designs, 0)) return "designs must have ids from 1 on";
     for (std::size_t i = 0; i < document.designs.size(); ++i)
         if (const std::string problem = problemOf(document.designs[i].value); !problem.empty())
-            return "designs[" + std::to_string(i) + "] " + problem;
+            return "designs[" + std::to_string(i) + "]: " + problem;
     if (!unique(document.measurements)) return "measurements must have an id of its own each";
     if (const std::string problem = problemOf(document.motion); !problem.empty()) return "motion." + problem;
     for (std::size_t i = 0; i < document.measurements.size(); ++i)

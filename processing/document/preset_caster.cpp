@@ -39,7 +39,7 @@ std::optional<Picture> PresetCaster::cast(const Document& document, int view, co
 
 const SampledCurve* PresetCaster::adaptiveCurve(const Document& document, int view, const Voxels& voxels,
                                                 const Progress& progress) {
-    AskedOtf asked{otfViewpointOf(document, view), configOf(document), voxels};
+    AskedOtf asked{otfViewpointOf(document, view), configOf(document, view), voxels};
     if (m_asked == asked) return &m_adaptive;
     const QuietVoxels shown =
         voxels.shown == voxels.raw ? QuietVoxels{} : QuietVoxels{voxels.shown.get(), voxels.reduction};

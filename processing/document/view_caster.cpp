@@ -44,7 +44,7 @@ bool needsComputedOtf(const Document& document, int view) {
 
 Classification classificationOf(const Document& document, int view, const ViewOtf& otf) {
     if (designOf(document, view) == nullptr) return curveOf(document, view, otf.curve);
-    return adjusted(otf.designed.value_or(ManualCurve{}), document.curves.adjustment);
+    return adjustedClassification(otf.designed.value_or(Classification()), document.curves.adjustment);
 }
 
 DesignerInput designerInputOf(const Document& document, int view, const Volume& raw, const Volume& shown,

@@ -21,9 +21,9 @@ namespace echolucent {
 /// that MotionChoice::otf names where the adaptive one plays a part:
 ///   oneOtf      that of otfPhaseOf() along the method's direction, for every frame;
 ///   eachView    that of the frame's own view and phase: the frame is viewPicture() of documentOf(), to the bit;
-/// A view with a design has what its designer makes of otfPhaseOf() in the first case, of each frame in the others.
 ///   the others  the same, smoothed over the frames before it. The turn counts as having been shown before, so that the
 ///               first frame follows smoothly upon the last one.
+/// A view with a design has what its designer makes of otfPhaseOf() in the first case, of each frame in all others.
 /// Only one thread at a time may use it.
 class ViewFrames {
 public:

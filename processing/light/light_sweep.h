@@ -53,8 +53,8 @@ struct LightOtf {
     const GradientLevels* gradients = nullptr;
 
     template <typename Otf>
-    requires std::constructible_from<Classification, Otf> LightOtf(Otf&& otf, const GradientLevels* levels = nullptr)
-        : classification(std::forward<Otf>(otf)), gradients(levels) {}
+    requires std::constructible_from<Classification, Otf> LightOtf(Otf otf, const GradientLevels* levels = nullptr)
+        : classification(std::move(otf)), gradients(levels) {}
 };
 
 /// Makes light volumes of one volume again and again, and keeps what they have in common: the coarse opacities while

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "app/measuring/measures/median.h"
 #include "io/study.h"
 #include "processing/designers/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/opening_finds.h"
+#include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
 #include "processing/ray_caster.h"

@@ -59,12 +59,12 @@ TEST(DesignersCommand, TheAdaptiveDesignerIsTheReportWithoutOne) {
 }
 
 TEST(DesignersCommand, ParametersAreSetByName) {
-    const auto report = designOf("--designer percentile --set lower=50 --set upper=90");
+    const auto report = designOf("--designer percentile --set clear=50 --set full=90");
     PercentileConfig config;
     forEachParameter(DesignerConfig(config), [&](const auto& row, const auto&) {
         EXPECT_TRUE(report["parameters"].contains(std::string(row.name)));
     });
-    EXPECT_EQ(report["parameters"]["lower"], 50.0);
+    EXPECT_EQ(report["parameters"]["clear"], 50.0);
     EXPECT_NE(report["otf"], designOf("--designer percentile")["otf"]);
 }
 

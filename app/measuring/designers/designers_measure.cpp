@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "app/measuring/designers/study_designers.h"
-#include "app/measuring/measures/median.h"
 #include "app/measuring/otf/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/median.h"
 #include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 
@@ -67,21 +67,21 @@ DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& i
     return timed;
 }
 
-std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, SpeckleReduction reduction, int repeats) {
+std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, const ContrastSetting& setting) {
     std::vector<ContrastRow> rows;
     for (const NamedPhantom& condition : contrastConditions(base)) {
         const StudyPhantom phantom(condition.config);
-        const Volume quiet = *quietVolume(phantom.volume, reduction);
-        const Viewpoint view;
-        const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
+        const Volume quiet = *quietVolume(phantom.volume, setting.reduction);
+        const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, setting.view);
         std::vector<Classification> classifications;
         const std::size_t first = rows.size();
         for (const ComparedDesigner& designer : comparedDesigners()) {
-            const DesignTimed made = timedDesign(designer, {phantom.volume, quiet, reduction, view, {}}, repeats);
+            const DesignTimed made = timedDesign(
+                designer, {phantom.volume, quiet, setting.reduction, setting.view, setting.method}, setting.repeats);
             classifications.push_back(made.design.classification);
             rows.push_back({designer.name, condition.name, base.seed, std::nullopt, made.milliseconds});
         }
-        const auto contrasts = surfaceContrasts(quiet, rays, view, classifications);
+        const auto contrasts = surfaceContrasts(quiet, rays, setting.view, classifications);
         for (std::size_t i = 0; i < contrasts.size(); ++i) rows[first + i].contrast = contrasts[i].contrastToNoise();
     }
     return rows;

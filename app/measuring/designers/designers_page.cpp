@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "app/measuring/designers/study_designers.h"
-#include "app/measuring/measures/median.h"
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/study.h"
 #include "app/pages/html_page.h"
+#include "processing/median.h"
 
 namespace echolucent::cli {
 
@@ -76,7 +76,8 @@ TextTable shownTable(const DesignersStudy::Shown& one) {
 Plot curvesPlot(const DesignersStudy::Shown& one) {
     Plot plot{.title = "Opacity per unit; of two-dimensional OTFs the largest at any gradient",
               .xLabel = "normalised intensity",
-              .yLabel = "opacity"};
+              .yLabel = "opacity",
+              .series = {}};
     for (const DesignerPicture& each : one.pictures) {
         PlotSeries series{.name = each.designer, .x = {}, .y = {}, .labels = {}};
         const OpacityCurve curve = upperCurveOf(each.made.design.classification);

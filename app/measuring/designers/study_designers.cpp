@@ -76,7 +76,8 @@ Result<void> studyDesigners(const DesignersStudyOptions& options) {
         .seeds = options.phantoms.seeds, .reduction = cases->front().reduction, .repeats = options.repeats};
     if (options.volume.path.empty())
         for (const PhantomConfig& base : *bases)
-            for (ContrastRow& row : measureContrasts(base, study.reduction, options.repeats))
+            for (ContrastRow& row :
+                 measureContrasts(base, {cases->front().view, cases->front().method, study.reduction, options.repeats}))
                 study.contrasts.push_back(std::move(row));
     for (const DesignerCase& one : *cases) study.shown.push_back({one.name, showDesigners(one, options.repeats)});
     if (auto done = folder->write("designers.csv", designersCsv(study)); !done) return done;

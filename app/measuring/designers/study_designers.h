@@ -38,18 +38,24 @@ struct ContrastRow {
     std::optional<double> contrast;  ///< CNR_S
     double milliseconds = 0.0;       ///< of the designer
 };
+/// How the tube cores look at a scan, and what it is shown with.
+struct ContrastSetting {
+    Viewpoint view;
+    AdaptiveOtfConfig method;
+    SpeckleReduction reduction = SpeckleReduction::off;
+    int repeats = 1;
+};
 /// All designers on the six conditions of a scan.
-[[nodiscard]] std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, SpeckleReduction reduction,
-                                                        int repeats);
+[[nodiscard]] std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, const ContrastSetting& setting);
 
 /// A volume that is shown with each designer's OTF.
 struct DesignerCase {
     std::string name;
-    std::shared_ptr<const Volume> raw, shown;
+    std::shared_ptr<const Volume> raw{}, shown{};
     SpeckleReduction reduction = SpeckleReduction::off;
-    Viewpoint view;
-    AdaptiveOtfConfig method;
-    RayCastSettings settings;
+    Viewpoint view{};
+    AdaptiveOtfConfig method{};
+    RayCastSettings settings{};
 };
 /// What is shown and known of one designer on a case.
 struct DesignerPicture {
@@ -67,12 +73,12 @@ struct DesignersStudy {
     std::string seeds;
     SpeckleReduction reduction = SpeckleReduction::off;
     int repeats = 0;
-    std::vector<ContrastRow> contrasts;
+    std::vector<ContrastRow> contrasts{};
     struct Shown {
         std::string name;
         std::vector<DesignerPicture> pictures;
     };
-    std::vector<Shown> shown;
+    std::vector<Shown> shown{};
 };
 [[nodiscard]] std::string designersCsv(const DesignersStudy& study);
 [[nodiscard]] std::string designersPage(const DesignersStudy& study);

@@ -121,10 +121,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/views/0/design", 3, "", "views[0].design names no design"},
                     Wrong{"/views/1/without_tubes", {1, -2}, "views[1].without_tubes", "whole numbers"},
                     Wrong{"/designs/0/designer", "sakas", "designs[0].designer", "must not be \"sakas\""},
-                    Wrong{"/designs/0/parameters/transition_width", -1, "designs[0].parameters.transition_width", "to"},
+                    Wrong{"/designs/0/parameters/tissue_opacity", -1, "designs[0].parameters.tissue_opacity", "0 to 1"},
                     Wrong{"/designs/0/id", 2, "", "designs must have an id of its own each"},
                     Wrong{"/designs/0/id", 0, "", "designs must have ids from 1 on"},
-                    Wrong{"/designs/1/drawn", {{1, 2}}, "", "designs[1] "},
+                    Wrong{"/designs/2/reference/histogram/3", 0.5, "designs[2].reference", "sum of 1"},
+                    Wrong{"/designs/2/reference/curve/kind", "cubic", "designs[2].reference.curve.kind", "manual"},
+                    Wrong{"/designs/2/reference/curve/opacities", {0.5}, "designs[2].reference.curve.opacities", "two"},
+                    Wrong{"/designs/1/drawn", {{1, 2}}, "", "designs[1]: "},
                     Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
                     Wrong{"/study/file/path", 5, "study.file.path", "text"}));
 

@@ -74,11 +74,16 @@ inline Document unusualDocument() {
     document.views = {{3, 7, 4, 9, 1, CurveKind::quartic, 6, 5, 2}, {8, 2, 5, 9, 1, CurveKind::manual, 1, 5, 1}};
     LevoyConfig levoy;
     levoy.form = LevoyForm::boundaries;
-    levoy.transitionWidth = 4.0 / 3.0;
+    levoy.tissueOpacity = 2.0 / 3.0;
     KindlmannConfig kindlmann;
     kindlmann.emphasis = BoundaryEmphasis::drawn;
     kindlmann.drawn = {{-1.0 / 3.0, 0.1}, {0.2, 0.7}, {0.2, 0.0}};
-    document.designs = {{4, levoy}, {2, kindlmann}};
+    TemplateReference reference{"a scan", std::vector<double>(256, 0.0), SampledCurve{{0.1, 1.0 / 3.0, 0.7}}};
+    reference.histogram[3] = 1.0 / 3.0;
+    reference.histogram[200] = 2.0 / 3.0;
+    TemplateConfig carried;
+    carried.reference = reference;
+    document.designs = {{4, levoy}, {2, kindlmann}, {9, carried}};
     document.views[0].design = 4;
     document.views[1].design = 2;
     document.views[1].withoutTubes = {0, 7, 112};

@@ -31,7 +31,7 @@ TEST(LevoyLevels, TubeCoresGiveTheLevelsBeforeAndBehindTheSurface) {
         const Design design = designed(volume, config);
         EXPECT_NEAR(factOf(design, "fluid_level"), 14 / 255.0, 0.005);
         EXPECT_NEAR(factOf(design, "tissue_level"), 120 / 255.0, 0.02);
-        EXPECT_GT(factOf(design, "tube_cores"), 0.0);
+        EXPECT_GT(factOf(design, "surfaces_with_weight"), 0.0);
         EXPECT_TRUE(design.message.empty());
         EXPECT_TRUE(design.classification.isTwoDimensional());
         // The fluid is clear whatever its noise, and the middle of the ramp, which rises by a third of the step, is

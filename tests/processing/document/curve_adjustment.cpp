@@ -58,5 +58,21 @@ TEST(CurveAdjustment, IsRenderedWithWhicheverCurveIsActive) {
     EXPECT_TRUE(adjusted(SampledCurve{}, document.curves.adjustment) == OpacityCurve(SampledCurve{}));
 }
 
+TEST(CurveAdjustment, ATwoDimensionalOtfIsAdjustedAsTheCurveOfEachGradient) {
+    // Half of the largest opacity, that of gradient 0.4, is reached at 0.4125 as in the ramp.
+    const TwoDimensionalOtf otf =
+        tabulated(1021, 5, 0.4, [](double f, double g) { return opacityAt(ramp, f) * g / 0.4; });
+    const CurveAdjustment adjustment{.threshold = 0.2, .transparency = -0.5};
+    const Classification moved = adjustedClassification(Classification(otf), adjustment);
+    ASSERT_TRUE(moved.isTwoDimensional());
+    const OpacityCurve upper = adjusted(ramp, adjustment);
+    for (int i = 0; i <= 50; ++i) EXPECT_NEAR(opacityAt(moved, i / 50.0, 0.4), opacityAt(upper, i / 50.0), 0.005);
+    EXPECT_NEAR(opacityAt(moved, 0.6125, 0.2), 1.0 - std::pow(1.0 - 0.225, 2.0), 0.005);
+    EXPECT_EQ(opacityAt(moved, 0.9, 0.0), 0.0);
+    EXPECT_EQ(adjustedClassification(Classification(otf), {}), Classification(otf));
+    EXPECT_EQ(adjustedClassification(ramp, adjustment), Classification(upper));
+    EXPECT_EQ(adjustedClassification(Classification(), adjustment), Classification());
+}
+
 }  // namespace
 }  // namespace echolucent

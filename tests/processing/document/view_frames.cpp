@@ -66,7 +66,7 @@ TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
                 const auto expected = viewPicture(alone, 1, phases.scans, width, height);
                 const auto made = frames.picture(frame, width, height);
                 EXPECT_TRUE(pixels(made) == pixels(expected)) << nameOf(scenario) << ' ' << nameOf(otf) << ' ' << frame;
-                EXPECT_TRUE(made->cast == expected->cast && made->curve == expected->curve);
+                EXPECT_TRUE(made->cast == expected->cast && made->classification == expected->classification);
             }
             EXPECT_THROW((void)frames.position(frames.count()), std::out_of_range);
         }
@@ -101,14 +101,14 @@ TEST(ViewFrames, OneOtfIsThatOfItsPhase) {
     const auto curveOfPhase = [&](int phase) {
         document.motion.otfPhase = phase;
         ViewFrames frames(document, 1, phases);
-        return frames.picture(1, width, height)->curve;
+        return frames.picture(1, width, height)->classification;
     };
     Document each = document;
     each.motion.otf = MotionOtf::eachView;
     each.method.direction = poseOf(each, 1).direction;
     phaseOf(each, 1) = 2;
     document.method.direction = each.method.direction;
-    const OpacityCurve last = viewPicture(each, 1, phases.scans, width, height)->curve;
+    const Classification last = viewPicture(each, 1, phases.scans, width, height)->classification;
     EXPECT_TRUE(curveOfPhase(2) == last);
     EXPECT_TRUE(curveOfPhase(9) == last) << "a phase beyond the last one is the last one";
     EXPECT_FALSE(curveOfPhase(0) == last);
@@ -126,16 +126,16 @@ TEST(ViewFrames, SmoothedOtfsFollowTheTurnRoundAndRound) {
     for (int frame = 0; frame < 3 * frames.count(); ++frame) {
         Document alone = frames.documentOf(frame % frames.count());
         alone.motion.otf = MotionOtf::eachView;
-        const OpacityCurve own = viewPicture(alone, 1, phases.scans, 2, 2)->curve;
+        const OpacityCurve own = viewPicture(alone, 1, phases.scans, 2, 2)->classification.curve();
         shown.push_back(history.add(frame, std::get<SampledCurve>(own)));
     }
     for (int frame = 0; frame < frames.count(); ++frame) {
         const auto made = frames.picture(frame, width, height);
-        const auto& curve = std::get<SampledCurve>(made->curve);
+        const auto& curve = std::get<SampledCurve>(made->classification.curve());
         const auto& expected = shown[static_cast<std::size_t>(2 * frames.count() + frame)];
         for (std::size_t i = 0; i < curve.opacities.size(); ++i)
             EXPECT_NEAR(curve.opacities[i], expected.opacities[i], 1e-14);
-        EXPECT_FALSE(made->curve == OpacityCurve(frames.picture((frame + 1) % 3, 2, 2)->curve));
+        EXPECT_FALSE(made->classification == frames.picture((frame + 1) % 3, 2, 2)->classification);
     }
 }
 
@@ -166,6 +166,23 @@ TEST(ViewFrames, IsCancelled) {
 
 TEST(ViewFrames, AStudyWithoutPhasesIsABrokenContract) {
     EXPECT_THROW(ViewFrames(Document{}, 1, StudyPhases{}), std::invalid_argument);
+}
+
+TEST(ViewFrames, ADesignIsThatOfTheOnePhaseOrOfEach) {
+    const StudyPhases phases = phasesOf(3);
+    for (const MotionOtf otf : {MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean}) {
+        Document document = withDesign(documentOf(MotionScenario::object, otf), 1, OtsuConfig{});
+        document.motion.otfPhase = 1;
+        ViewFrames frames(document, 1, phases);
+        for (const int frame : {0, 2}) {
+            Document alone = frames.documentOf(frame);
+            const int phase = otf == MotionOtf::oneOtf ? 1 : frames.position(frame).phase;
+            phaseOf(alone, 1) = phase;
+            alone.motion.otf = MotionOtf::eachView;
+            const auto expected = viewPicture(alone, 1, phases.scans, 2, 2);
+            EXPECT_EQ(frames.picture(frame, 2, 2)->classification, expected->classification) << nameOf(otf);
+        }
+    }
 }
 
 }  // namespace

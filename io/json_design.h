@@ -9,7 +9,7 @@
 namespace echolucent {
 
 /// "designer", its name, and "parameters", its table; of Kindlmann and Durkin's also "drawn", pairs of position and
-/// opacity, and of a template's "reference": "name", "histogram" and "curve", a list of opacities.
+/// opacity, and of a template's "reference": "name", "histogram", 256 shares, and "curve", by its "kind".
 [[nodiscard]] nlohmann::ordered_json designJson(const DesignerConfig& config);
 /// Parameters that are missing have their defaults, and so have "drawn" and "reference".
 [[nodiscard]] DesignerConfig designIn(JsonFields& fields);
