@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t mostEmphasisNodes = 64;
-
 void writeMore(const KindlmannConfig& config, ordered_json& object) {
     std::vector<std::array<double, 2>> nodes;
     for (const EmphasisNode& node : config.drawn) nodes.push_back({node.position, node.opacity});
@@ -37,17 +35,16 @@ ordered_json curveJson(const OpacityCurve& curve) {
 }
 
 OpacityCurve curveIn(JsonFields fields) {
-    constexpr double largestScale = 1e6;
     constexpr std::int64_t largestExponent = 64;
     const std::string kind = fields.text("kind");
     if (kind == "manual") return manualCurveIn(fields, "nodes");
     if (kind == "linear") {
         const double lower = fields.number("lower", 0, 1);
-        return LinearCurve{lower, fields.number("slope", 0, largestScale), fields.number("upper", lower, 1)};
+        return LinearCurve{lower, fields.number("slope", 0, largestScale()), fields.number("upper", lower, 1)};
     }
     if (kind == "power")
         return PowerCurve{static_cast<int>(fields.whole("exponent", 1, largestExponent)),
-                          fields.number("scale", 0, largestScale)};
+                          fields.number("scale", 0, largestScale())};
     if (kind != "sampled") fields.wrong("kind", "must be manual, linear, power or sampled");
     SampledCurve curve{fields.numbers("opacities")};
     const auto isOpacity = [](double opacity) { return opacity >= 0.0 && opacity <= 1.0; };

@@ -13,13 +13,12 @@ using nlohmann::ordered_json;
 
 constexpr const char* withoutTubesKey = "without_tubes";
 
-/// The largest opacity scale and slope that a curve may have.
+}  // namespace
+
 double largestScale() {
     static const double largest = parameterNamed(methodParameters(), "opacity_scale")->range.largest;
     return largest;
 }
-
-}  // namespace
 
 ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
 

@@ -22,6 +22,9 @@ nlohmann::ordered_json parametersJson(std::span<const Parameter<Values>> table, 
 /// What is missing is that of lookAtStart().
 [[nodiscard]] Look lookIn(JsonFields& fields);
 
+/// The largest opacity scale and slope that a curve in a file may have, that of the method's opacity scale.
+[[nodiscard]] double largestScale();
+
 [[nodiscard]] nlohmann::ordered_json curvesJson(const CurveSet& curves);
 [[nodiscard]] CurveSet curvesIn(JsonFields fields);
 

@@ -32,14 +32,13 @@ template <typename Values>
 std::string allowedBy(const Parameter<Values>& row, const ParameterValue& like) {
     if (!row.choices.empty()) return "Use " + listed(row.choices) + ".";
     if (std::holds_alternative<bool>(like)) return "Use true or false.";
-    const std::string unit = row.unit.empty() ? std::string() : fmt::format(" {}", row.unit);
+    const std::string unit = row.unit.empty() ? std::string() : fmt::format(" ({})", row.unit);
     return fmt::format("Use a number from {} to {}{}.", textOf(row.range.least), textOf(row.range.largest), unit);
 }
 
 /// Sets one parameter of a config.
 Result<void> set(DesignerConfig& config, const std::string& name, const std::string& text) {
-    Result<void> done = wrongUsage(setOption, fmt::format("names \"{}\", which is no parameter of {}", name,
-                                                          echolucent::nameOf(designerOf(config))));
+    Result<void> done;
     std::string known;
     std::visit(
         [&](auto& values) {
@@ -58,7 +57,6 @@ Result<void> set(DesignerConfig& config, const std::string& name, const std::str
                     done = wrongUsage(setOption, fmt::format("says \"{}\" for {}", text, name), allowedBy(row, *like));
                     return;
                 }
-                done = {};
                 return;
             }
             done = wrongUsage(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "processing/designers/boundary_position.h"
@@ -65,7 +66,8 @@ const std::vector<Parameter<KindlmannConfig>>& rows() {
 }
 
 std::string problemOfDrawn(const std::vector<EmphasisNode>& nodes) {
-    if (nodes.size() < 2 || nodes.size() > 64) return "the drawn emphasis must have 2 to 64 nodes";
+    if (nodes.size() < 2 || nodes.size() > mostEmphasisNodes)
+        return "the drawn emphasis must have 2 to " + std::to_string(mostEmphasisNodes) + " nodes";
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!inRange(nodes[i].position, {-8, 8})) return "the positions of the drawn emphasis must be -8 to 8";
         if (!inRange(nodes[i].opacity, {0, 1})) return "the opacities of the drawn emphasis must be 0 to 1";

@@ -1,6 +1,7 @@
 // The semi-automatic OTF of Kindlmann and Durkin (1998): opacity by where a voxel lies within a boundary.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ struct EmphasisNode {
     friend bool operator==(const EmphasisNode&, const EmphasisNode&) = default;
 };
 
+/// The most nodes that KindlmannConfig::drawn may have; it must have two.
+inline constexpr std::size_t mostEmphasisNodes = 64;
+
 /// parametersOf() has the ranges, the meanings and the sources of all members but `drawn`.
 struct KindlmannConfig {
     KindlmannDimensions dimensions = KindlmannDimensions::one;
@@ -59,8 +63,8 @@ struct KindlmannConfig {
     double peak = 1.0;       ///< of the hat, opacity per reference step
     /// What a person drew, piecewise linear, constant beyond its first and last node; two nodes at one position make a
     /// step, of which the later one holds there. It counts where `emphasis` says so, and is kept where it does not, so
-    /// that a person can go to the hat and back. Tables of parameters hold scalars and so do not hold it. 2 to 64
-    /// nodes, of positions in [-8,8] that do not descend; the default is the default hat.
+    /// that a person can go to the hat and back. Tables of parameters hold scalars and so do not hold it. 2 to
+    /// mostEmphasisNodes nodes, of positions in [-8,8] that do not descend; the default is the default hat.
     std::vector<EmphasisNode> drawn{{-1.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
     friend bool operator==(const KindlmannConfig&, const KindlmannConfig&) = default;
 };

@@ -80,6 +80,7 @@ TEST(DesignersCommand, WhatMakesNoSenseIsRefusedInWords) {
           Row{"--designer levoy --set form=cubes", "Use isovalues or boundaries."},
           Row{"--designer levoy --set transition_width=-1", "Use a number from"},
           Row{"--designer levoy --set transition_width=wide", "Use a number from"},
+          Row{"--designer echo-ramp --set threshold=2", "Use a number from 0 to 1 (share)."},
           Row{"--designer levoy --tubes-csv -", "plays no part beside --designer levoy"},
           Row{"--designer fetal-preset --set opacity=1", "It has none."}, Row{"--set form=isovalues", "--designer"}}) {
         const Outcome outcome = runProgram(otf + row.arguments);
